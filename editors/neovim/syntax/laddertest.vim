@@ -17,6 +17,14 @@ syntax match laddertestHigh /\%([ \t_.]\)\@<=-\+\ze\%([ \t_.]\|$\)/
 syntax match laddertestNumber /\%(\s\)\@<=-\?\d[0-9A-Za-z_.:#-]*/
 syntax match laddertestNumber /\%(\s\)\@<=\a\+#[0-9A-Za-z_.:-]\+/
 syntax match laddertestTolerance /\%(±\|+-\)\s*\S\+/
+" Properties and assumptions; a row of a tag that is called so has an arrow, or levels and nothing else.
+syntax match laddertestProperty /^\s*\%(assume\|always\|never\|when\|after\|within\|possible\|no\ze\s\+faults\)\>\%(\s*=>\|[-_. \t]*$\)\@!.*$/ contains=laddertestForm,laddertestPast,laddertestOperator,laddertestSpan,laddertestText,laddertestComment
+syntax match laddertestProperty /^\s*property\s\+".*$/ contains=laddertestForm,laddertestName,laddertestPast,laddertestOperator,laddertestSpan,laddertestText,laddertestComment
+syntax match laddertestForm /\<\%(property\|assume\|always\|never\|when\|until\|after\|within\|of\|possible\|no\|faults\|scans\=\)\>/ contained
+syntax match laddertestPast /\<\%(rises\|falls\|was\)\ze\s*(/ contained
+syntax match laddertestOperator /\c\<\%(not\|and\|or\|xor\|mod\)\>/ contained
+syntax match laddertestOperator /[-+*\/=<>&:]/ contained
+syntax match laddertestSpan /\%([[:alnum:]_.]\)\@1<!\%(\d\|\a\+#\)[0-9A-Za-z_.#]*/ contained
 " A # right after a letter or digit belongs to a literal.
 syntax match laddertestComment /\%([[:alnum:]]\)\@1<!#.*$/
 
@@ -30,6 +38,11 @@ highlight default link laddertestLow NonText
 highlight default link laddertestHigh Special
 highlight default link laddertestNumber Number
 highlight default link laddertestTolerance Constant
+highlight default link laddertestProperty Identifier
+highlight default link laddertestForm Keyword
+highlight default link laddertestPast Function
+highlight default link laddertestOperator Operator
+highlight default link laddertestSpan Number
 highlight default link laddertestComment Comment
 
 let b:current_syntax = 'laddertest'

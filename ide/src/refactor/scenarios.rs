@@ -2,7 +2,7 @@
 
 use crate::neighbour::Workspace;
 use crate::rename::{Renamed, in_columns};
-use crate::scenario::row::{Named, each_row};
+use crate::scenario::row::{Named, each_name};
 use crate::symbol::Symbol;
 use ladder_analysis::context::Context;
 use ladder_format::Edit;
@@ -10,7 +10,7 @@ use ladder_syntax::{Name, TextRange, TextSize};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// What becomes of names in the rows of scenarios.
+/// What becomes of names in the rows of scenarios, and in properties.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum InScenarios {
     /// They stay.
@@ -94,9 +94,9 @@ impl InScenarios {
                 continue;
             }
             let mut edits = Vec::new();
-            each_row(&file, &names, own, workspace, &mut |row, named| {
-                if let Some((part, text)) = self.of(&row.name, named) {
-                    let at = |place: usize| row.range.start() + TextSize::new(place as u32);
+            each_name(&file, &names, own, workspace, &mut |naming, named| {
+                if let Some((part, text)) = self.of(naming.text, named) {
+                    let at = |place: usize| naming.range.start() + TextSize::new(place as u32);
                     let range = TextRange::new(at(part.start), at(part.end));
                     edits.push(Edit { range, text });
                 }

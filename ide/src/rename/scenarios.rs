@@ -1,10 +1,10 @@
-//! Scenarios name tags, members and values: they follow.
+//! Scenarios and properties name tags, members and values: they follow.
 
 use super::Renamed;
 use super::layout::compose;
 use crate::neighbour::{ScenarioFile, Workspace};
 use crate::scenario::edits::layout;
-use crate::scenario::row::rows_naming;
+use crate::scenario::row::naming;
 use crate::symbol::Symbol;
 use ladder_analysis::context::Context;
 use ladder_format::{Edit, apply, display_width};
@@ -21,7 +21,7 @@ pub(super) fn renamed(own: &Context, symbol: &Symbol, new: &str, workspace: &dyn
             text: new.to_owned(),
         };
         let mut edits = Vec::new();
-        for found in rows_naming(&scenarios, symbol, own, workspace) {
+        for found in naming(&scenarios, symbol, own, workspace) {
             edits.extend(found.in_name.into_iter().chain(found.in_cells).map(named));
         }
         edits.retain(|edit| scenarios.text[edit.range] != edit.text);

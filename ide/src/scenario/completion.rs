@@ -1,16 +1,20 @@
-//! Completion in a scenario file: headings, tags, and values by their types.
+//! Completion in a scenario file: headings, tags, values by their types, and properties.
 
 use super::file::Scenarios;
+use super::forms::is_of_property;
 use super::hover::keyword;
 use super::members::after_point;
-use super::named_by_rows::tags_of;
+use super::named_by_rows::{Proposed, tags_of};
 use super::place::line;
+use super::property_completion as property;
 use super::row::{Files, stem_of, value_type};
 use super::used::used_files;
 use crate::completion::{Completion, CompletionKind, Completions, Snippet, Topic};
+use crate::neighbour::Workspace;
+use ladder_analysis::context::Context;
 use ladder_analysis::program::SystemTag;
 use ladder_analysis::values::types::Scalar;
-use ladder_simulator::scenario::{Direction, HEADINGS, Scenario, TIME, TextLine, TimeRow};
+use ladder_simulator::scenario::{Direction, HEADINGS, Scenario, TIME, TextLine, TimeRow, Word};
 use ladder_syntax::{Name, TextRange, TextSize};
 
 /// This many are proposed at once.
@@ -54,26 +58,20 @@ pub fn completions(
         .iter()
         .rev()
         .find(|it| it.range.start() <= start);
-    match words {
-        // A dot among values is one: as before.
-        [] if trigger.is_none_or(|trigger| matches!(trigger, '.' | '[')) => {
-            at_line_start(scenarios, scenario, offset, trigger, &mut out);
-        }
-        _ if trigger.is_some() => {}
-        [first, rest @ ..] if scenario.is_none() => heading(first.text, rest.is_empty(), programs, &mut out),
-        [first, rest @ ..] => {
-            if let Some(scenario) = scenario.filter(|_| first.text != "scenario") {
-                in_row(
-                    scenarios,
-                    scenario,
-                    first.text,
-                    rest.first().map(|word| word.text),
-                    start,
-                    &mut out,
-                );
-            }
-        }
-        [] => {}
+    if !words.is_empty() && is_of_property(scenarios, start, &text[..within]) {
+        property::in_line(scenarios, (start, &text[..within]), trigger, &mut out);
+    } else if words.is_empty() && trigger.is_none() && property::is_named_above(scenarios.text, start) {
+        property::forms(&mut out);
+    } else {
+        in_scenario(
+            scenarios,
+            (offset, start),
+            words,
+            scenario,
+            programs,
+            trigger,
+            &mut out,
+        );
     }
     let cut = out.items.len() > MOST;
     out.items.truncate(MOST);
@@ -83,16 +81,56 @@ pub fn completions(
     }
 }
 
-struct Proposals {
+/// Everything but properties.
+fn in_scenario(
+    scenarios: &Scenarios<'_>,
+    (offset, start): (TextSize, TextSize),
+    words: &[Word<'_>],
+    scenario: Option<&Scenario>,
+    programs: &[String],
+    trigger: Option<char>,
+    out: &mut Proposals,
+) {
+    match words {
+        // A dot among values is one: as before.
+        [] if trigger.is_none_or(|trigger| matches!(trigger, '.' | '[')) => {
+            at_line_start(scenarios, scenario, offset, trigger, out);
+        }
+        _ if trigger.is_some() => {}
+        [first, rest @ ..] if scenario.is_none() => heading(first.text, rest.is_empty(), programs, out),
+        [first, rest @ ..] => {
+            if let Some(scenario) = scenario.filter(|_| first.text != "scenario") {
+                in_row(
+                    scenarios,
+                    scenario,
+                    first.text,
+                    rest.first().map(|word| word.text),
+                    start,
+                    out,
+                );
+            }
+        }
+        [] => {}
+    }
+}
+
+pub(super) struct Proposals {
     /// What is replaced.
-    word: TextRange,
+    pub(super) word: TextRange,
     /// Nothing is after the cursor on its line.
     ends_line: bool,
     items: Vec<Completion>,
 }
 
 impl Proposals {
-    fn add(&mut self, kind: CompletionKind, label: &str, detail: &str, text: Snippet, topic: Topic) {
+    pub(super) fn add(
+        &mut self,
+        kind: CompletionKind,
+        label: &str,
+        detail: &str,
+        text: Snippet,
+        topic: Topic,
+    ) {
         self.items.push(Completion {
             label: label.to_owned(),
             detail: detail.to_owned(),
@@ -104,7 +142,7 @@ impl Proposals {
         });
     }
 
-    fn value(&mut self, label: &str, words: &'static str) {
+    pub(super) fn value(&mut self, label: &str, words: &'static str) {
         self.add(
             CompletionKind::Value,
             label,
@@ -147,10 +185,11 @@ fn at_line_start(
             .text("\"\n")
             .end();
         word("scenario", text, out);
+        property::begun(out);
     }
 }
 
-fn word(label: &'static str, text: Snippet, out: &mut Proposals) {
+pub(super) fn word(label: &'static str, text: Snippet, out: &mut Proposals) {
     let topic = keyword(label).map_or(Topic::Nothing, Topic::Words);
     out.add(CompletionKind::Keyword, label, "", text, topic);
 }
@@ -181,21 +220,8 @@ fn tags(
         }
         return;
     }
-    let used = used_files(program, scenarios.workspace);
-    let mut found = Vec::new();
-    for own in tags_of(program, "") {
-        if !has_row(&own.name, own.direction) {
-            found.push(own);
-        }
-    }
-    for file in &used {
-        for mut other in tags_of(file, stem_of(&file.name)) {
-            if !has_row(&other.name, other.direction) {
-                other.order += AFTER_ALL_OWN;
-                found.push(other);
-            }
-        }
-    }
+    let mut found = nameable(program, scenarios.workspace);
+    found.retain(|it| !has_row(&it.name, it.direction));
     if Name::new(written).as_str().starts_with("sys") {
         for tag in SystemTag::ALL {
             let name = format!("SYS.{}", tag.name());
@@ -209,12 +235,30 @@ fn tags(
             );
         }
     }
-    let begins = |name: &str| Name::new(name).as_str().starts_with(Name::new(written).as_str());
-    found.sort_by_key(|it| (!begins(&it.name), it.order));
+    best_first(&mut found, written);
     for it in found {
         let text = row_text(&it.name, it.direction, out);
         out.add(it.kind, &it.name, &it.detail, text, it.topic);
     }
+}
+
+/// What the program and the files that it uses have.
+pub(super) fn nameable(program: &Context, workspace: &dyn Workspace) -> Vec<Proposed> {
+    let mut found = tags_of(program, "");
+    for file in &used_files(program, workspace) {
+        let others = tags_of(file, stem_of(&file.name)).into_iter();
+        found.extend(others.map(|other| Proposed {
+            order: other.order + AFTER_ALL_OWN,
+            ..other
+        }));
+    }
+    found
+}
+
+/// What begins like the word that is written comes first.
+pub(super) fn best_first(found: &mut [Proposed], written: &str) {
+    let begins = |name: &str| Name::new(name).as_str().starts_with(Name::new(written).as_str());
+    found.sort_by_key(|it| (!begins(&it.name), it.order));
 }
 
 /// A tag and what is between it and its values, where nothing follows yet.

@@ -1,6 +1,7 @@
-//! Hover in a scenario file: the tag of a row, what a value means, when a step is.
+//! Hover in a scenario file: the tag of a row or of a property, what a value means, when a step is, what a form demands.
 
 use super::file::Scenarios;
+use super::forms::{IN_PROPERTY, form, in_property, is_of_property, of_form};
 use super::place::{AtCursor, line, place};
 use super::row::{Files, Named, named, value_type};
 use crate::comments;
@@ -17,20 +18,27 @@ pub fn hover(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Hover, Opti
     let Some(found) = place(scenarios, offset) else {
         return Some((word(scenarios, offset)?, None));
     };
-    if let AtCursor::Tag(row) = found
+    let name = match found {
+        AtCursor::Tag(row) => Some((&*row.name, row.range, does(row))),
+        AtCursor::Operand(operand) => Some((operand.text, operand.range, IN_PROPERTY)),
+        _ => None,
+    };
+    if let Some((name, range, does)) = name
         && let Some(files) = Files::of(scenarios)
-        && let Some(named) = named(files, &row.name)
+        && let Some(named) = named(files, name)
     {
         let hover = Hover {
-            range: row.range,
-            markdown: of_tag(scenarios, row, &named),
+            range,
+            markdown: of_tag(scenarios, name, does, &named),
         };
         return Some((hover, Some(Arc::clone(&named.file.name))));
     }
     let (range, markdown) = match found {
         AtCursor::Program(range) => (range, program(scenarios)?),
         AtCursor::Scenario(scenario) => (scenario.range, length(scenarios, scenario)),
-        AtCursor::Tag(row) => (row.range, of_value(scenarios, row)?),
+        AtCursor::Tag(row) => (row.range, of_value(scenarios, &row.name, does(row))?),
+        AtCursor::Operand(operand) => (operand.range, of_value(scenarios, operand.text, IN_PROPERTY)?),
+        AtCursor::Property(property) => (property.range, of_form(&property.form).to_owned()),
         AtCursor::Step(scenario, row, cell) => (row.cells[cell].1, of_step(scenarios, scenario, row, cell)),
         AtCursor::Time(scenario, range, step) => (range, when(scenarios, scenario, step)),
         AtCursor::Tolerance(range) => (
@@ -57,6 +65,7 @@ fn word(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<Hover> {
     let markdown = match word {
         "=>" => "What is after `=>` is expected of the program after each step.",
         word if is_first => keyword(word)?,
+        word if is_of_property(scenarios, start, text) => in_property(word)?,
         _ => return None,
     };
     Some(Hover {
@@ -81,7 +90,7 @@ pub(super) fn keyword(word: &str) -> Option<&'static str> {
         "scenario" => {
             "What is shown, in quotes. Its rows follow: a tag and a value for each step. Each scenario starts cold."
         }
-        _ => return None,
+        word => return form(word),
     })
 }
 
@@ -148,22 +157,22 @@ const fn does(row: &Row) -> &'static str {
     }
 }
 
-/// A row of something that is not a tag.
-fn of_value(scenarios: &Scenarios<'_>, row: &Row) -> Option<String> {
-    let ty = value_type(scenarios, &row.name)?;
-    Some(format!("`{}` : {}\n\n{}", row.name, ty.name(), does(row)))
+/// A name of something that is not a tag.
+fn of_value(scenarios: &Scenarios<'_>, name: &str, does: &str) -> Option<String> {
+    let ty = value_type(scenarios, name)?;
+    Some(format!("`{name}` : {}\n\n{does}", ty.name()))
 }
 
-fn of_tag(scenarios: &Scenarios<'_>, row: &Row, named: &Named<'_>) -> String {
+fn of_tag(scenarios: &Scenarios<'_>, name: &str, does: &str, named: &Named<'_>) -> String {
     let mut card = tag_card(&named.file, named.tag(), None);
     if let Some(said) = comments::of_declaration(&named.file, named.file.shared(named.tag())) {
         // A comment is not Markdown.
         card = format!("{}\n\n{card}", escaped(&said));
     }
-    if let Some(ty) = value_type(scenarios, &row.name).filter(|_| named.name.len() < row.name.len()) {
-        card = format!("`{}` : {}, of\n\n{card}", row.name, ty.name());
+    if let Some(ty) = value_type(scenarios, name).filter(|_| named.name.len() < name.len()) {
+        card = format!("`{name}` : {}, of\n\n{card}", ty.name());
     }
-    format!("{card}\n\n---\n\n{}", does(row))
+    format!("{card}\n\n---\n\n{does}")
 }
 
 fn of_step(scenarios: &Scenarios<'_>, scenario: &Scenario, row: &Row, number: usize) -> String {

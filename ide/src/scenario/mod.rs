@@ -7,12 +7,15 @@
 mod completion;
 pub(crate) mod edits;
 mod file;
+mod forms;
 mod hover;
 mod members;
 mod named_by_rows;
+mod naming;
 mod navigate;
 mod outline;
 mod place;
+mod property_completion;
 pub(crate) mod row;
 mod used;
 

@@ -1,8 +1,8 @@
-//! From a row to the program and back: definition, references, highlights and rename.
+//! From a row or a property to the program and back: definition, references, highlights and rename.
 
 use super::file::Scenarios;
 use super::place::{AtCursor, place};
-use super::row::{Files, in_rows, named, within};
+use super::row::{Files, named, places_in, within};
 use crate::definition::defined;
 use crate::highlight::Highlight;
 use crate::references::{Reference, of_symbol};
@@ -17,13 +17,8 @@ use std::sync::Arc;
 fn symbol_at(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Symbol, TextRange)> {
     let files = Files::of(scenarios)?;
     match place(scenarios, offset)? {
-        AtCursor::Tag(row) => {
-            let named = named(files, &row.name)?;
-            // An index, or a member of a timer, leads to its tag.
-            let found = named.at(usize::from(offset - row.range.start()));
-            let (word, symbol) = found.unwrap_or((&named.name, &named.symbol));
-            Some((symbol.clone(), within(row.range, word)))
-        }
+        AtCursor::Tag(row) => in_name(files, &row.name, row.range, offset),
+        AtCursor::Operand(operand) => in_name(files, operand.text, operand.range, offset),
         AtCursor::Step(_, row, _) => {
             let cells = named(files, &row.name)?.in_cells(row);
             let found = cells
@@ -33,6 +28,14 @@ fn symbol_at(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Symbol, Tex
         }
         _ => None,
     }
+}
+
+fn in_name(files: Files<'_>, name: &str, range: TextRange, offset: TextSize) -> Option<(Symbol, TextRange)> {
+    let named = named(files, name)?;
+    // An index, or a member of a timer, leads to its tag.
+    let found = named.at(usize::from(offset - range.start()));
+    let (word, symbol) = found.unwrap_or((&named.name, &named.symbol));
+    Some((symbol.clone(), within(range, word)))
 }
 
 /// Where what is at an offset is defined: a tag in its file, or the program.
@@ -67,7 +70,7 @@ pub fn highlights(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Highlight>
     let (Some((wanted, _)), Some(files)) = (symbol_at(scenarios, offset), Files::of(scenarios)) else {
         return Vec::new();
     };
-    let found = in_rows(scenarios.suite, files, &wanted);
+    let found = places_in(scenarios.suite, files, &wanted);
     found
         .into_iter()
         .map(|(range, usage)| Highlight { range, usage })

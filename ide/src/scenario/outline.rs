@@ -2,16 +2,16 @@
 
 use super::file::Scenarios;
 use super::place::line;
-use ladder_simulator::scenario::Direction;
+use ladder_simulator::scenario::{Direction, Property};
 use ladder_syntax::TextRange;
 use ladder_syntax::numeral::counted;
 
-/// A scenario, or a row of one.
+/// A scenario, a row of one, or a property.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ScenarioPart {
     /// What it is called.
     pub name: String,
-    /// How many steps a scenario has; which way a row goes.
+    /// How many steps a scenario has; which way a row goes; what a property demands.
     pub detail: String,
     /// All of it.
     pub range: TextRange,
@@ -19,9 +19,11 @@ pub struct ScenarioPart {
     pub focus: TextRange,
     /// Its rows; none for a row.
     pub children: Vec<ScenarioPart>,
+    /// Whether it is a property.
+    pub is_property: bool,
 }
 
-/// The scenarios of a file, with their rows.
+/// The scenarios of a file, with their rows, and its properties.
 pub fn outline(scenarios: &Scenarios<'_>) -> Vec<ScenarioPart> {
     let part = |scenario: &ladder_simulator::scenario::Scenario| {
         let children: Vec<ScenarioPart> = scenario.rows.iter().map(of_row).collect();
@@ -41,9 +43,42 @@ pub fn outline(scenarios: &Scenarios<'_>) -> Vec<ScenarioPart> {
             range: TextRange::new(line, end),
             focus: scenario.range,
             children,
+            is_property: false,
         }
     };
-    scenarios.suite.scenarios.iter().map(part).collect()
+    let parts = scenarios.suite.scenarios.iter().map(part);
+    let properties = scenarios.suite.properties.iter();
+    let properties = properties.map(|property| of_property(scenarios, property));
+    let mut parts: Vec<ScenarioPart> = parts.chain(properties).collect();
+    parts.sort_by_key(|part| part.range.start());
+    parts
+}
+
+fn of_property(scenarios: &Scenarios<'_>, property: &Property) -> ScenarioPart {
+    let form = &scenarios.text[property.place];
+    let has_name = property.range != property.place;
+    // The word `property` and a blank are before the name.
+    let start = if has_name {
+        line(scenarios.text, property.range.start()).0
+    } else {
+        property.place.start()
+    };
+    ScenarioPart {
+        name: if property.name.is_empty() {
+            "(no name)".to_owned()
+        } else {
+            property.name.clone()
+        },
+        detail: if has_name {
+            form.to_owned()
+        } else {
+            "property".to_owned()
+        },
+        range: TextRange::new(start, property.place.end()),
+        focus: property.range,
+        children: Vec::new(),
+        is_property: true,
+    }
 }
 
 fn of_row(row: &ladder_simulator::scenario::Row) -> ScenarioPart {
@@ -58,5 +93,6 @@ fn of_row(row: &ladder_simulator::scenario::Row) -> ScenarioPart {
         range: TextRange::new(row.range.start(), end),
         focus: row.range,
         children: Vec::new(),
+        is_property: false,
     }
 }

@@ -1,7 +1,8 @@
 //! What is at an offset of a scenario file.
 
 use super::file::Scenarios;
-use ladder_simulator::scenario::{Row, Scenario, TimeRow};
+use super::naming::{Naming, expressions, operands};
+use ladder_simulator::scenario::{Property, Row, Scenario, Suite, TimeRow};
 use ladder_syntax::{TextRange, TextSize, line_around};
 
 /// What the cursor is at.
@@ -19,6 +20,10 @@ pub(super) enum AtCursor<'s> {
     Tolerance(TextRange),
     /// How long a step is: its place in a row `time`, and the number of the step.
     Time(&'s Scenario, TextRange, usize),
+    /// The name of a property.
+    Property(&'s Property),
+    /// What an expression of a property or an assumption names.
+    Operand(Naming<'s>),
 }
 
 /// What is at an offset; a cursor right after a word counts, unless something else begins there.
@@ -28,6 +33,13 @@ pub(super) fn place<'s>(scenarios: &Scenarios<'s>, offset: TextSize) -> Option<A
         && range.contains_inclusive(offset)
     {
         return Some(AtCursor::Program(*range));
+    }
+    let mut named = suite.properties.iter().filter(|it| it.range != it.place);
+    if let Some(property) = named.find(|it| it.range.contains_inclusive(offset)) {
+        return Some(AtCursor::Property(property));
+    }
+    if let Some(operand) = operand_at(suite, offset) {
+        return Some(AtCursor::Operand(operand));
     }
     // The last one that begins at the offset or before it.
     let after = |scenario: &Scenario| scenario.range.start() <= offset;
@@ -55,6 +67,14 @@ pub(super) fn place<'s>(scenarios: &Scenarios<'s>, offset: TextSize) -> Option<A
     }
     let step = cell_at(row.cells.iter().map(|(_, range)| *range), offset)?;
     Some(AtCursor::Step(scenario, row, step))
+}
+
+/// The operand at an offset; of one within another's index that one.
+fn operand_at(suite: &Suite, offset: TextSize) -> Option<Naming<'_>> {
+    let mut at = expressions(suite).into_iter();
+    let expression = at.find(|it| it.range.contains_inclusive(offset))?;
+    let mut inside = operands(expression).into_iter();
+    inside.rfind(|it| it.range.contains_inclusive(offset))
 }
 
 fn in_time<'s>(scenario: &'s Scenario, time: &'s TimeRow, offset: TextSize) -> Option<AtCursor<'s>> {

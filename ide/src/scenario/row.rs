@@ -1,7 +1,8 @@
-//! What a row names: `run`, `warmup.ET`, `cell[2].valve.open`; of a file that the program only uses with the file's name before
+//! What a row or an operand of a property names: `run`, `warmup.ET`, `cell[2].valve.open`; of a file that the program only uses with the file's name before
 //! it, `library.count`; of a place where a block is, `$Ramp#1.level`; and the values of an enumeration in its cells.
 
 use super::file::Scenarios;
+use super::naming::{Naming, namings};
 use crate::neighbour::{ScenarioFile, Which, Workspace, first_that, mentions, named as file_named};
 use crate::path::{Reached, Step, member_type, steps};
 use crate::symbol::types::{declared_name, member_of, type_named};
@@ -10,7 +11,7 @@ use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::TagFacts;
 use ladder_analysis::program::SystemTag;
 use ladder_analysis::values::types::{Scalar, Type};
-use ladder_simulator::scenario::{Cell, Direction, Row, Suite};
+use ladder_simulator::scenario::{Cell, Row, Suite};
 use ladder_syntax::{Name, TextRange, TextSize};
 use std::ops::{Deref, Range};
 use std::sync::Arc;
@@ -308,41 +309,44 @@ fn word(name: &str, from: usize) -> Range<usize> {
     from..from + end
 }
 
-/// Places of a symbol in one row.
-pub(crate) struct InRow<'s> {
-    pub(crate) row: &'s Row,
-    /// Those in its name.
+/// Places of a symbol in one row, or in one name of a property.
+pub(crate) struct InName<'s> {
+    pub(crate) naming: Naming<'s>,
+    /// Those in the name.
     pub(crate) in_name: Vec<TextRange>,
-    /// Those in its cells.
+    /// Those in the row's cells.
     pub(crate) in_cells: Vec<TextRange>,
 }
 
-/// Where a row names a symbol.
-fn in_row<'s>(row: &'s Row, named: &Named<'_>, symbol: &Symbol) -> InRow<'s> {
+/// Where a name is that of a symbol.
+fn in_name<'s>(naming: Naming<'s>, named: &Named<'_>, symbol: &Symbol) -> InName<'s> {
     let words = named.words.iter().filter(|(_, it)| it == symbol);
-    let cells = named.in_cells(row).into_iter().filter(|(_, it)| it == symbol);
-    InRow {
-        row,
-        in_name: words.map(|(word, _)| within(row.range, word)).collect(),
+    let cells = naming.row.map_or(Vec::new(), |row| named.in_cells(row));
+    let cells = cells.into_iter().filter(|(_, it)| it == symbol);
+    InName {
+        naming,
+        in_name: words.map(|(word, _)| within(naming.range, word)).collect(),
         in_cells: cells.map(|(range, _)| range).collect(),
     }
 }
 
-/// The rows of scenarios that name a symbol.
-fn rows<'s>(suite: &'s Suite, files: Files<'_>, symbol: &Symbol) -> Vec<InRow<'s>> {
-    let rows = suite.scenarios.iter().flat_map(|scenario| &scenario.rows);
-    let found = rows.filter_map(|row| Some(in_row(row, &named(files, &row.name)?, symbol)));
+/// The rows and properties that name a symbol.
+fn names_in<'s>(suite: &'s Suite, files: Files<'_>, symbol: &Symbol) -> Vec<InName<'s>> {
+    let found = namings(suite).into_iter().filter_map(|naming| {
+        let named = named(files, naming.text)?;
+        Some(in_name(naming, &named, symbol))
+    });
     found.collect()
 }
 
-/// Shows each row of a file of scenarios, with what it names, to one who asks about `own`, a file that the workspace does not
+/// Shows each name in a file of scenarios, with what it names, to one who asks about `own`, a file that the workspace does not
 /// show. Nothing of a file that has none of these names.
-pub(crate) fn each_row<'s>(
+pub(crate) fn each_name<'s>(
     file: &'s ScenarioFile,
     names: &[&Name],
     own: &Context,
     workspace: &dyn Workspace,
-    look: &mut dyn FnMut(&'s Row, &Named<'_>),
+    look: &mut dyn FnMut(Naming<'s>, &Named<'_>),
 ) {
     let Some(program) = &file.program else { return };
     // To know a program takes time.
@@ -364,20 +368,20 @@ pub(crate) fn each_row<'s>(
         own,
         workspace,
     };
-    for row in file.suite.scenarios.iter().flat_map(|scenario| &scenario.rows) {
-        if let Some(named) = named(files, &row.name) {
-            look(row, &named);
+    for naming in namings(&file.suite) {
+        if let Some(named) = named(files, naming.text) {
+            look(naming, &named);
         }
     }
 }
 
-/// The rows of a file of scenarios that name a symbol, for one who asks about `own`.
-pub(crate) fn rows_naming<'s>(
+/// The rows and properties of a file of scenarios that name a symbol, for one who asks about `own`.
+pub(crate) fn naming<'s>(
     file: &'s ScenarioFile,
     symbol: &Symbol,
     own: &Context,
     workspace: &dyn Workspace,
-) -> Vec<InRow<'s>> {
+) -> Vec<InName<'s>> {
     let is_named_outside = matches!(
         symbol,
         Symbol::Tag { .. }
@@ -389,8 +393,8 @@ pub(crate) fn rows_naming<'s>(
     );
     let mut found = Vec::new();
     if let Some(name) = symbol.name().filter(|_| is_named_outside) {
-        let mut look = |row: &'s Row, named: &Named<'_>| found.push(in_row(row, named, symbol));
-        each_row(file, &[name], own, workspace, &mut look);
+        let mut look = |naming: Naming<'s>, named: &Named<'_>| found.push(in_name(naming, named, symbol));
+        each_name(file, &[name], own, workspace, &mut look);
     }
     found
 }
@@ -402,27 +406,19 @@ pub(crate) fn places(
     own: &Context,
     workspace: &dyn Workspace,
 ) -> Vec<(TextRange, Usage)> {
-    of_rows(rows_naming(file, symbol, own, workspace))
+    of_names(naming(file, symbol, own, workspace))
 }
 
 /// The same of a file with what is known of it.
-pub(super) fn in_rows(suite: &Suite, files: Files<'_>, symbol: &Symbol) -> Vec<(TextRange, Usage)> {
-    of_rows(rows(suite, files, symbol))
+pub(super) fn places_in(suite: &Suite, files: Files<'_>, symbol: &Symbol) -> Vec<(TextRange, Usage)> {
+    of_names(names_in(suite, files, symbol))
 }
 
-fn of_rows(rows: Vec<InRow<'_>>) -> Vec<(TextRange, Usage)> {
-    let of_row = |found: InRow<'_>| {
-        let usage = usage(found.row);
+fn of_names(names: Vec<InName<'_>>) -> Vec<(TextRange, Usage)> {
+    let of_name = |found: InName<'_>| {
+        let usage = found.naming.usage();
         let names = found.in_name.into_iter().map(move |range| (range, usage));
         names.chain(found.in_cells.into_iter().map(|range| (range, Usage::Mention)))
     };
-    rows.into_iter().flat_map(of_row).collect()
-}
-
-/// What a row does with its tag.
-pub(crate) const fn usage(row: &Row) -> Usage {
-    match row.direction {
-        Direction::Given => Usage::Write,
-        Direction::Expected => Usage::Read,
-    }
+    names.into_iter().flat_map(of_name).collect()
 }

@@ -131,7 +131,11 @@ async fn tags_are_proposed_and_columns_are_aligned() {
         .iter()
         .map(|it| it["label"].as_str().unwrap())
         .collect();
-    assert_eq!(labels, ["time", "scenario"], "all tags have rows: {found}");
+    assert_eq!(
+        labels[..4],
+        ["time", "scenario", "property", "assume"],
+        "all tags have rows: {found}"
+    );
     let found = ask(&mut client, "completion", &uri, (0, 8), json!({})).await;
     assert_eq!(found["items"][0]["label"], "main.clad");
 

@@ -18,6 +18,7 @@ use ladder_syntax::Name;
 pub use past::{Past, PastKind};
 use small_program::Small;
 pub(crate) use small_program::expression_end;
+pub use small_program::names;
 
 /// Why an expression cannot be evaluated, in words.
 pub type Problem = String;

@@ -9,6 +9,7 @@ use ladder_analysis::program::Program;
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_instructions::Profile;
 use ladder_syntax::{SyntaxKind, SyntaxNode, TextRange, TextSize, parse};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// What is before the expression in the small program.
@@ -26,6 +27,71 @@ pub(crate) fn expression_end(text: &str) -> Option<usize> {
     let end = usize::from(range.end()).checked_sub(BEFORE.len())?;
     let is_first = text[..text.len().min(end)].trim_start().len() == usize::from(range.len());
     (is_first && end <= text.len()).then_some(end)
+}
+
+/// Where an expression names something: whole paths such as `cell[2].valve.open` or `$Ramp#2.level`, and what is named within
+/// their indices. In the order of the text.
+pub fn names(text: &str) -> Vec<Range<usize>> {
+    let (plain, mut found) = places_replaced(text);
+    let whole = format!("{BEFORE}{plain}{AFTER}");
+    let tree = parse(&whole).syntax();
+    let list = tree
+        .descendants()
+        .find(|node| node.kind() == SyntaxKind::OPERAND_LIST);
+    if let Some(expression) = list.and_then(|list| list.children().nth(1)) {
+        add_names(&expression, &mut found);
+    }
+    found.retain(|range| range.end <= text.len());
+    found.sort_by_key(|range| (range.start, range.end));
+    found.dedup_by_key(|range| range.start);
+    found
+}
+
+/// The expression with a plain name of the same length for each place of a user-defined block, and where these are.
+fn places_replaced(text: &str) -> (String, Vec<Range<usize>>) {
+    let mut plain = String::with_capacity(text.len());
+    let mut places = Vec::new();
+    let mut quoted = false;
+    let mut rest = text;
+    while let Some(next) = rest.chars().next() {
+        quoted ^= next == '\'';
+        let is_part = |c: char| c.is_alphanumeric() || matches!(c, '_' | '#' | '.' | '$');
+        let length = match next {
+            '$' if !quoted => rest.find(|c| !is_part(c)).unwrap_or(rest.len()),
+            _ => 0,
+        };
+        if length > 0 {
+            let start = plain.len();
+            plain.extend(std::iter::repeat_n('x', length));
+            places.push(start..start + length);
+            rest = &rest[length..];
+        } else {
+            plain.push(next);
+            rest = &rest[next.len_utf8()..];
+        }
+    }
+    (plain, places)
+}
+
+fn add_names(node: &SyntaxNode, found: &mut Vec<Range<usize>>) {
+    use SyntaxKind::{ADDRESS_EXPR, CALL_EXPR, INDEX_EXPR, MEMBER_EXPR, NAME_EXPR};
+    match node.kind() {
+        NAME_EXPR | MEMBER_EXPR | INDEX_EXPR | ADDRESS_EXPR => {
+            let range = node.text_range();
+            let at = |place: TextSize| usize::from(place).checked_sub(BEFORE.len());
+            if let (Some(start), Some(end)) = (at(range.start()), at(range.end())) {
+                found.push(start..end);
+            }
+            let is_index = |node: &SyntaxNode| node.kind() == INDEX_EXPR;
+            let indexed = node.descendants().filter(is_index);
+            for index in indexed.flat_map(|indexed| indexed.children().skip(1)) {
+                add_names(&index, found);
+            }
+        }
+        // The first part is the function's name.
+        CALL_EXPR => node.children().skip(1).for_each(|part| add_names(&part, found)),
+        _ => node.children().for_each(|child| add_names(&child, found)),
+    }
 }
 
 /// No expression reads more elements of arrays than this.

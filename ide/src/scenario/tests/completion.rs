@@ -18,6 +18,17 @@ fn completion_of_headings() {
             tolerance||tolerance 
             scenario||scenario "${1:what is shown}"
             $0
+            property||property "${1:what must hold}"
+            $0
+            assume||assume ${1:condition}
+            never|property|never ${1:condition}
+            always|property|always ${1:condition}
+            when|property|when ${1:condition}: ${2:what holds}
+            when until|property|when ${1:condition}: ${2:what holds} until ${3:end}
+            after|property|after ${1:condition}: ${2:what holds then}
+            within|property|within ${1:500ms} of ${2:condition}: ${3:answer}
+            possible|property|possible ${1:condition}
+            no faults|property|no faults
         "#]],
     );
     check(
@@ -60,6 +71,17 @@ fn completion_of_tags_and_values() {
             time||time 
             scenario||scenario "${1:what is shown}"
             $0
+            property||property "${1:what must hold}"
+            $0
+            assume||assume ${1:condition}
+            never|property|never ${1:condition}
+            always|property|always ${1:condition}
+            when|property|when ${1:condition}: ${2:what holds}
+            when until|property|when ${1:condition}: ${2:what holds} until ${3:end}
+            after|property|after ${1:condition}: ${2:what holds then}
+            within|property|within ${1:500ms} of ${2:condition}: ${3:answer}
+            possible|property|possible ${1:condition}
+            no faults|property|no faults
         "#]],
     );
     // What has a row is not proposed, and what is after the cursor stays.
@@ -79,6 +101,17 @@ fn completion_of_tags_and_values() {
             time||time 
             scenario||scenario "${1:what is shown}"
             $0
+            property||property "${1:what must hold}"
+            $0
+            assume||assume ${1:condition}
+            never|property|never ${1:condition}
+            always|property|always ${1:condition}
+            when|property|when ${1:condition}: ${2:what holds}
+            when until|property|when ${1:condition}: ${2:what holds} until ${3:end}
+            after|property|after ${1:condition}: ${2:what holds then}
+            within|property|within ${1:500ms} of ${2:condition}: ${3:answer}
+            possible|property|possible ${1:condition}
+            no faults|property|no faults
         "#]],
     );
     check(
@@ -119,21 +152,32 @@ fn completion_of_tags_and_values() {
     check(
         "start _-\nrun => _-\ntime 1s\nr$0",
         expect![[r#"
-        run|BOOL, output|run => 
-        start|BOOL, input|start 
-        total|DINT, internal|total => 
-        warm.Q|BOOL, internal|warm.Q => 
-        warm.ET|TIME, internal|warm.ET => 
-        warm.IN|BOOL, internal|warm.IN => 
-        warm.PT|TIME, internal|warm.PT => 
-        list[1]|INT, internal|list[1] => 
-        list[2]|INT, internal|list[2] => 
-        lib.total|BOOL, internal of lib.clad|lib.total => 
-        lib.go|BOOL, internal of lib.clad|lib.go => 
-        time||time 
-        scenario||scenario "${1:what is shown}"
-        $0
-    "#]],
+            run|BOOL, output|run => 
+            start|BOOL, input|start 
+            total|DINT, internal|total => 
+            warm.Q|BOOL, internal|warm.Q => 
+            warm.ET|TIME, internal|warm.ET => 
+            warm.IN|BOOL, internal|warm.IN => 
+            warm.PT|TIME, internal|warm.PT => 
+            list[1]|INT, internal|list[1] => 
+            list[2]|INT, internal|list[2] => 
+            lib.total|BOOL, internal of lib.clad|lib.total => 
+            lib.go|BOOL, internal of lib.clad|lib.go => 
+            time||time 
+            scenario||scenario "${1:what is shown}"
+            $0
+            property||property "${1:what must hold}"
+            $0
+            assume||assume ${1:condition}
+            never|property|never ${1:condition}
+            always|property|always ${1:condition}
+            when|property|when ${1:condition}: ${2:what holds}
+            when until|property|when ${1:condition}: ${2:what holds} until ${3:end}
+            after|property|after ${1:condition}: ${2:what holds then}
+            within|property|within ${1:500ms} of ${2:condition}: ${3:answer}
+            possible|property|possible ${1:condition}
+            no faults|property|no faults
+        "#]],
     );
     check(
         "start _-\ntime $0\n",
@@ -222,6 +266,17 @@ VAR nothing : INT; END_VAR
         time||time 
         scenario||scenario "${1:what is shown}"
         $0
+        property||property "${1:what must hold}"
+        $0
+        assume||assume ${1:condition}
+        never|property|never ${1:condition}
+        always|property|always ${1:condition}
+        when|property|when ${1:condition}: ${2:what holds}
+        when until|property|when ${1:condition}: ${2:what holds} until ${3:end}
+        after|property|after ${1:condition}: ${2:what holds then}
+        within|property|within ${1:500ms} of ${2:condition}: ${3:answer}
+        possible|property|possible ${1:condition}
+        no faults|property|no faults
     "#]]
     .assert_eq(&asked("$0\n", None));
     // One that has a row is not proposed; those that begin like what is written are first.
@@ -276,33 +331,41 @@ fn members_and_values() {
     check(
         "cell[30].$0",
         expect![[r#"
-        cell[30].open|BOOL|cell[30].open => 
-        cell[30].drive|$Motor|cell[30].drive
-        cell[30].phase|Phase|cell[30].phase => 
-        time||time 
-        scenario||scenario "${1:what is shown}"
-        $0
-    "#]],
+            cell[30].open|BOOL|cell[30].open => 
+            cell[30].drive|$Motor|cell[30].drive
+            cell[30].phase|Phase|cell[30].phase => 
+            time||time 
+            scenario||scenario "${1:what is shown}"
+            $0
+            property||property "${1:what must hold}"
+            $0
+        "#]],
     );
     check(
         "cell[30].drive.t$0",
         expect![[r#"
-        cell[30].drive.start|BOOL|cell[30].drive.start => 
-        cell[30].drive.turns|DINT|cell[30].drive.turns => 
-        time||time 
-        scenario||scenario "${1:what is shown}"
-        $0
-    "#]],
+            cell[30].drive.start|BOOL|cell[30].drive.start => 
+            cell[30].drive.turns|DINT|cell[30].drive.turns => 
+            time||time 
+            scenario||scenario "${1:what is shown}"
+            $0
+            property||property "${1:what must hold}"
+            $0
+            assume||assume ${1:condition}
+        "#]],
     );
     check(
         "m1.$0",
         expect![[r#"
-        m1.start|BOOL|m1.start => 
-        m1.turns|DINT|m1.turns => 
-        time||time 
-        scenario||scenario "${1:what is shown}"
-        $0
-    "#]],
+            m1.start|BOOL|m1.start => 
+            m1.turns|DINT|m1.turns => 
+            time||time 
+            scenario||scenario "${1:what is shown}"
+            $0
+            property||property "${1:what must hold}"
+            $0
+            assume||assume ${1:condition}
+        "#]],
     );
     check(
         "cell[2].phase => $0",

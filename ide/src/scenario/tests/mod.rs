@@ -3,6 +3,7 @@
 mod completion;
 mod hover;
 mod places;
+mod properties;
 
 use super::{Scenarios, scenario_completions};
 use crate::fixture::Fixture;

@@ -51,24 +51,22 @@ pub(crate) async fn document_symbols(
     .map(as_text)
 }
 
-/// The scenarios of a file with their rows, or flat.
+/// The scenarios of a file with their rows and its properties, or flat.
 fn of_scenarios(
     revision: &Revision,
     parts: Vec<ScenarioPart>,
     nested: bool,
 ) -> Option<DocumentSymbolResponse> {
     if nested {
-        let symbols = parts
-            .into_iter()
-            .map(|part| scenario_symbol(revision, part, SymbolKind::METHOD));
+        let symbols = parts.into_iter().map(|part| scenario_symbol(revision, part));
         return Some(DocumentSymbolResponse::Nested(symbols.collect()));
     }
     let uri = convert::uri(&revision.uri)?;
     let flat = parts.into_iter().map(|part| {
         #[allow(deprecated)]
         SymbolInformation {
+            kind: kind_of_part(&part),
             name: part.name,
-            kind: SymbolKind::METHOD,
             tags: None,
             deprecated: None,
             location: Location {
@@ -81,11 +79,21 @@ fn of_scenarios(
     Some(DocumentSymbolResponse::Flat(flat.collect()))
 }
 
-fn scenario_symbol(revision: &Revision, part: ScenarioPart, kind: SymbolKind) -> DocumentSymbol {
-    let children = part.children.into_iter();
-    let children: Vec<_> = children
-        .map(|row| scenario_symbol(revision, row, SymbolKind::VARIABLE))
-        .collect();
+const fn kind_of_part(part: &ScenarioPart) -> SymbolKind {
+    if part.is_property {
+        SymbolKind::PROPERTY
+    } else {
+        SymbolKind::METHOD
+    }
+}
+
+fn scenario_symbol(revision: &Revision, part: ScenarioPart) -> DocumentSymbol {
+    let kind = kind_of_part(&part);
+    let children = part.children.into_iter().map(|row| DocumentSymbol {
+        kind: SymbolKind::VARIABLE,
+        ..scenario_symbol(revision, row)
+    });
+    let children: Vec<_> = children.collect();
     #[allow(deprecated)]
     DocumentSymbol {
         name: part.name,
