@@ -225,6 +225,12 @@ A comment ends at the very next one."
 (defconst ladder--test-keywords
   '(("^[ \t]*\\(scenario\\|program\\|step\\|interval\\|tolerance\\)\\_>" 1 font-lock-keyword-face)
     ("^[ \t]*\\(time\\)[ \t]+[^= \t]" 1 font-lock-keyword-face)
+    ("^[ \t]*\\(property\\)[ \t]+\"" 1 font-lock-keyword-face)
+    ;; A row of a tag that is called so has an arrow, or levels.
+    ("^[ \t]*\\(assume\\|always\\|never\\|when\\|after\\|within\\|possible\\|no faults\\)\\_>\\(?:[ \t]+[^-=_. \t]\\|$\\)"
+     1 font-lock-keyword-face)
+    ("^[ \t]*\\(?:when\\|within\\)\\_>.*\\_<\\(until\\|of\\)\\_>" 1 font-lock-keyword-face)
+    ("\\_<\\(rises\\|falls\\|was\\)(" 1 font-lock-function-name-face)
     ("\"[^\"\n]*\"" . font-lock-string-face)
     ("'\\(?:\\$.\\|[^'$\n]\\)*'" . font-lock-string-face)
     ("=>" . font-lock-keyword-face)

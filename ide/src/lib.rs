@@ -10,6 +10,7 @@ mod comments;
 mod completion;
 mod definition;
 mod described;
+mod exclusive;
 #[cfg(test)]
 mod features_of_names;
 #[cfg(test)]
@@ -47,6 +48,7 @@ pub use completion::{
     Completion, CompletionKind, Completions, Snippet, Topic, card, completions, documentation,
 };
 pub use definition::{declaration, definition, implementation, type_definition};
+pub use exclusive::{Exclusive, exclusive_outputs, place_of_new as place_of_new_property};
 pub use folding::{Fold, folds};
 pub use highlight::{Highlight, highlights};
 pub use hover::{Hover, hover, used_in_other_files};

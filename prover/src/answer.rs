@@ -12,7 +12,6 @@ use crate::replay::{Wanted, replay};
 use ladder_analysis::program::Location;
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{Form, Watched};
-use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 /// How much may be done.
@@ -22,8 +21,6 @@ pub struct Options {
     pub time: Duration,
     /// How many scans from the cold start are searched.
     pub scans: usize,
-    /// High where the answers that are there are wanted at once.
-    pub stop: Option<&'static AtomicBool>,
 }
 
 impl Default for Options {
@@ -32,7 +29,6 @@ impl Default for Options {
         Options {
             time: Duration::from_secs(20),
             scans: 200,
-            stop: None,
         }
     }
 }
@@ -99,7 +95,7 @@ pub fn prove(
     options: Options,
 ) -> Result<Vec<Answer>, Refuted> {
     let began = Instant::now();
-    let end = End::new(began + options.time, options.stop);
+    let end = End::from(began + options.time);
     let mut answers: Vec<Option<Answer>> = vec![None; watched.properties.len()];
     // First with times that may be anything: what holds then needs no counting.
     let open = build(simulation, watched, encode::Times::Open);

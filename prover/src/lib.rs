@@ -19,12 +19,16 @@ mod model;
 mod never;
 mod number;
 mod replay;
+mod said;
 mod scenario_text;
 mod shown;
 mod system;
 mod unrolled;
+mod wanted;
 
 pub use answer::{Answer, Options, Refuted, Shown, Times, Verdict, prove};
 pub use concrete::Concrete;
 pub use equal::{Compared, Difference, Meaning};
-pub use scenario_text::{scenario_file, scenario_of};
+pub use said::drawn;
+pub use scenario_text::{found_scenario, scenario_file};
+pub use wanted::while_wanted;

@@ -1,30 +1,22 @@
 //! When a search must be done, and how much a solver may do for one question.
 
+use crate::wanted::is_wanted;
 use batsat::Callbacks;
 use std::cell::Cell;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// When all must be done.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct End {
     at: Instant,
-    /// High where it must be done at once.
-    stop: Option<&'static AtomicBool>,
 }
 
 impl End {
-    /// At a time, or as soon as this is high.
-    pub(crate) const fn new(at: Instant, stop: Option<&'static AtomicBool>) -> End {
-        End { at, stop }
-    }
-
     /// In so long, if not before.
     #[must_use]
     pub(crate) fn within(self, time: Duration) -> End {
         End {
             at: self.at.min(Instant::now() + time),
-            ..self
         }
     }
 
@@ -34,14 +26,15 @@ impl End {
         self.within(self.at.saturating_duration_since(Instant::now()) / divisor)
     }
 
+    /// No time is left, or nobody waits.
     pub(crate) fn is_over(self) -> bool {
-        self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) || Instant::now() >= self.at
+        Instant::now() >= self.at || !is_wanted()
     }
 }
 
 impl From<Instant> for End {
     fn from(at: Instant) -> End {
-        End::new(at, None)
+        End { at }
     }
 }
 

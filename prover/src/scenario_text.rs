@@ -1,14 +1,32 @@
 //! A run as a scenario: what goes in, and what came of it. It passes as it is, and becomes a test of the repaired program when
 //! what came is replaced by what is to come.
 
+use crate::answer::Verdict;
 use crate::replay::Shown;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
-use ladder_simulator::scenario::{self, RunCell, RunRow, run_text};
+use ladder_simulator::scenario::{self, Form, RunCell, RunRow, run_text};
 use ladder_simulator::{Point, value_text};
 
-/// A scenario of this name. `interval` is the time from scan to scan, in nanoseconds.
-pub fn scenario_of(name: &str, shown: &Shown, interval: i64, is_about_faults: bool) -> String {
+/// The run that was found for a property, as a scenario. `interval` is the time from scan to scan, in nanoseconds. None where
+/// none was found.
+pub fn found_scenario<E>(
+    property: &str,
+    form: &Form<E>,
+    verdict: &Verdict,
+    interval: i64,
+) -> Option<String> {
+    let (word, shown) = match verdict {
+        Verdict::Violated(shown) => ("violated", shown),
+        Verdict::Possible(shown) => ("possible", shown),
+        _ => return None,
+    };
+    let is_about_faults = matches!(form, Form::NoFaults);
+    let name = format!("{property} is {word}");
+    Some(scenario_of(&name, shown, interval, is_about_faults))
+}
+
+fn scenario_of(name: &str, shown: &Shown, interval: i64, is_about_faults: bool) -> String {
     let name: String = name.chars().filter(|c| *c != '"' && !c.is_control()).collect();
     let mut rows: Vec<RunRow> = shown
         .given

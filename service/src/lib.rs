@@ -51,6 +51,7 @@ mod lsp;
 mod newest;
 mod notation;
 pub mod probe;
+mod proof;
 mod rule_page;
 mod scenario_run;
 mod signal;
@@ -69,6 +70,7 @@ pub use host::{Clock, EventLoop, Host, Moment, Turns, Wait, World};
 pub use library_block::{AskedBlock, LibraryBlock};
 pub use lsp::{Ended, Ending, Received, serve};
 pub use notation::messages as notation_messages;
+pub use proof::{LeftOpen, PropertiesProved, PropertyProved, ProveProperties};
 pub use rule_page::{AskedPage, RulePage};
 pub use scenario_run::{
     Exercised, FaultOfScenario, NetworkReached, PartSeen, RowDiffers, RunScenarios, ScenarioRun, ScenariosRun,

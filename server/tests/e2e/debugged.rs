@@ -274,3 +274,28 @@ async fn a_scenario_is_debugged_in_the_live_view() {
     let frames = it.body("stackTrace", json!({"threadId": 1})).await;
     assert_eq!(frames["stackFrames"][1]["name"], "scenario \"rests\", step 0");
 }
+
+#[tokio::test]
+async fn a_run_that_is_in_no_file_is_debugged_with_its_text() {
+    let text =
+        "program motor.clad\ninterval 10ms\n\nscenario \"it starts is violated\"\nstart  _-\nrun => _-\n";
+    let launch = json!({"scenarioFile": "motor.ladder-test", "scenarioText": text, "stopOnEntry": true});
+    let mut debugged = Debugged::launched(launch).await;
+    debugged.body("configurationDone", json!({})).await;
+    debugged.event("stopped").await;
+    let stack = debugged.body("stackTrace", json!({"threadId": 1})).await;
+    let frames = stack["stackFrames"].as_array().unwrap();
+    let frame = frames.last().unwrap();
+    assert_eq!(frame["name"], "scenario \"it starts is violated\", step 0");
+    assert_eq!(
+        frame["source"],
+        json!({"name": "run for motor.ladder-test", "sourceReference": 1})
+    );
+    let source = debugged.body("source", json!({"sourceReference": 1})).await;
+    assert_eq!(source["content"], text);
+    let answer = debugged.answer("source", json!({"sourceReference": 0})).await;
+    assert_eq!(answer["success"], false);
+    debugged.body("continue", json!({"threadId": 1})).await;
+    assert_eq!(debugged.event("exited").await["exitCode"], 0);
+    debugged.client.finish().await;
+}

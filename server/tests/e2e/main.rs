@@ -19,6 +19,7 @@ mod lifecycle;
 mod navigate;
 mod notations;
 mod plant;
+mod proofs;
 mod protocol_page;
 mod pull;
 mod rename;

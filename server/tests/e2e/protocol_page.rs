@@ -182,6 +182,11 @@ async fn the_page_shows_every_command_whole() {
                 is_whole::<ladder_service::ComparedTexts>(answer);
                 continue;
             }
+            "proveProperties" => {
+                is_whole::<ladder_service::ProveProperties>(argument);
+                is_whole::<ladder_service::PropertiesProved>(answer);
+                continue;
+            }
             "crossReference" => {
                 is_whole::<CrossReference>(argument);
                 is_whole::<CrossReferenced>(answer);

@@ -19,11 +19,11 @@ use super::configuration::{BackBy, Configuration};
 use super::launch;
 use super::messages::{
     Completions, Evaluate, Force, Initialize, Request, Scopes, SetExpression, SetVariable, StackTrace,
-    StepArguments, Variables,
+    StepArguments, TextOfSource, Variables,
 };
 use super::outlet::{Outlet, Output};
 use super::running::{Going, Stopped};
-use super::sources::{Counting, Source};
+use super::sources::{Counting, GIVEN, Source};
 use super::stack;
 use super::stepping::Stepping;
 use super::target::Target;
@@ -170,6 +170,16 @@ impl Adapter {
         self.event("output", body);
     }
 
+    /// `source`: the text of a scenario that is in no file.
+    fn given_text(&self, asked: &TextOfSource) -> Result<Json, String> {
+        let play = self.target.as_ref().and_then(|target| target.play.as_ref());
+        let text = play.and_then(|play| play.file.given_text());
+        match text.filter(|_| asked.source_reference == GIVEN) {
+            Some(text) => Ok(json!({"content": text})),
+            None => Err("the client reads the files by itself".into()),
+        }
+    }
+
     pub(super) fn target(&mut self) -> Result<&mut Target, String> {
         self.target.as_mut().ok_or_else(no_program)
     }
@@ -235,6 +245,7 @@ impl Adapter {
             "setDataBreakpoints" => self.set_data_breakpoints(&request.arguments()?),
             "setExceptionBreakpoints" => self.set_exception_breakpoints(&request.arguments()?),
             "exceptionInfo" => self.exception_info(),
+            "source" => self.given_text(&request.arguments()?),
             "stackTrace" => self.stack_trace(&request.arguments()?),
             "scopes" => {
                 let Scopes { frame_id } = request.arguments()?;

@@ -238,9 +238,11 @@ fn scenario_of(configuration: &Configuration, disk: &dyn Disk) -> Result<Option<
             shown::path(&path)
         ));
     }
-    let text = disk.read_text(&file).map_err(|error| error.to_string())?;
-    let suite = scenario::parse(&text);
-    let file = Source::new(path, text);
+    let file = match &configuration.scenario_text {
+        Some(text) => Source::given(path, text.clone()),
+        None => Source::new(path, disk.read_text(&file).map_err(|error| error.to_string())?),
+    };
+    let suite = scenario::parse(&file.text);
     let Some((named, _)) = &suite.program else {
         return Err(error(&file, &suite.errors));
     };
@@ -293,7 +295,7 @@ impl Scenario {
                 names.join(", ")
             )
         })?;
-        let file = Source::new(self.file.path.clone(), self.file.text.clone());
+        let file = self.file.again();
         Ok(Play::new(file, case))
     }
 }

@@ -20,6 +20,8 @@ pub(super) struct Configuration {
     pub scenario_line: Option<u32>,
     /// The file of it; without it the one next to the program, of its name.
     pub scenario_file: Option<String>,
+    /// The text of that file, in the place of what is on disk: a run that a proof has found.
+    pub scenario_text: Option<String>,
     pub inputs: GivenInputs,
     /// What tags are held at.
     pub forces: Map<String, Json>,

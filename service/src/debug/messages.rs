@@ -68,6 +68,7 @@ impl Request {
             | "scopes"
             | "variables"
             | "completions"
+            | "source"
             | "breakpointLocations"
             | "dataBreakpointInfo"
             | "exceptionInfo"
@@ -138,6 +139,13 @@ pub(super) struct SetBreakpoints {
 pub(super) struct Source {
     #[serde(default)]
     pub path: Option<String>,
+}
+
+/// `source`.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct TextOfSource {
+    pub source_reference: i64,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]

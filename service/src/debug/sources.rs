@@ -13,16 +13,43 @@ use super::messages::Initialize;
 pub(super) struct Source {
     pub path: PathBuf,
     pub text: String,
+    /// The text is not that of the file: the client asks for it.
+    is_given: bool,
     index: LineIndex,
 }
+
+/// What a client asks for the text of the only source that is not on disk by.
+pub(super) const GIVEN: i64 = 1;
 
 impl Source {
     pub(super) fn new(path: PathBuf, text: String) -> Source {
         Source {
             path,
+            is_given: false,
             index: LineIndex::new(&text),
             text,
         }
+    }
+
+    /// A text that the client has given, which would be at this path.
+    pub(super) fn given(path: PathBuf, text: String) -> Source {
+        Source {
+            is_given: true,
+            ..Source::new(path, text)
+        }
+    }
+
+    /// The same once more.
+    pub(super) fn again(&self) -> Source {
+        Source {
+            is_given: self.is_given,
+            ..Source::new(self.path.clone(), self.text.clone())
+        }
+    }
+
+    /// The text that a client may ask for.
+    pub(super) fn given_text(&self) -> Option<&str> {
+        self.is_given.then_some(&*self.text)
     }
 
     /// Whether a path of the client means this file.
@@ -62,6 +89,10 @@ impl Source {
     /// The file and its name as the protocol has it.
     pub(super) fn json(&self) -> Json {
         let name = self.path.file_name().map(|name| name.to_string_lossy());
+        if self.is_given {
+            let name = format!("run for {}", name.unwrap_or_default());
+            return json!({"name": name, "sourceReference": GIVEN});
+        }
         json!({"name": name, "path": self.path.to_string_lossy()})
     }
 

@@ -50,7 +50,7 @@ use crate::lsp::features::{
     call_hierarchy, code_action, code_lens, comment, completion, cross_reference, debug, diagram,
     diagram_text, edit, fence, folding,
     formatting::{self, DocumentRangesFormattingParams},
-    goto, hover, inlay_hint, library_block, links, notations, preview, references, rename, rule_page,
+    goto, hover, inlay_hint, library_block, links, notations, preview, prove, references, rename, rule_page,
     run_scenarios, semantic_tokens, signature, simulate, symbols,
 };
 use crate::lsp::{
@@ -375,6 +375,7 @@ impl LanguageServer for Backend {
             run_scenarios::RUN_SCENARIOS => run_scenarios::execute(&self.shared, params).await,
             #[cfg(feature = "review")]
             compare::COMPARE => compare::execute(&self.shared, params).await,
+            prove::PROVE_PROPERTIES => prove::execute(&self.shared, params).await,
             library_block::LIBRARY_BLOCK => library_block::execute(params),
             command if notations::COMMANDS.contains(&command) => {
                 notations::execute(&self.shared, params).await

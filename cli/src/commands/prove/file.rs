@@ -4,11 +4,10 @@ use crate::findings::{FileRange, Problem, Source, Workspaces};
 use crate::outcome::Outcome;
 use crate::ready::{Ready, place_of};
 use annotate_snippets::Renderer;
-use ladder_prover::{Answer, Options, Verdict, prove, scenario_of};
-use ladder_simulator::scenario::Form;
+use ladder_prover::{Answer, Options, Verdict, found_scenario, prove, while_wanted};
 use std::path::Path;
 use std::sync::Mutex;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// What is asked of each file.
@@ -52,14 +51,6 @@ impl PropertyAnswer {
             Verdict::Proved(_) | Verdict::Possible(_) => Outcome::Fine,
             Verdict::Unknown(_) if allow_unknown => Outcome::Fine,
             _ => Outcome::Findings,
-        }
-    }
-
-    /// The scan that violates or has it, from 0.
-    pub(super) fn scan(&self) -> Option<usize> {
-        match &self.answer.verdict {
-            Verdict::Violated(shown) | Verdict::Possible(shown) => shown.scans().checked_sub(1),
-            _ => None,
         }
     }
 }
@@ -132,10 +123,12 @@ fn decide(
     answers.interval = simulation.options().interval;
     let options = Options {
         time: wishes.time,
-        stop: wishes.stop,
         ..Options::default()
     };
-    let found = prove(&mut simulation, &mut watched, options).map_err(|refuted| {
+    let stop = wishes.stop;
+    let is_wanted = move || !stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
+    let job = || prove(&mut simulation, &mut watched, options);
+    let found = while_wanted(is_wanted, job).map_err(|refuted| {
         let message = format!(
             "the prover found a run for \"{}\" that does not happen in the simulator: this is an error in the prover, \
              please report it with the program",
@@ -145,17 +138,7 @@ fn decide(
     })?;
     let files = simulation.program().files.clone();
     for (property, answer) in watched.properties.into_iter().zip(found) {
-        let scenario = match &answer.verdict {
-            Verdict::Violated(shown) | Verdict::Possible(shown) => {
-                let is_about_faults = matches!(property.form, Form::NoFaults);
-                let name = match &answer.verdict {
-                    Verdict::Possible(_) => format!("{} is possible", property.name),
-                    _ => format!("{} is violated", property.name),
-                };
-                Some(scenario_of(&name, shown, answers.interval, is_about_faults))
-            }
-            _ => None,
-        };
+        let scenario = found_scenario(&property.name, &property.form, &answer.verdict, answers.interval);
         let open = answer.open.iter().map(|(what, location)| {
             let place = location.map(|location| place_of(&program, &files, location));
             (what.clone(), place)

@@ -1,11 +1,10 @@
 //! Answers for machines: one object. Its members are documented; nothing may be renamed.
 
 use super::file::{FileAnswers, PropertyAnswer};
-use super::people::word;
 use crate::findings::Problem;
 use crate::json::to_writer;
 use ladder_analysis::values::value::Value;
-use ladder_prover::{Shown, Times, Verdict};
+use ladder_prover::{Shown, Verdict};
 use ladder_simulator::{Point, value_text};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -102,13 +101,9 @@ fn property(of: &PropertyAnswer) -> Property<'_> {
         name: &of.name,
         line: of.place.line,
         column: of.place.column,
-        verdict: word(&of.answer.verdict).0,
-        times: match of.answer.verdict {
-            Verdict::Proved(Times::Any) | Verdict::Impossible(Times::Any) => Some("any"),
-            Verdict::Proved(Times::Exact) | Verdict::Impossible(Times::Exact) => Some("exact"),
-            _ => None,
-        },
-        scan: of.scan(),
+        verdict: of.answer.verdict.word(),
+        times: of.answer.verdict.times(),
+        scan: of.answer.verdict.scan(),
         scans: match of.answer.verdict {
             Verdict::Unknown(scans) => Some(scans),
             _ => None,

@@ -1,7 +1,7 @@
 //! Answers as XML in the form that JUnit began and build servers read.
 
 use super::file::{FileAnswers, PropertyAnswer};
-use super::people::{drawn, note, word};
+use ladder_prover::drawn;
 use crate::outcome::Outcome;
 use crate::xml::{attribute, escaped};
 use ladder_prover::Verdict;
@@ -63,7 +63,7 @@ pub(super) fn write(
                 continue;
             }
             let (verdict, _) = word(&property.answer.verdict);
-            let message = format!("{verdict} {}", note(property, answers.interval));
+            let message = format!("{verdict} {}", property.answer.note(answers.interval));
             writeln!(
                 out,
                 ">\n      <failure message=\"{}\" type=\"{verdict}\">{}</failure>\n    </testcase>",

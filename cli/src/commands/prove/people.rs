@@ -1,9 +1,8 @@
 //! Answers for people: a line for each property, and below it the run that was found, or why nothing is known.
 
-use super::file::{FileAnswers, PropertyAnswer};
+use super::file::FileAnswers;
 use anstyle::{AnsiColor, Style};
-use ladder_prover::{Times, Verdict};
-use ladder_simulator::value_text::duration;
+use ladder_prover::{Verdict, drawn};
 use ladder_syntax::numeral::counted;
 use ladder_workspace::shown;
 use std::io::{self, Write};
@@ -16,15 +15,12 @@ const FAINT: Style = AnsiColor::BrightBlack.on_default();
 /// What is before what belongs to a property.
 const INDENT: &str = "              ";
 
-/// The word for a verdict, and how it is shown.
-pub(super) fn word(verdict: &Verdict) -> (&'static str, Style) {
+/// How a verdict is shown.
+const fn style(verdict: &Verdict) -> Style {
     match verdict {
-        Verdict::Proved(_) => ("proved", GOOD),
-        Verdict::Violated(_) => ("violated", BAD),
-        Verdict::Possible(_) => ("possible", GOOD),
-        Verdict::Impossible(_) => ("impossible", BAD),
-        Verdict::Unknown(_) => ("unknown", UNSURE),
-        Verdict::Vacuous => ("vacuous", BAD),
+        Verdict::Proved(_) | Verdict::Possible(_) => GOOD,
+        Verdict::Violated(_) | Verdict::Impossible(_) | Verdict::Vacuous => BAD,
+        Verdict::Unknown(_) => UNSURE,
     }
 }
 
@@ -33,24 +29,6 @@ fn paint(colours: bool, style: Style, text: &str) -> String {
         format!("{style}{text}{style:#}")
     } else {
         text.to_owned()
-    }
-}
-
-/// What is said next to the name.
-pub(super) fn note(property: &PropertyAnswer, interval: i64) -> String {
-    match &property.answer.verdict {
-        Verdict::Proved(Times::Any) | Verdict::Impossible(Times::Any) => "for any times".into(),
-        Verdict::Proved(Times::Exact) | Verdict::Impossible(Times::Exact) => {
-            format!("for an interval of {}", duration(interval))
-        }
-        Verdict::Violated(_) | Verdict::Possible(_) => {
-            let scan = property.scan().unwrap_or(0);
-            let time = interval.saturating_mul(scan as i64);
-            format!("in scan {scan}, at {}", duration(time))
-        }
-        Verdict::Unknown(0) => String::new(),
-        Verdict::Unknown(scans) => format!("no such run in {}", counted(*scans, "scan")),
-        Verdict::Vacuous => "what is assumed cannot hold in the first scan".into(),
     }
 }
 
@@ -72,10 +50,13 @@ pub(super) fn file(answers: &FileAnswers, colours: bool, out: &mut dyn Write) ->
         .map(|property| shown::line(&property.name).chars().count());
     let widest = names.max().unwrap_or(0).min(60);
     for property in &answers.properties {
-        let (word, style) = word(&property.answer.verdict);
+        let verdict = &property.answer.verdict;
         let name = shown::line(&property.name);
-        let word = paint(colours, style, &format!("{word:<10}"));
-        let line = format!("  {word}  {name:<widest$}  {}", note(property, answers.interval));
+        let word = paint(colours, style(verdict), &format!("{:<10}", verdict.word()));
+        let line = format!(
+            "  {word}  {name:<widest$}  {}",
+            property.answer.note(answers.interval)
+        );
         writeln!(out, "{}", line.trim_end())?;
         if property.answer.never_triggered {
             writeln!(
@@ -113,16 +94,6 @@ pub(super) fn file(answers: &FileAnswers, colours: bool, out: &mut dyn Write) ->
     writeln!(out)
 }
 
-/// The rows of a run, in columns.
-pub(super) fn drawn(scenario: &str) -> String {
-    let file = ladder_simulator::scenario::layout(&format!("program p\n\n{scenario}"));
-    let rows = file
-        .lines()
-        .skip_while(|line| !line.starts_with("scenario"))
-        .skip(1);
-    rows.collect::<Vec<&str>>().join("\n")
-}
-
 /// `5 properties in 1 file: 3 proved, 1 violated, 1 unknown, in 0.02 s.`
 pub(super) fn end(all: &[FileAnswers], seconds: f64, colours: bool, out: &mut dyn Write) -> io::Result<()> {
     let properties = || all.iter().flat_map(|answers| &answers.properties);
@@ -136,10 +107,11 @@ pub(super) fn end(all: &[FileAnswers], seconds: f64, colours: bool, out: &mut dy
         "vacuous",
     ] {
         let mut of_it = properties()
-            .map(|property| word(&property.answer.verdict))
-            .filter(|(word, _)| *word == wanted);
-        let Some((_, style)) = of_it.next() else { continue };
+            .map(|property| &property.answer.verdict)
+            .filter(|verdict| verdict.word() == wanted);
+        let Some(first) = of_it.next() else { continue };
         let part = format!("{} {wanted}", of_it.count() + 1);
+        let style = style(first);
         parts.push(if style == GOOD {
             part
         } else {

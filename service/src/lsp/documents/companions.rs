@@ -13,12 +13,18 @@ use tower_lsp::ls_types::Diagnostic;
 use super::{diagnostics, foreign, pull, settings_file};
 use crate::busy::Work;
 use crate::document::{Kind, Revision, address};
+use crate::lsp::session::proofs::ProgramText;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
+use crate::proof::PropertyProved;
 
 /// What is where the name of a rule would.
 pub(crate) const BAD_SETTING: &str = "bad-setting";
 const BAD_SCENARIO: &str = "bad-scenario";
+/// The same, of what `ladder prove` finds.
+const PROPERTY_VIOLATED: &str = "property-violated";
+/// The rows of a run with so many scans are not shown in a message.
+const MOST_SHOWN: usize = 80;
 
 /// Sees to it that the newest text gets its diagnostics.
 pub(crate) fn refresh(shared: &Arc<Shared>, uri: &str) {
@@ -81,6 +87,7 @@ async fn look_at(shared: Arc<Shared>, first: Arc<Revision>, _work: Work) {
 /// The text is gone from the editor. A settings file counts as it is on disk.
 pub(crate) fn closed(shared: &Arc<Shared>, uri: &str) {
     shared.previews.end(uri);
+    shared.proofs.forget(uri);
     if !shared.agreed().pulls_diagnostics {
         shared.outbox.no_diagnostics(uri);
     }
@@ -128,6 +135,7 @@ fn scenarios(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
             Ok(simulation) => {
                 errors.extend(scenario::bind(&suite, &simulation).1);
                 errors.extend(scenario::bind_properties(&suite, &simulation).1);
+                found.extend(proofs(shared, revision, &simulation));
             }
             Err(NotReady::Missing(message)) => {
                 let help = "a program is named as it is seen from the folder of the scenario file";
@@ -152,6 +160,31 @@ fn scenarios(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
     found.extend(errors.into_iter().map(said));
     found.sort_by_key(|it| (it.range.start.line, it.range.start.character));
     found
+}
+
+/// What is known of properties that do not hold.
+fn proofs(shared: &Shared, revision: &Revision, simulation: &Simulation) -> Vec<Diagnostic> {
+    let known = shared.proofs.of(revision, || Some(ProgramText::of(simulation)));
+    let refuted = known.iter().filter(|property| property.is_refuted());
+    refuted.map(violated).collect()
+}
+
+/// A property that does not hold, as a diagnostic at its name.
+pub(crate) fn violated(property: &PropertyProved) -> Diagnostic {
+    let mut message = format!("\"{}\" is {}", property.name, property.message);
+    if property.scan.is_some_and(|scan| scan < MOST_SHOWN) {
+        message = format!("{message}\n{}", property.diagram);
+    }
+    let range = convert::range(property.range);
+    convert::diagnostic(range, Severity::Error, PROPERTY_VIOLATED, message)
+}
+
+/// Shows what is known of properties, for the text that is there already.
+pub(crate) fn refresh_proofs(shared: &Arc<Shared>, uri: &str) {
+    if shared.companions.touch(uri) {
+        refresh(shared, uri);
+        pull::refresh(shared);
+    }
 }
 
 /// Why scenarios cannot be compared with their program, or run.

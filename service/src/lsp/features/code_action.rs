@@ -12,7 +12,8 @@ use tower_lsp::ls_types::{
 };
 
 use super::asked::Asked;
-use super::{conversion, rename, switch_off};
+use super::of_scenarios::scenarios_at;
+use super::{conversion, rename, scenario_actions, switch_off};
 use crate::cancel::Cancel;
 use crate::document::Revision;
 use crate::document::other_files::OtherFiles;
@@ -51,6 +52,9 @@ pub(crate) async fn code_action(
     shared: &Arc<Shared>,
     params: CodeActionParams,
 ) -> Result<Option<CodeActionResponse>> {
+    if let Some(scenarios) = scenarios_at(shared, &params.text_document.uri) {
+        return scenario_actions::code_action(shared, scenarios, params).await;
+    }
     let Some(revision) = shared.documents.get(params.text_document.uri.as_str()) else {
         return Ok(None);
     };
@@ -84,12 +88,15 @@ pub(crate) async fn code_action(
             })
             .and_then(|_| conversion::action(agreed, &revision, analysis))
             .filter(|action| action.disabled.is_none() || agreed.disabled_actions);
-        let off = if wanted(&params.context, &name(ActionKind::QuickFix)) {
-            switch_off::actions(&shared, agreed, &revision, analysis, problems)
+        let (off, properties) = if wanted(&params.context, &name(ActionKind::QuickFix)) {
+            (
+                switch_off::actions(&shared, agreed, &revision, analysis, problems),
+                scenario_actions::of_program(&shared, &revision, &asked.context, range),
+            )
         } else {
-            Vec::new()
+            (Vec::new(), Vec::new())
         };
-        let others = conversion.into_iter().chain(off);
+        let others = conversion.into_iter().chain(off).chain(properties);
         Some(shown.chain(others.map(CodeActionOrCommand::CodeAction)).collect())
     })
     .await
@@ -146,7 +153,7 @@ fn within(revision: &Revision, data: &Data) -> TextRange {
 }
 
 /// Whether the client asks for actions of this kind: `source` asks for `source.fixAll.ladder` too.
-fn wanted(context: &CodeActionContext, kind: &CodeActionKind) -> bool {
+pub(super) fn wanted(context: &CodeActionContext, kind: &CodeActionKind) -> bool {
     let Some(only) = &context.only else { return true };
     only.iter().any(|asked| {
         let rest = kind.as_str().strip_prefix(asked.as_str());

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use ladder_ide::LensKind;
+use ladder_simulator::scenario;
 use ladder_syntax::{TextRange, TextSize};
 use serde_json::{Value, json};
 use tower_lsp::jsonrpc::Result;
@@ -11,8 +12,9 @@ use tower_lsp::ls_types::{
 };
 
 use super::asked::{Places, about_place};
+use super::of_scenarios::scenarios_at;
 use crate::document::{Revision, address};
-use crate::lsp::session::commands::{SHOW, START, TEST};
+use crate::lsp::session::commands::{PROVE, SHOW, START, TEST};
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
 
@@ -20,6 +22,10 @@ pub(crate) async fn code_lens(shared: &Arc<Shared>, params: CodeLensParams) -> R
     let commands = shared.agreed().lens_commands;
     if !commands.any() || !shared.editor().code_lens {
         return Ok(None);
+    }
+    if let Some(revision) = scenarios_at(shared, &params.text_document.uri) {
+        let revision = revision.fits().then_some(revision).filter(|_| commands.prove);
+        return Ok(revision.map(|revision| of_properties(&revision)));
     }
     let Some(revision) = shared.documents.get(params.text_document.uri.as_str()) else {
         return Ok(None);
@@ -53,6 +59,23 @@ pub(crate) async fn code_lens(shared: &Arc<Shared>, params: CodeLensParams) -> R
         Some(lenses)
     })
     .await
+}
+
+/// Above each property that it is proved, and at the beginning of the file that all are.
+fn of_properties(revision: &Revision) -> Vec<CodeLens> {
+    let suite = scenario::parse(&revision.text());
+    let lens = |at: TextSize, title: &str, arguments| CodeLens {
+        range: convert::range_in(revision, TextRange::empty(at)),
+        command: Some(command(title, PROVE, arguments)),
+        data: None,
+    };
+    let all = suite.program.as_ref().filter(|_| suite.properties.len() > 1);
+    let all = all.map(|(_, program)| lens(program.start(), "Prove all", vec![json!(&*revision.uri)]));
+    let each = suite.properties.iter().map(|property| {
+        let arguments = vec![json!(&*revision.uri), json!(property.name)];
+        lens(property.range.start(), "Prove", arguments)
+    });
+    all.into_iter().chain(each).collect()
 }
 
 fn command(title: &str, command: &str, arguments: Vec<Value>) -> Command {

@@ -2,7 +2,8 @@
 
 use tower_lsp::ls_types::{
     ClientCapabilities, ClientDiagnosticsTagOptions, DiagnosticTag, GotoCapability, MarkupKind,
-    PositionEncodingKind, TextDocumentClientCapabilities, WorkspaceFileOperationsClientCapabilities,
+    PositionEncodingKind, ResourceOperationKind, TextDocumentClientCapabilities,
+    WorkspaceFileOperationsClientCapabilities,
 };
 
 use super::commands::{Commands, cuts_after, renames};
@@ -25,6 +26,8 @@ pub(crate) struct Agreed {
     pub(crate) library_blocks: bool,
     /// Edits may name the version of the document that they are for.
     pub(crate) versioned_edits: bool,
+    /// An edit may make files.
+    pub(crate) creates_files: bool,
     /// The edits of a code action may be asked for later.
     pub(crate) resolves_edits: bool,
     /// Code actions may be shown that cannot be done, with the reason.
@@ -156,6 +159,10 @@ impl Agreed {
             rule_pages: says(client, "rulePages"),
             library_blocks: says(client, "libraryBlocks"),
             versioned_edits: edit.and_then(|it| it.document_changes).unwrap_or(false),
+            creates_files: edit.is_some_and(|it| {
+                let operations = it.resource_operations.as_deref().unwrap_or_default();
+                it.document_changes == Some(true) && operations.contains(&ResourceOperationKind::Create)
+            }),
             file_operations: Reported::by(workspace.and_then(|workspace| workspace.file_operations.as_ref())),
             pulls_diagnostics: pull.is_some(),
             related_documents: pull.and_then(|it| it.related_document_support).unwrap_or(false),
@@ -331,7 +338,7 @@ mod tests {
             },
             "window": {"workDoneProgress": true},
             "workspace": {
-                "workspaceEdit": {"documentChanges": true},
+                "workspaceEdit": {"documentChanges": true, "resourceOperations": ["create"]},
                 "didChangeWatchedFiles": {"dynamicRegistration": true},
                 "diagnostics": {"refreshSupport": true},
                 "fileOperations": {"didCreate": true, "willRename": true, "didRename": true, "didDelete": true},
@@ -353,6 +360,7 @@ mod tests {
                 rule_pages: true,
                 library_blocks: true,
                 versioned_edits: true,
+                creates_files: true,
                 resolves_edits: true,
                 disabled_actions: true,
                 markdown: true,

@@ -6,6 +6,8 @@ use tower_lsp::ls_types::{ClientCapabilities, CodeLensOptions};
 pub(crate) const START: &str = "ladder.simulation.start";
 /// Runs the scenarios in the file with this address.
 pub(crate) const TEST: &str = "ladder.test";
+/// Proves the properties in the file with this address, or the one of this name.
+pub(crate) const PROVE: &str = "ladder.prove";
 /// Shows places: an address, a position, and the places.
 pub(crate) const SHOW: &str = "ladder.showReferences";
 
@@ -14,6 +16,7 @@ pub(crate) const SHOW: &str = "ladder.showReferences";
 pub(crate) struct Commands {
     pub(crate) start: bool,
     pub(crate) test: bool,
+    pub(crate) prove: bool,
     pub(crate) show: bool,
 }
 
@@ -32,12 +35,13 @@ impl Commands {
         Commands {
             start: names_command(client, START),
             test: names_command(client, TEST),
+            prove: names_command(client, PROVE),
             show: names_command(client, SHOW),
         }
     }
 
     pub(crate) fn any(self) -> bool {
-        self.start || self.test || self.show
+        self.start || self.test || self.prove || self.show
     }
 
     /// What the server offers to such a client.

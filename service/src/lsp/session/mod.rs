@@ -5,6 +5,7 @@ pub(crate) mod agreed;
 pub(crate) mod commands;
 pub(crate) mod outbox;
 pub(crate) mod previews;
+pub(crate) mod proofs;
 pub(crate) mod shared;
 pub(crate) mod tokens_sent;
 pub(crate) mod typing;

@@ -12,6 +12,7 @@ use tower_lsp::ls_types::Diagnostic;
 use super::agreed::Agreed;
 use super::outbox::Outbox;
 use super::previews::Previews;
+use super::proofs::Proofs;
 use super::tokens_sent::TokensSent;
 use super::typing::Typed;
 use crate::busy::Busy;
@@ -60,6 +61,8 @@ pub(crate) struct Shared {
     pub(crate) companions: Arc<Documents>,
     /// Which of them are programs whose ladder text a client follows.
     pub(crate) previews: Arc<Previews>,
+    /// What is known of properties.
+    pub(crate) proofs: Proofs,
     /// The files next to them.
     pub(crate) neighbours: Arc<Neighbours>,
     pub(crate) sessions: Sessions,
@@ -92,6 +95,7 @@ impl Shared {
             documents: Arc::default(),
             companions: Arc::default(),
             previews: Arc::default(),
+            proofs: Proofs::default(),
             neighbours: Arc::new(Neighbours::on(host.world().disk.clone())),
             tokens_sent: TokensSent::default(),
             sessions: Sessions::default(),
