@@ -125,9 +125,9 @@ fn outputs(context: &Context) -> Vec<Output<'_>> {
     };
     let output = |tag: &TagFacts| {
         let shared = context.shared(tag);
-        shared.role == Role::Output
-            && shared.ty == Some(Type::Scalar(Scalar::Bool))
-            && !tag.name.starts_with('%')
+        // One that is not declared and that its own program reads, too, may be an output as well.
+        let may_be = shared.role == Role::Output || shared.origin == Origin::Undeclared;
+        may_be && shared.ty == Some(Type::Scalar(Scalar::Bool)) && !tag.name.starts_with('%')
     };
     let of = |tag| {
         let (mut coils, mut closed) = (BTreeSet::new(), BTreeSet::new());
@@ -145,10 +145,12 @@ fn outputs(context: &Context) -> Vec<Output<'_>> {
         Output { tag, coils, closed }
     };
     let outputs = scope.tags.iter().filter(|tag| output(tag)).map(of);
-    outputs
+    let mut outputs: Vec<Output<'_>> = outputs
         .filter(|output| !output.coils.is_empty())
         .take(MOST)
-        .collect()
+        .collect();
+    outputs.sort_by_key(|output| output.coils.first().copied());
+    outputs
 }
 
 /// Whether two names differ in one word, and that by its opposite.
