@@ -201,6 +201,29 @@ export interface ScenarioRun {
     readonly diagram?: string;
 }
 
+/** The answer to `ladder.proveProperties`. */
+export interface PropertiesProved {
+    readonly uri: string;
+    readonly version?: number;
+    readonly program: string;
+    readonly properties: readonly PropertyProved[];
+}
+
+export interface PropertyProved {
+    readonly name: string;
+    readonly range: Range;
+    readonly verdict: 'proved' | 'violated' | 'possible' | 'impossible' | 'unknown' | 'vacuous';
+    readonly message: string;
+    readonly scan?: number;
+    readonly times?: 'any' | 'exact';
+    readonly neverTriggered: boolean;
+    readonly open: readonly { readonly message: string; readonly range?: Range }[];
+    /** The rows of the run that was found. */
+    readonly diagram?: string;
+    /** That run as a file of scenarios. */
+    readonly scenario?: string;
+}
+
 /** What scenarios exercised: of a part, whether it was closed (a coil: with power), and whether it was open. */
 export interface Exercised {
     readonly networks: readonly { readonly range: Range; readonly scans: number }[];
@@ -316,6 +339,7 @@ export interface OtherCommands {
     'ladder.preview': { argument: { uri: string }; answer: Previewed };
     'ladder.convert': { argument: { uri: string; text?: string; from?: string; to: string }; answer: Converted };
     'ladder.runScenarios': { argument: { uri: string; coverage: boolean }; answer: ScenariosRun };
+    'ladder.proveProperties': { argument: { uri: string; name?: string }; answer: PropertiesProved };
     'ladder.notations': {
         argument: object;
         answer: { notations: readonly { name: string; title: string; extensions: readonly string[] }[] };

@@ -18,7 +18,14 @@ return {
     workspace = { diagnostics = { refreshSupport = true } },
     -- What lenses and code actions may do here: see `commands`.
     experimental = {
-      commands = { 'ladder.simulation.start', 'ladder.test', 'ladder.showReferences', 'ladder.completion.cut', 'ladder.rename' },
+      commands = {
+        'ladder.simulation.start',
+        'ladder.test',
+        'ladder.prove',
+        'ladder.showReferences',
+        'ladder.completion.cut',
+        'ladder.rename',
+      },
       -- Findings link the pages of their rules, which `:Ladder explain` shows.
       rulePages = true,
       -- Definitions lead into the library, whose sources the plugin opens.
@@ -31,6 +38,9 @@ return {
     end,
     ['ladder.test'] = function(_, context)
       require('ladder.test').run(context.bufnr)
+    end,
+    ['ladder.prove'] = function(command, context)
+      require('ladder.prove').run(context.bufnr, command.arguments[2])
     end,
     ['ladder.showReferences'] = function(command, context)
       require('ladder.lenses').show(command, context)

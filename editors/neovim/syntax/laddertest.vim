@@ -18,7 +18,7 @@ syntax match laddertestNumber /\%(\s\)\@<=-\?\d[0-9A-Za-z_.:#-]*/
 syntax match laddertestNumber /\%(\s\)\@<=\a\+#[0-9A-Za-z_.:-]\+/
 syntax match laddertestTolerance /\%(±\|+-\)\s*\S\+/
 " Properties and assumptions; a row of a tag that is called so has an arrow, or levels and nothing else.
-syntax match laddertestProperty /^\s*\%(assume\|always\|never\|when\|after\|within\|possible\|no\ze\s\+faults\)\>\%(\s*=>\|[-_. \t]*$\)\@!.*$/ contains=laddertestForm,laddertestPast,laddertestOperator,laddertestSpan,laddertestText,laddertestComment
+syntax match laddertestProperty /^\s*\%(assume\|always\|never\|when\|after\|within\|possible\|no\%(\s\+faults\)\@=\)\>\%(\s*=>\|[-_. \t]*$\)\@!.*$/ contains=laddertestForm,laddertestPast,laddertestOperator,laddertestSpan,laddertestText,laddertestComment
 syntax match laddertestProperty /^\s*property\s\+".*$/ contains=laddertestForm,laddertestName,laddertestPast,laddertestOperator,laddertestSpan,laddertestText,laddertestComment
 syntax match laddertestForm /\<\%(property\|assume\|always\|never\|when\|until\|after\|within\|of\|possible\|no\|faults\|scans\=\)\>/ contained
 syntax match laddertestPast /\<\%(rises\|falls\|was\)\ze\s*(/ contained

@@ -173,6 +173,8 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.diagram.reveal': (context) => views.diagrams.reveal(context),
         'ladder.diagram.breakpoint': (context) => views.diagrams.toggleBreakpoint(context),
         'ladder.test': (uri?: unknown) => tests.runFile(typeof uri === 'string' ? uri : undefined),
+        'ladder.prove': (uri?: unknown, name?: unknown) =>
+            tests.prove(typeof uri === 'string' ? uri : undefined, typeof name === 'string' ? name : undefined),
         'ladder.simulation.breakOnChange': (tag) => breakOnChange(simulation, tag),
         'ladder.simulation.why': (tag) => why(simulation, views.why, tag),
         'ladder.trace.add': (tag) => trace(simulation, views.trace, tag),

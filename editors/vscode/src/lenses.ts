@@ -11,7 +11,7 @@ const START = 'ladder.simulation.start';
 /** Tells the server which commands its lenses and code actions may have here. */
 export const lensCommands: StaticFeature = {
     fillClientCapabilities(capabilities: ClientCapabilities): void {
-        const commands = [START, 'ladder.test', 'ladder.showReferences', 'ladder.rename'];
+        const commands = [START, 'ladder.test', 'ladder.prove', 'ladder.showReferences', 'ladder.rename'];
         capabilities.experimental = { ...(capabilities.experimental as object | undefined), commands };
     },
     initialize(): void {},

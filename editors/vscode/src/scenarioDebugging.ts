@@ -1,8 +1,17 @@
 // A scenario in the debugger.
 import * as vscode from 'vscode';
 
-/** Debugs one scenario. @returns its exit status; none if it was ended before */
-export async function debugOne(file: vscode.Uri, scenario: string, token: vscode.CancellationToken): Promise<number | undefined> {
+/**
+ * Debugs one scenario. @returns its exit status; none if it was ended before
+ *
+ * @param text of a file of scenarios, in the place of what is on disk: then it stops before its first scan
+ */
+export async function debugOne(
+    file: vscode.Uri,
+    scenario: string,
+    token: vscode.CancellationToken,
+    text?: string,
+): Promise<number | undefined> {
     let status: number | undefined;
     let session: vscode.DebugSession | undefined;
     const name = `Scenario "${scenario}"`;
@@ -31,7 +40,8 @@ export async function debugOne(file: vscode.Uri, scenario: string, token: vscode
             });
         });
         const folder = vscode.workspace.getWorkspaceFolder(file);
-        const configuration = { type: 'ladder', request: 'launch', name, scenarioFile: file.fsPath, scenario };
+        const given = text === undefined ? {} : { scenarioText: text, stopOnEntry: true };
+        const configuration = { type: 'ladder', request: 'launch', name, scenarioFile: file.fsPath, scenario, ...given };
         if (!(await vscode.debug.startDebugging(folder, configuration))) {
             return undefined;
         }

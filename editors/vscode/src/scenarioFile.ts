@@ -1,6 +1,6 @@
-// What the text of a file of scenarios says about where its scenarios are.
+// What the text of a file of scenarios says about where its scenarios and properties are.
 
-/** A scenario, at its line from 0. */
+/** A scenario or a property, at its line from 0. */
 export interface Scenario {
     readonly name: string;
     readonly line: number;
@@ -27,4 +27,28 @@ export function scenariosOf(text: string): Scenario[] {
         return { name, line, lastLine };
     });
     return scenarios.filter(({ name }, index) => scenarios.findIndex((other) => other.name === name) === index);
+}
+
+/** A property, whose name may be on a line above it. A row of a tag that is called so has an arrow, or levels. */
+const FORM = /^(?:no\s+faults$|(?:always|never|when|after|within|possible)\b(?!\s*(?:=>|[-_.\s]*$)))/;
+
+/** What is before a comment: a # right after a letter or digit belongs to a literal. */
+const withoutComment = (line: string) => line.replace(/(?<![\p{L}\p{N}])#.*$/u, '').trim();
+
+/** The properties of a file, in their order. One without a name is called by its text. */
+export function propertiesOf(text: string): Scenario[] {
+    const found: Scenario[] = [];
+    let named: { name: string; line: number } | undefined;
+    text.split(/\r\n|\n|\r/).forEach((line, lastLine) => {
+        const [, name, after] = /^\s*property\s+"([^"]*)"(.*)$/.exec(line) ?? [];
+        const form = withoutComment(after ?? line);
+        if (name !== undefined) {
+            named = { name: name.trim(), line: lastLine };
+        }
+        if (FORM.test(form)) {
+            found.push({ name: named?.name ?? form, line: named?.line ?? lastLine, lastLine });
+            named = undefined;
+        }
+    });
+    return found;
 }

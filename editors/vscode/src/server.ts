@@ -220,18 +220,19 @@ export class Server implements vscode.Disposable {
     execute<Name extends keyof OtherCommands>(
         name: Name,
         argument: OtherCommands[Name]['argument'],
+        token?: vscode.CancellationToken,
     ): Promise<OtherCommands[Name]['answer']> {
-        return this.#request(name, argument);
+        return this.#request(name, argument, token);
     }
 
-    async #request<Answer>(command: string, argument: object): Promise<Answer> {
+    async #request<Answer>(command: string, argument: object, token?: vscode.CancellationToken): Promise<Answer> {
         if (!this.#client) {
             if (!vscode.workspace.isTrusted) {
                 throw new Error('nothing is run in a workspace that is not trusted.');
             }
             throw new Error('the language server does not run; the log says why ("Ladder: Show Log").');
         }
-        return this.#client.sendRequest('workspace/executeCommand', { command, arguments: [argument] });
+        return this.#client.sendRequest('workspace/executeCommand', { command, arguments: [argument] }, token);
     }
 
     dispose(): void {

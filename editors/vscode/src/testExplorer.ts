@@ -1,4 +1,4 @@
-// Scenarios in the Test Explorer: run, debugged, run again when files change, with what they exercise.
+// Scenarios and properties in the Test Explorer: run, debugged, run again when files change, with what they exercise.
 import { execFile } from 'node:child_process';
 import { homedir } from 'node:os';
 
@@ -7,8 +7,9 @@ import * as vscode from 'vscode';
 import { failingStretches, type FileResult, type Results, type Stretch } from './scenarioResults.ts';
 import { textOf, whole } from './diskText.ts';
 import { CoveredFile, details } from './scenarioCoverage.ts';
+import { debugProperty, isProperty, propertyId, proveAll } from './propertyProofs.ts';
 import { debugOne } from './scenarioDebugging.ts';
-import { scenariosOf } from './scenarioFile.ts';
+import { propertiesOf, scenariosOf, type Scenario } from './scenarioFile.ts';
 import { report } from './scenarioReport.ts';
 import type { Server } from './server.ts';
 
@@ -25,7 +26,7 @@ export class TestExplorer implements vscode.Disposable {
     readonly #controller = vscode.tests.createTestController('ladder', 'Ladder Scenarios');
     readonly #findings = vscode.languages.createDiagnosticCollection('ladder-test');
     readonly #disposables: vscode.Disposable[] = [this.#controller, this.#findings];
-    /** The files, whose children are their scenarios. */
+    /** The files, whose children are their scenarios and properties. */
     readonly #files = new Map<string, vscode.TestItem>();
     #isSearched = false;
 
@@ -59,6 +60,22 @@ export class TestExplorer implements vscode.Disposable {
             await document.save();
             await this.#run(new vscode.TestRunRequest([this.#item(document.uri)]), false);
         }
+    }
+
+    /** Proves the properties of a file, that of the active editor if none is named, or one of them. */
+    async prove(uri?: string, name?: string): Promise<void> {
+        const document = uri === undefined ? vscode.window.activeTextEditor?.document : await vscode.workspace.openTextDocument(vscode.Uri.parse(uri));
+        if (document?.languageId !== 'ladder-test') {
+            return;
+        }
+        this.#shown(document);
+        const all = [...this.#item(document.uri).children].map(([, item]) => item).filter(isProperty);
+        const asked = name === undefined ? all : all.filter(({ id }) => id === propertyId(name));
+        if (asked.length === 0) {
+            void vscode.window.showInformationMessage('Ladder: there is no property in this file; write one, as in: never up and down');
+            return;
+        }
+        await this.#run(new vscode.TestRunRequest(asked), false);
     }
 
     dispose(): void {
@@ -122,12 +139,18 @@ export class TestExplorer implements vscode.Disposable {
     }
 
     #fill(file: vscode.TestItem, text: string): void {
-        const items = scenariosOf(text).map(({ name, line, lastLine }) => {
-            const item = file.children.get(name) ?? this.#controller.createTestItem(name, name, file.uri);
+        const item = (id: string, { name, line, lastLine }: Scenario) => {
+            const item = file.children.get(id) ?? this.#controller.createTestItem(id, name, file.uri);
             item.range = new vscode.Range(line, 0, lastLine, Number.MAX_SAFE_INTEGER);
             return item;
+        };
+        const scenarios = scenariosOf(text).map((scenario) => item(scenario.name, scenario));
+        const properties = propertiesOf(text).map((property) => {
+            const proved = item(propertyId(property.name), property);
+            proved.description = 'property';
+            return proved;
         });
-        file.children.replace(items);
+        file.children.replace([...scenarios, ...properties]);
     }
 
     /** Runs what is asked for; with `continuous` again whenever a file is saved that may matter. */
@@ -195,7 +218,11 @@ export class TestExplorer implements vscode.Disposable {
                 if (token.isCancellationRequested) {
                     break;
                 }
-                await this.#runFile(run, program, file, items, coverage, token);
+                const [properties, scenarios] = [items.filter(isProperty), items.filter((item) => !isProperty(item))];
+                if (scenarios.length > 0) {
+                    await this.#runFile(run, program, file, scenarios, coverage, token);
+                }
+                await proveAll(this.#server, run, file, properties, token);
             }
         } finally {
             run.end();
@@ -264,6 +291,10 @@ export class TestExplorer implements vscode.Disposable {
                 for (const item of items) {
                     if (token.isCancellationRequested || !file.uri) {
                         return;
+                    }
+                    if (isProperty(item)) {
+                        await debugProperty(this.#server, run, item, token);
+                        continue;
                     }
                     run.started(item);
                     const status = await debugOne(file.uri, item.id, token);

@@ -18,6 +18,7 @@ end
 
 require('language')(t)
 require('scenarios')(t, messages)
+require('proofs')(t, messages)
 require('conversion')(t, messages)
 require('revisions')(t, messages)
 require('simulating')(t, messages)

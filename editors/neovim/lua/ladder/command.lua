@@ -312,6 +312,20 @@ local subcommands = {
       return #arguments == 0 and { 'nearest' } or {}
     end,
   },
+  prove = {
+    run = function(arguments)
+      local prove, here = require('ladder.prove'), nil
+      if arguments[1] == 'nearest' then
+        here = prove.here() or refuse('there is no property above the cursor.')
+      elseif arguments[1] then
+        refuse(('":Ladder prove" takes nothing, or "nearest" for the property at the cursor; not "%s".'):format(arguments[1]))
+      end
+      prove.run(buffer(), here)
+    end,
+    complete = function(arguments)
+      return #arguments == 0 and { 'nearest' } or {}
+    end,
+  },
   convert = {
     run = function(arguments)
       require('ladder.convert').run(buffer(), arguments[1])
