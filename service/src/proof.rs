@@ -1,14 +1,13 @@
 //! Properties that are decided for an editor: what is known of each, and the run that was found. `docs/protocol.md` shows the messages.
 
-use ladder_analysis::program::Location;
-use ladder_prover::{Answer, Options, drawn, found_scenario, prove, scenario_file, while_wanted};
-use ladder_simulator::Simulation;
-use ladder_simulator::scenario::{self, Monitor, ScenarioError, Suite};
 use serde::{Deserialize, Serialize};
 
-use crate::document::Revision;
 use crate::document::position::Range;
-use crate::scenario_run::Files;
+#[cfg(feature = "prove")]
+pub(crate) use deciding::run;
+
+#[cfg(feature = "prove")]
+mod deciding;
 
 /// The argument of `ladder.proveProperties`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -84,79 +83,14 @@ pub struct LeftOpen {
     pub range: Option<Range>,
 }
 
-/// Decides the properties of a file, or one of them, for no longer than `ladder prove` does, and as long as it is wanted.
-///
-/// # Errors
-///
-/// A sentence for the person where the file has an error, or no such property.
+/// Without the prover nothing is decided.
+#[cfg(not(feature = "prove"))]
 pub(crate) fn run(
-    files: &Files<'_>,
-    suite: &Suite,
-    simulation: &mut Simulation,
-    only: Option<&str>,
-    is_wanted: impl Fn() -> bool + 'static,
+    _: &crate::scenario_run::Files<'_>,
+    _: &ladder_simulator::scenario::Suite,
+    _: &mut ladder_simulator::Simulation,
+    _: Option<&str>,
+    _: impl Fn() -> bool + 'static,
 ) -> Result<Vec<PropertyProved>, String> {
-    let (mut watched, found) = scenario::bind_properties(suite, simulation);
-    let errors = suite.errors.iter().chain(&found);
-    if let Some(ScenarioError { range, message, .. }) = errors.min_by_key(|error| error.range.start()) {
-        let line = files.scenarios.range(*range).start.line + 1;
-        return Err(format!("line {line}: {message}"));
-    }
-    if let Some(only) = only {
-        watched.properties.retain(|property| property.name == only);
-    }
-    if watched.properties.is_empty() {
-        return Err(match only {
-            Some(only) => format!("the file has no property \"{only}\" any more"),
-            None => "there is no property in this file; write one, as in: never up and down".to_owned(),
-        });
-    }
-    let job = || prove(simulation, &mut watched, Options::default());
-    let answers = while_wanted(is_wanted, job).map_err(|refuted| {
-        format!(
-            "the prover found a run for \"{}\" that does not happen in the simulator: this is an error in the prover, please \
-             report it with the program",
-            refuted.name
-        )
-    })?;
-    let interval = simulation.options().interval;
-    let program = suite.program.as_ref().map_or("", |(name, _)| name);
-    let properties = watched.properties.iter().zip(answers);
-    Ok(properties
-        .map(|(property, answer)| proved(files, property, &answer, program, interval))
-        .collect())
-}
-
-fn proved(
-    files: &Files<'_>,
-    property: &Monitor,
-    answer: &Answer,
-    program: &str,
-    interval: i64,
-) -> PropertyProved {
-    let word = answer.verdict.word();
-    let scenario = found_scenario(&property.name, &property.form, &answer.verdict);
-    let open = answer.open.iter().map(|(what, location)| LeftOpen {
-        message: what.clone(),
-        range: location.and_then(|location| own(files.program, location)),
-    });
-    PropertyProved {
-        name: property.name.clone(),
-        range: files.scenarios.range(property.range),
-        verdict: word.to_owned(),
-        message: format!("{word} {}", answer.note(interval)).trim_end().to_owned(),
-        scan: answer.verdict.scan(),
-        times: answer.verdict.times().map(str::to_owned),
-        never_triggered: answer.never_triggered,
-        open: open.collect(),
-        diagram: scenario.as_deref().map(drawn).unwrap_or_default(),
-        scenario: scenario.map_or(String::new(), |scenario| {
-            scenario_file(program, interval, &[scenario])
-        }),
-    }
-}
-
-/// The place of something that is in the program's own file.
-fn own(program: &Revision, location: Location) -> Option<Range> {
-    (location.file == 0).then(|| program.range(location.range))
+    Err("nothing is proved here; `ladder prove` does it".to_owned())
 }

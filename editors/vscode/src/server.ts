@@ -232,7 +232,9 @@ export class Server implements vscode.Disposable {
             }
             throw new Error('the language server does not run; the log says why ("Ladder: Show Log").');
         }
-        return this.#client.sendRequest('workspace/executeCommand', { command, arguments: [argument] }, token);
+        // None is no argument: it would be sent along.
+        const cancellation = token ? [token] : [];
+        return this.#client.sendRequest('workspace/executeCommand', { command, arguments: [argument] }, ...cancellation);
     }
 
     dispose(): void {

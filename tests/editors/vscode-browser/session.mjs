@@ -16,6 +16,7 @@ import { heldTest } from './heldTest.mjs';
 import { HOVERED, HOVERED_TEXT, hovering } from './hovering.mjs';
 import { live, LIVE, LIVE_TEXT } from './live.mjs';
 import { command, open } from './palette.mjs';
+import { files as PROPERTIES, proofs } from './proofs.mjs';
 import { PROGRAMS, running } from './running.mjs';
 import { FILE as SCENARIO_FILE, files as SCENARIOS, scenarios } from './scenarios.mjs';
 import { failures, step, tell, whenFailed } from './steps.mjs';
@@ -51,7 +52,7 @@ function prepare() {
     writeFileSync(join(scratch, 'project', DRAWN), DRAWN_TEXT);
     comparedProgram(join(scratch, 'project'));
     emptyFiles(join(scratch, 'project'));
-    for (const [name, text] of Object.entries({ ...programs, ...PROGRAMS, ...SCENARIOS })) {
+    for (const [name, text] of Object.entries({ ...programs, ...PROGRAMS, ...SCENARIOS, ...PROPERTIES })) {
         writeFileSync(join(scratch, 'project', name), text);
     }
 }
@@ -367,6 +368,7 @@ const parts = (page) => ({
     debug: () => debug(page, { step, until, weights, screenshot }),
     scenarios: () => scenarios(page, { step, until, screenshot, holdTest }),
     comparing: () => comparing(page, { step, until, screenshot }),
+    proofs: () => proofs(page, { step, until, screenshot }),
     // Its last step loads the page again.
     diagram: () => diagram(page, { step, until, screenshot }),
 });

@@ -38,11 +38,6 @@ impl From<String> for Given {
 pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) -> Result<LSPAny> {
     let asked: ProveProperties = argument_of(PROVE_PROPERTIES, params.arguments).map_err(error)?;
     let failed = |message: String| error(Failure::Failed(message));
-    if !shared.host.hears_while_working() {
-        return Err(failed(
-            "nothing is proved here; `ladder prove` does it".to_owned(),
-        ));
-    }
     let _turn = shared.proofs.turn().await;
     let next_to = shared.clone();
     let job = move |cancel: &Cancel| decide(&next_to, &asked, cancel);
