@@ -3,6 +3,7 @@
 
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::names::scope::{Origin, TagFacts};
+use ladder_analysis::networks::network::BoundBlock;
 use ladder_analysis::program::Role;
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_instructions::Op;
@@ -136,7 +137,8 @@ fn outputs(context: &Context) -> Vec<Output<'_>> {
                 continue;
             }
             let facts = context.networks.at(place.network);
-            match facts.facts().blocks.get(place.block).and_then(|block| block.op()) {
+            let block = facts.facts().blocks.get(place.block);
+            match block.and_then(BoundBlock::op) {
                 Some(Op::Coil | Op::SetCoil) => coils.insert(place.network),
                 Some(Op::NegatedContact) => closed.insert(place.network),
                 _ => false,

@@ -94,7 +94,7 @@ pub(super) fn in_line(
         ["within", number] if number.parse::<u64>().is_ok() => out.value("scans of", "so many scans"),
         ["within", _] | ["within", _, "scan" | "scans"] => continuation("of", out),
         [first, ..] if FORMS.contains(first) => {
-            in_expression(scenarios, &text[..from], (first, &text[from..]), trigger, out)
+            in_expression(scenarios, &text[..from], (first, &text[from..]), trigger, out);
         }
         _ => {}
     }

@@ -310,7 +310,7 @@ fn word(name: &str, from: usize) -> Range<usize> {
 }
 
 /// Places of a symbol in one row, or in one name of a property.
-pub(crate) struct InName<'s> {
+pub(crate) struct Found<'s> {
     pub(crate) naming: Naming<'s>,
     /// Those in the name.
     pub(crate) in_name: Vec<TextRange>,
@@ -319,11 +319,11 @@ pub(crate) struct InName<'s> {
 }
 
 /// Where a name is that of a symbol.
-fn in_name<'s>(naming: Naming<'s>, named: &Named<'_>, symbol: &Symbol) -> InName<'s> {
+fn found_in<'s>(naming: Naming<'s>, named: &Named<'_>, symbol: &Symbol) -> Found<'s> {
     let words = named.words.iter().filter(|(_, it)| it == symbol);
     let cells = naming.row.map_or(Vec::new(), |row| named.in_cells(row));
     let cells = cells.into_iter().filter(|(_, it)| it == symbol);
-    InName {
+    Found {
         naming,
         in_name: words.map(|(word, _)| within(naming.range, word)).collect(),
         in_cells: cells.map(|(range, _)| range).collect(),
@@ -331,10 +331,10 @@ fn in_name<'s>(naming: Naming<'s>, named: &Named<'_>, symbol: &Symbol) -> InName
 }
 
 /// The rows and properties that name a symbol.
-fn names_in<'s>(suite: &'s Suite, files: Files<'_>, symbol: &Symbol) -> Vec<InName<'s>> {
+fn names_in<'s>(suite: &'s Suite, files: Files<'_>, symbol: &Symbol) -> Vec<Found<'s>> {
     let found = namings(suite).into_iter().filter_map(|naming| {
         let named = named(files, naming.text)?;
-        Some(in_name(naming, &named, symbol))
+        Some(found_in(naming, &named, symbol))
     });
     found.collect()
 }
@@ -381,7 +381,7 @@ pub(crate) fn naming<'s>(
     symbol: &Symbol,
     own: &Context,
     workspace: &dyn Workspace,
-) -> Vec<InName<'s>> {
+) -> Vec<Found<'s>> {
     let is_named_outside = matches!(
         symbol,
         Symbol::Tag { .. }
@@ -393,7 +393,7 @@ pub(crate) fn naming<'s>(
     );
     let mut found = Vec::new();
     if let Some(name) = symbol.name().filter(|_| is_named_outside) {
-        let mut look = |naming: Naming<'s>, named: &Named<'_>| found.push(in_name(naming, named, symbol));
+        let mut look = |naming: Naming<'s>, named: &Named<'_>| found.push(found_in(naming, named, symbol));
         each_name(file, &[name], own, workspace, &mut look);
     }
     found
@@ -414,8 +414,8 @@ pub(super) fn places_in(suite: &Suite, files: Files<'_>, symbol: &Symbol) -> Vec
     of_names(names_in(suite, files, symbol))
 }
 
-fn of_names(names: Vec<InName<'_>>) -> Vec<(TextRange, Usage)> {
-    let of_name = |found: InName<'_>| {
+fn of_names(names: Vec<Found<'_>>) -> Vec<(TextRange, Usage)> {
+    let of_name = |found: Found<'_>| {
         let usage = found.naming.usage();
         let names = found.in_name.into_iter().map(move |range| (range, usage));
         names.chain(found.in_cells.into_iter().map(|range| (range, Usage::Mention)))
