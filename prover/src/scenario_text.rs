@@ -10,12 +10,7 @@ use ladder_simulator::{Point, value_text};
 
 /// The run that was found for a property, as a scenario. `interval` is the time from scan to scan, in nanoseconds. None where
 /// none was found.
-pub fn found_scenario<E>(
-    property: &str,
-    form: &Form<E>,
-    verdict: &Verdict,
-    interval: i64,
-) -> Option<String> {
+pub fn found_scenario<E>(property: &str, form: &Form<E>, verdict: &Verdict, interval: i64) -> Option<String> {
     let (word, shown) = match verdict {
         Verdict::Violated(shown) => ("violated", shown),
         Verdict::Possible(shown) => ("possible", shown),

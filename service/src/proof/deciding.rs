@@ -61,7 +61,7 @@ fn proved(
     interval: i64,
 ) -> PropertyProved {
     let word = answer.verdict.word();
-    let scenario = found_scenario(&property.name, &property.form, &answer.verdict);
+    let scenario = found_scenario(&property.name, &property.form, &answer.verdict, interval);
     let open = answer.open.iter().map(|(what, location)| LeftOpen {
         message: what.clone(),
         range: location.and_then(|location| own(files.program, location)),

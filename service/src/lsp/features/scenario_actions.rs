@@ -98,8 +98,7 @@ fn appended(text: &str, suite: &Suite, property: &PropertyProved) -> Option<Stri
     let begin = usize::from(found.range.end());
     let mut rows = property.scenario[begin..].to_owned();
     if suite.step.is_some_and(|(step, _)| step != interval) {
-        let durations = vec![value_text::duration(interval); found.steps].join(" ");
-        rows = format!("\ntime {durations}{rows}");
+        rows = with_times(&rows, &value_text::duration(interval), found.steps);
     }
     let is_taken = |name: &str| suite.scenarios.iter().any(|other| other.name == name);
     let numbered = (2..).map(|number| format!("{} {number}", found.name));
@@ -114,6 +113,25 @@ fn appended(text: &str, suite: &Suite, property: &PropertyProved) -> Option<Stri
         _ => "\n\n",
     };
     Some(format!("{between}{scenario}"))
+}
+
+/// The rows of a scenario whose steps are scans, for a file that has other steps: how long each is, is said.
+fn with_times(rows: &str, scan: &str, steps: usize) -> String {
+    let is_time = |line: &str| line.split_whitespace().next() == Some(scenario::TIME);
+    if !rows.lines().any(is_time) {
+        let durations = vec![scan; steps].join(" ");
+        return format!("\n{} {durations}{rows}", scenario::TIME);
+    }
+    let said = |line: &str| {
+        if !is_time(line) {
+            return line.to_owned();
+        }
+        let cells = line.split_whitespace();
+        let cells = cells.map(|cell| if cell == "." { scan } else { cell });
+        cells.collect::<Vec<_>>().join(" ")
+    };
+    let lines: Vec<String> = rows.lines().map(said).collect();
+    lines.join("\n") + "\n"
 }
 
 /// What the program's outputs propose, next to where the file names it and its properties.
@@ -235,4 +253,18 @@ fn edit_of(agreed: Agreed, file: &Target, edit: TextEdit) -> Option<WorkspaceEdi
         ])),
         ..WorkspaceEdit::default()
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_that_are_scans_say_so_in_a_file_with_other_steps() {
+        assert_eq!(with_times("\na _-\n", "10ms", 2), "\ntime 10ms 10ms\na _-\n");
+        assert_eq!(
+            with_times("\ntime . 5s\na   _ -\n", "10ms", 2),
+            "\ntime 10ms 5s\na   _ -\n"
+        );
+    }
 }
