@@ -25,6 +25,7 @@
 //!   the framework.
 //! - `notation` translates programs of other systems for the editor, and reads those that are open; it knows the custom
 //!   messages of that.
+//! - `proof` has properties decided, if the prover is built in.
 //! - [`debug`] is the debug adapter, over the same engine.
 //! - `lsp` speaks the protocol. It is the only folder that names `tower-lsp`, and its page has the rules that
 //!   keep a server on it alive, in order and answering.
