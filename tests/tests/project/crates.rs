@@ -33,7 +33,7 @@ const RULES: [(&str, &[&str]); 17] = [
     ("workspace", &["simulator", "notation"]),
     (
         "service",
-        &["simulator", "ide", "picture", "review", "notations", "workspace"],
+        &["simulator", "prover", "review", "ide", "picture", "notations", "workspace"],
     ),
     ("server", &["service", "workspace"]),
     ("playground", &["service", "workspace"]),
