@@ -153,6 +153,8 @@ pub struct Tag {
     pub retain: bool,
     /// Never written by the program.
     pub constant: bool,
+    /// It is no tag of its file alone: VAR_GLOBAL, a direct address, or not declared.
+    pub shared: bool,
     /// Its value at a cold start, one for each element; empty for zero, FALSE, the empty text.
     pub initial: Vec<Value>,
     /// Where it is one of the elementary parts of a declared tag: how elements are named and counted.

@@ -1,7 +1,7 @@
 //! The answers: what is known of each property, and why no more.
 
 use crate::causes::{left_open, what_takes_long};
-use crate::decide::{Depth, Known, decide};
+use crate::decide::{Depth, Known, Seeks, decide};
 use crate::encode;
 use crate::graph::Lit;
 use crate::lemmas;
@@ -104,6 +104,7 @@ pub fn prove(
         base: 5,
         step: 5,
         end,
+        seeks: Seeks::Every,
     };
     let (known, clauses) = decide(&open, &targets, depth);
     for (n, known) in known.into_iter().enumerate() {
@@ -122,6 +123,7 @@ pub fn prove(
             base: options.scans,
             step: 20,
             end,
+            seeks: Seeks::Every,
         };
         let (known, clauses) = decide(&exact, &targets, depth);
         for (n, known) in rest.into_iter().zip(known) {
@@ -233,6 +235,7 @@ fn note_untriggered(model: &Model, answers: &mut [Answer], end: End) {
         base: 8,
         step: 8,
         end: end.within(Duration::from_secs(2)),
+        seeks: Seeks::Every,
     };
     for ((n, _), known) in asked.into_iter().zip(decide(model, &targets, depth).0) {
         answers[n].never_triggered = matches!(known, Known::Never(_));
@@ -260,6 +263,7 @@ fn note_faults(
         base: 20,
         step: 4,
         end: end.within(Duration::from_secs(2)),
+        seeks: Seeks::Every,
     };
     for ((n, _), known) in asked.into_iter().zip(decide(model, &targets, depth).0) {
         if let Known::Found(run) = known {

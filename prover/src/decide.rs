@@ -21,6 +21,16 @@ pub(crate) struct Depth {
     pub(crate) step: usize,
     /// When it must be done.
     pub(crate) end: End,
+    pub(crate) seeks: Seeks,
+}
+
+/// Which runs are wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Seeks {
+    /// One of every property that has one, with as few changes of its inputs as can be had.
+    Every,
+    /// The first that is found of any of them, as it is.
+    One,
 }
 
 /// What is known of a property.
@@ -68,7 +78,12 @@ pub(crate) fn decide(model: &Model, targets: &[Lit], depth: Depth) -> (Vec<Known
             try_runs(model, targets, &mut known, depth.end);
         }
         let is_late = depth.end.is_over() || base.is_full();
-        if known.iter().all(Option::is_some) || is_late {
+        let is_found = depth.seeks == Seeks::One
+            && known
+                .iter()
+                .flatten()
+                .any(|known| matches!(known, Known::Found(_)));
+        if known.iter().all(Option::is_some) || is_late || is_found {
             break;
         }
         let goes_on = base.add_scan() && (model.assumed.is_empty() || base.ask(&[], CONFLICTS) != Found::No);
@@ -91,6 +106,11 @@ pub(crate) fn decide(model: &Model, targets: &[Lit], depth: Depth) -> (Vec<Known
             let bad = base.lit(scan, target);
             match base.ask(&[bad], CONFLICTS) {
                 Found::Yes => {
+                    if depth.seeks == Seeks::One {
+                        let run = read(&base, model, &inputs_of(model, &[target]), scan);
+                        known[n] = Some(Known::Found(run));
+                        break;
+                    }
                     let run = readable(&mut base, model, scan, (target, bad), depth.end);
                     known[n] = Some(Known::Found(run));
                 }
@@ -136,7 +156,7 @@ fn try_runs(model: &Model, targets: &[Lit], known: &mut [Option<Known>], end: En
             for &n in &open {
                 let found = lanes.value(targets[n]) & lanes.alive;
                 if found != 0 && known[n].is_none() {
-                    let inputs = inputs_of(model, targets[n]);
+                    let inputs = inputs_of(model, &[targets[n]]);
                     known[n] = Some(Known::Found(lanes.run(found.trailing_zeros(), &inputs)));
                 }
             }
@@ -259,7 +279,7 @@ const READABLE_CONFLICTS: u64 = 1_000;
 
 /// The run that was found, with as few changes of its inputs as can be had by asking for each whether it may be as before.
 fn readable(base: &mut Unrolled<'_>, model: &Model, last: usize, (target, bad): (Lit, Lit), end: End) -> Run {
-    let inputs = inputs_of(model, target);
+    let inputs = inputs_of(model, &[target]);
     let mut run = read(base, model, &inputs, last);
     let end = end.within(READABLE);
     let mut fixed = vec![bad];
@@ -311,9 +331,9 @@ fn as_before(base: &mut Unrolled<'_>, input: &Input, scan: usize) -> Option<Lit>
     Some(!base.differ(&pairs))
 }
 
-/// Of each input of the model whether a property depends on it, or what is assumed does.
-fn inputs_of(model: &Model, target: Lit) -> Vec<bool> {
-    let nodes = reach(model, model.assumed.iter().copied().chain([target]));
+/// Of each input of the model whether one of these depends on it, or what is assumed does.
+pub(crate) fn inputs_of(model: &Model, targets: &[Lit]) -> Vec<bool> {
+    let nodes = reach(model, model.assumed.iter().chain(targets).copied());
     let matters = |input: &Input| input.bits.iter().any(|bit| nodes.contains(&bit.node()));
     model.world.inputs.iter().map(matters).collect()
 }

@@ -19,8 +19,10 @@ pub(crate) struct Lanes<'m> {
     /// What went in, in each scan.
     given: Vec<Vec<u64>>,
     dice: u64,
-    /// Scans for which inputs are held, by and large.
-    hold: u64,
+    /// Scans for which inputs are held, by and large, one after the other.
+    holds: Vec<u64>,
+    /// Of each input the runs in which it is mostly high, and those in which it is mostly low.
+    biased: Vec<[u64; 2]>,
 }
 
 impl<'m> Lanes<'m> {
@@ -29,7 +31,7 @@ impl<'m> Lanes<'m> {
         let reached = reach(model, targets.iter().chain(&model.assumed).copied());
         let mut nodes: Vec<usize> = reached.into_iter().collect();
         nodes.sort_unstable();
-        Lanes {
+        let mut lanes = Lanes {
             model,
             nodes,
             values: vec![0; model.world.graph.len()],
@@ -39,8 +41,17 @@ impl<'m> Lanes<'m> {
             alive: u64::MAX,
             given: Vec::new(),
             dice: seed | 1,
-            hold,
+            holds: Vec::new(),
+            biased: Vec::new(),
+        };
+        for _ in &model.world.inputs {
+            // Some change seldom and some often, or nothing takes long while something else goes on.
+            let held = [hold, 16 * hold, 4 * hold, (hold / 4).max(1)][(lanes.any() >> 60) as usize % 4];
+            lanes.holds.push(held);
+            let [one, two] = [lanes.any(), lanes.any()];
+            lanes.biased.push([one & two, one & !two]);
         }
+        lanes
     }
 
     /// Some number: xorshift, the same on every machine.
@@ -52,9 +63,9 @@ impl<'m> Lanes<'m> {
     }
 
     /// Bits of which each is high once in a while.
-    fn seldom(&mut self) -> u64 {
+    fn seldom(&mut self, hold: u64) -> u64 {
         let mut bits = u64::MAX;
-        let mut rest = self.hold;
+        let mut rest = hold;
         while rest > 1 {
             bits &= self.any();
             rest /= 2;
@@ -67,17 +78,43 @@ impl<'m> Lanes<'m> {
         let count = self.model.world.inputs.iter().map(|input| input.bits.len()).sum();
         let mut given = Vec::with_capacity(count);
         let before = self.given.last().cloned();
-        for input in &self.model.world.inputs {
+        let numbers = self.model.world.constants.len();
+        for (n, input) in self.model.world.inputs.iter().enumerate() {
             // All bits of an input change together.
-            let changes = if before.is_none() { u64::MAX } else { self.seldom() };
+            let changes = match before {
+                None => u64::MAX,
+                Some(_) => self.seldom(self.holds[n]),
+            };
             let is_small = self.any();
-            for n in 0..input.bits.len() {
+            let first = given.len();
+            for bit in 0..input.bits.len() {
                 let mut value = self.any();
-                if n >= 4 {
+                if bit >= 4 {
                     value &= !is_small;
+                }
+                if let [_] = input.bits[..] {
+                    let [high, low] = self.biased[n];
+                    let seldom = self.any() & self.any();
+                    value = value & (!low | seldom) | high & self.any();
                 }
                 let old = before.as_ref().map_or(0, |before| before[given.len()]);
                 given.push(old & !changes | value & changes);
+            }
+            if input.bits.len() == 1 || numbers == 0 {
+                continue;
+            }
+            // What a number is compared with is worth a try.
+            let mut lanes = changes & self.any();
+            while lanes != 0 {
+                let lane = lanes.trailing_zeros();
+                lanes &= lanes - 1;
+                let dice = self.any() as usize;
+                let number = self.model.world.constants[dice % numbers];
+                let number = number.wrapping_add([0, 1, -1, 0][dice >> 40 & 3]);
+                for (bit, value) in given[first..].iter_mut().enumerate() {
+                    let high = (number >> bit.min(63) & 1) as u64;
+                    *value = *value & !(1 << lane) | high << lane;
+                }
             }
         }
         let bits = self.model.world.inputs.iter().flat_map(|input| &input.bits);

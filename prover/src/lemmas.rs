@@ -265,7 +265,7 @@ fn keep(model: &Model, mut guesses: Vec<Lit>, end: End) -> Vec<Lit> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::decide::{Depth, Known, decide};
+    use crate::decide::{Depth, Known, Seeks, decide};
     use crate::encode::Times;
     use crate::model::build;
     use ladder_simulator::scenario::{bind_properties, parse};
@@ -289,6 +289,7 @@ mod tests {
             base: 5,
             step: 5,
             end: (std::time::Instant::now() + std::time::Duration::from_secs(20)).into(),
+            seeks: Seeks::Every,
         };
         let without = decide(&model, &targets, depth).0.remove(0);
         add(&mut model, &targets, depth.end);

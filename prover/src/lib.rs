@@ -4,24 +4,31 @@
 //! Simulation --encode--> one scan over a graph of bits --model--> with the properties of a scenario file
 //!     --decide--> induction, and a search for a run that violates them --replay--> in the simulator --answer
 //! ```
+//!
+//! Of two programs [`compare_programs`] says whether they do the same in every run, and [`Compared`] whether two networks do.
 
 mod answer;
+mod both;
 mod causes;
 mod concrete;
 mod decide;
+mod divergence;
 mod encode;
 mod equal;
 mod graph;
 mod lanes;
 mod lemmas;
 mod limits;
+mod merged;
 mod model;
 mod never;
 mod number;
+mod programs;
 mod replay;
 mod said;
 mod scenario_text;
 mod shown;
+mod shown_tags;
 mod system;
 mod unrolled;
 mod wanted;
@@ -29,6 +36,7 @@ mod wanted;
 pub use answer::{Answer, Options, Refuted, Shown, Times, Verdict, prove};
 pub use concrete::Concrete;
 pub use equal::{Compared, Difference, Meaning};
+pub use programs::{Differing, Divergence, Limits, NotReproduced, Row, Which, Whole, compare_programs};
 pub use said::drawn;
 pub use scenario_text::{found_scenario, scenario_file};
 pub use wanted::while_wanted;

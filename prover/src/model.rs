@@ -1,7 +1,7 @@
 //! A program with its properties as one machine of bits: what is remembered, what goes in, and for each property a bit that is
 //! high in a scan that violates it.
 
-use crate::encode::{Cells, Gap, Memory, Scan, Times, World};
+use crate::encode::{Cells, Gap, Kept, Memory, Scan, Times, World};
 use crate::graph::Lit;
 use crate::number::Number;
 use crate::system;
@@ -10,6 +10,9 @@ use ladder_simulator::compiled::{Compiled, Instr, PointSlot, Routine};
 use ladder_simulator::expression::{Expression, Kind, Past, PastKind, Source};
 use ladder_simulator::scenario::{Form, Watched};
 use ladder_simulator::{Options, Point, Simulation};
+use rustc_hash::FxHashMap;
+use std::collections::BTreeSet;
+use std::ops::Range;
 
 /// See the module.
 #[derive(Debug)]
@@ -47,13 +50,15 @@ pub(crate) fn build(simulation: &Simulation, watched: &Watched, times: Times) ->
     watched.assumptions.iter().for_each(|assumption| {
         let _: Result<(), ()> = see(assumption);
     });
-    follow(simulation, &seen, times, |builder| builder.properties(watched))
+    follow(&mut World::default(), simulation, &seen, times, |builder| {
+        builder.properties(watched)
+    })
 }
 
 /// The model of a program without properties, with the bits of each point after the scan.
 pub(crate) fn build_with_points(simulation: &Simulation, times: Times) -> (Model, Vec<(Point, Vec<Lit>)>) {
     let seen: Vec<PointSlot> = simulation.points().iter().map(Point::slot).collect();
-    follow(simulation, &seen, times, |builder| {
+    follow(&mut World::default(), simulation, &seen, times, |builder| {
         let points = simulation.points().iter();
         let points = points.filter(|point| !matches!(point.slot(), PointSlot::Text(_)));
         let points = points.map(|point| {
@@ -69,8 +74,44 @@ pub(crate) fn build_with_points(simulation: &Simulation, times: Times) -> (Model
     })
 }
 
+/// A program that was followed into a world in which another one may be.
+pub(crate) struct Followed {
+    /// What the points hold after the scan.
+    pub(crate) points: Vec<Number>,
+    pub(crate) faulted: Lit,
+    /// An earlier scan ended the program.
+    pub(crate) is_over: Lit,
+    /// What is remembered for the system tags: the same states in the same order of every program.
+    pub(crate) system: Range<usize>,
+    /// The state that says whether the program is over, of one that may come to its end.
+    pub(crate) over: Option<usize>,
+    pub(crate) kept: FxHashMap<Kept, Vec<usize>>,
+}
+
+/// Follows a program into a world, with exact times, and no texts among the points.
+pub(crate) fn follow_into(world: &mut World, simulation: &Simulation, points: &[Point]) -> Followed {
+    let seen: Vec<PointSlot> = points.iter().map(Point::slot).collect();
+    follow(world, simulation, &seen, Times::Exact, |builder| {
+        let points = points.iter().map(|point| builder.point(point)).collect();
+        let kept = builder.memory.kept().collect();
+        builder.memory.finish(builder.world);
+        Followed {
+            points,
+            faulted: builder.faulted,
+            is_over: builder.is_over,
+            system: builder.system.clone(),
+            over: builder.over,
+            kept,
+        }
+    })
+}
+
+/// More numbers of a program are not tried as inputs.
+const MOST_NUMBERS: usize = 200;
+
 /// Follows a scan, and then what else is to be done with it.
 fn follow<T>(
+    world: &mut World,
     simulation: &Simulation,
     seen: &[PointSlot],
     times: Times,
@@ -82,11 +123,16 @@ fn follow<T>(
     // The longest presets must be known before ages have their room.
     let mut first = World::default();
     Builder::scan(&mut first, compiled, &cells, Times::Open, options);
-    let mut world = World {
-        presets: first.presets,
-        ..World::default()
-    };
-    let mut builder = Builder::scan(&mut world, compiled, &cells, times, options);
+    world.presets = first.presets;
+    let numbers = compiled
+        .initial
+        .words
+        .iter()
+        .copied()
+        .filter(|number| *number != 0);
+    let numbers: BTreeSet<i64> = numbers.take(MOST_NUMBERS).collect();
+    world.constants.extend(numbers);
+    let mut builder = Builder::scan(world, compiled, &cells, times, options);
     then(&mut builder)
 }
 
@@ -99,6 +145,8 @@ struct Builder<'w, 'c> {
     is_over: Lit,
     /// A fault happens in the expressions that were added last.
     fault: Lit,
+    over: Option<usize>,
+    system: Range<usize>,
     interval: i64,
 }
 
@@ -112,7 +160,9 @@ impl<'w, 'c> Builder<'w, 'c> {
     ) -> Builder<'w, 'c> {
         let interval = options.interval;
         let mut memory = Memory::new(&compiled.initial, Some(cells));
+        let first = world.states.len();
         let had_fault = system::set(world, &mut memory, interval);
+        let system = first..world.states.len();
         let may_end = compiled.code.instrs.iter().any(|instr| {
             matches!(
                 instr,
@@ -147,6 +197,8 @@ impl<'w, 'c> Builder<'w, 'c> {
             faulted,
             is_over,
             fault: Lit::FALSE,
+            over: over.map(|(_, number)| number),
+            system,
             interval,
         }
     }

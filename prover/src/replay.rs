@@ -119,7 +119,7 @@ fn named_by(monitor: &Monitor) -> Vec<Point> {
 }
 
 /// The value of an input from its bits.
-fn value(ty: Scalar, bits: &[bool]) -> Value {
+pub(crate) fn value(ty: Scalar, bits: &[bool]) -> Value {
     let mut number = 0i64;
     for (n, bit) in bits.iter().enumerate().take(64) {
         number |= i64::from(*bit) << n;

@@ -83,6 +83,7 @@ mod work;
 /// The compiled form of a program, for those who translate it further: flat code over banks of bits, words and texts, so
 /// that each instruction has one meaning wherever it runs.
 pub mod compiled {
+    pub use crate::carry::counterparts;
     pub use crate::code::{ArrayPlace, BlockPlace, Code, Instr, NOTHING_SAVED, NetworkPlace};
     pub use crate::compile::{CHANNELS, Compiled, Ports, compile};
     pub use crate::layout::{Borrowed, Home, counter, state_size, timer};

@@ -84,6 +84,7 @@ fn tag(named: &Named<'_>, name: String, ty: Type) -> Tag {
         role: named.tag.role,
         retain: named.tag.retain,
         constant: named.tag.constant,
+        shared: named.is_shared(),
         initial: Vec::new(),
         column: None,
         address: None,

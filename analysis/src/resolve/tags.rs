@@ -127,6 +127,17 @@ impl Named<'_> {
         address.filter(|address| type_by_form(address).is_some())
     }
 
+    /// Whether it is known outside its file, or of a block's body outside that.
+    pub(super) fn is_shared(&self) -> bool {
+        let is_own = match self.tag.origin {
+            Origin::Declared(SectionKind::Global | SectionKind::External) => false,
+            Origin::Declared(_) => self.address().is_none(),
+            Origin::Form | Origin::Undeclared | Origin::Shared => false,
+            Origin::Implicit => true,
+        };
+        self.block.is_none() && !is_own
+    }
+
     /// Whether it is an address itself, without a declaration.
     fn is_bare(&self) -> bool {
         self.tag.name.starts_with('%')
@@ -340,6 +351,7 @@ fn add(program: &mut Program, named: &Named<'_>, name: String, block: Option<usi
         role: tag.role,
         retain: tag.retain,
         constant: tag.constant,
+        shared: named.is_shared(),
         initial,
         column: None,
         address: tag.cold.address.as_deref().map(str::to_owned),

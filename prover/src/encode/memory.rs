@@ -19,6 +19,15 @@ enum Remembered {
     Age(u32, Vec<usize>, u64),
 }
 
+/// A cell that is remembered from scan to scan, or what is in the place of cells of a timer: by the cell, or its first bit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum Kept {
+    Bit(u32),
+    Word(u32),
+    Phase(u32),
+    Age(u32),
+}
+
 /// See the module.
 #[derive(Debug)]
 pub(crate) struct Memory<'c> {
@@ -86,12 +95,12 @@ impl<'c> Memory<'c> {
         let initial = self.initial.bits.get(at as usize) == Some(&1);
         let value = match self.cells {
             Some(cells) if cells.inputs_at_bits.contains_key(&at) => {
-                goes_in(world, cells, &cells.inputs_at_bits[&at]).bit(0)
+                world.shared(&cells.inputs_at_bits[&at]).bit(0)
             }
             Some(cells) if cells.bit_changes(bit) => {
-                let (leaf, number) = world.remember(initial);
-                self.remembered.push(Remembered::Bit(at, number));
-                leaf
+                let (leaves, numbers) = world.remember_cell(Kept::Bit(at), 1, i64::from(initial));
+                self.remembered.push(Remembered::Bit(at, numbers[0]));
+                leaves[0]
             }
             _ => Lit::constant(initial),
         };
@@ -107,7 +116,7 @@ impl<'c> Memory<'c> {
         let initial = self.initial.words.get(at as usize).copied().unwrap_or(0);
         let value = match self.cells {
             Some(cells) if cells.inputs_at_words.contains_key(&at) => {
-                goes_in(world, cells, &cells.inputs_at_words[&at])
+                world.shared(&cells.inputs_at_words[&at])
             }
             Some(cells) if cells.word_changes(word) => {
                 let width = cells.type_of(word).map_or(Width::I64, Width::of);
@@ -120,7 +129,7 @@ impl<'c> Memory<'c> {
     }
 
     fn remember_word(&mut self, world: &mut World, at: u32, width: Width, initial: i64) -> Number {
-        let (leaves, numbers) = remember(world, width.bits() as usize, initial);
+        let (leaves, numbers) = world.remember_cell(Kept::Word(at), width.bits() as usize, initial);
         world.numbers.push(numbers.clone());
         self.remembered.push(Remembered::Word(at, numbers));
         Number::of_bits(leaves).wrapped(width)
@@ -147,7 +156,7 @@ impl<'c> Memory<'c> {
             return self.word(world, word);
         }
         let count = (64 - most.max(0).leading_zeros()) as usize;
-        let (leaves, numbers) = remember(world, count, 0);
+        let (leaves, numbers) = world.remember_cell(Kept::Word(word.0), count, 0);
         self.remembered.push(Remembered::Word(word.0, numbers));
         let value = Number::unsigned(leaves);
         self.words.insert(word.0, value.clone());
@@ -165,7 +174,8 @@ impl<'c> Memory<'c> {
             return phase;
         }
         let initial = self.initial.bits.get((timer.0 + timer::PHASE) as usize);
-        let (leaves, numbers) = remember(world, 3, i64::from(initial.copied().unwrap_or(0)));
+        let initial = i64::from(initial.copied().unwrap_or(0));
+        let (leaves, numbers) = world.remember_cell(Kept::Phase(timer.0), 3, initial);
         self.remembered.push(Remembered::Phase(timer.0, numbers));
         self.phases.insert(timer.0, leaves.clone());
         leaves
@@ -188,7 +198,7 @@ impl<'c> Memory<'c> {
         }
         let count = (64 - most.max(1).leading_zeros()) as usize;
         // It counts only once the timer has begun: what it is before does not matter, and 1 is what it mostly is.
-        let (leaves, numbers) = remember(world, count, 1);
+        let (leaves, numbers) = world.remember_cell(Kept::Age(timer.0), count, 1);
         world.ages.push(numbers.clone());
         world.timers.push(timer.0);
         self.remembered
@@ -248,6 +258,16 @@ impl<'c> Memory<'c> {
             .is_some_and(|cells| cells.temporary_words.contains(&word.0))
     }
 
+    /// What is remembered so far, with the numbers of its bits among the states.
+    pub(crate) fn kept(&self) -> impl Iterator<Item = (Kept, Vec<usize>)> + '_ {
+        self.remembered.iter().map(|remembered| match remembered {
+            Remembered::Bit(at, number) => (Kept::Bit(*at), vec![*number]),
+            Remembered::Word(at, numbers) => (Kept::Word(*at), numbers.clone()),
+            Remembered::Phase(timer, numbers) => (Kept::Phase(*timer), numbers.clone()),
+            Remembered::Age(timer, numbers, _) => (Kept::Age(*timer), numbers.clone()),
+        })
+    }
+
     /// The scan is over: what is remembered is what cells hold now.
     pub(crate) fn finish(&mut self, world: &mut World) {
         for remembered in std::mem::take(&mut self.remembered) {
@@ -269,20 +289,6 @@ impl<'c> Memory<'c> {
             }
         }
     }
-}
-
-fn goes_in(world: &mut World, cells: &Cells, tag: &InputTag) -> Number {
-    if cells.alone.is_some() {
-        world.shared(tag)
-    } else {
-        world.input(tag)
-    }
-}
-
-fn remember(world: &mut World, count: usize, initial: i64) -> (Vec<Lit>, Vec<usize>) {
-    (0..count)
-        .map(|bit| world.remember(initial >> bit & 1 != 0))
-        .unzip()
 }
 
 fn next(world: &mut World, numbers: &[usize], value: &Number) {

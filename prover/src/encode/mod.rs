@@ -33,8 +33,8 @@ mod world;
 
 pub(crate) use alone::{Left, follow_alone, rail};
 pub(crate) use cells::{Cells, InputTag};
-pub(crate) use memory::Memory;
-pub(crate) use world::{Gap, Input, World};
+pub(crate) use memory::{Kept, Memory};
+pub(crate) use world::{Gap, Input, State, Twins, World};
 
 use crate::graph::Lit;
 use flow::Frame;

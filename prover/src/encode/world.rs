@@ -1,11 +1,13 @@
 //! What the functions of a scan are over: its graph, what goes in, what is remembered, and what was left open.
 
 use super::cells::InputTag;
+use super::memory::Kept;
 use crate::graph::{Graph, Lit};
 use crate::number::Number;
 use ladder_analysis::program::Location;
 use ladder_analysis::values::types::Scalar;
 use rustc_hash::FxHashMap;
+use std::collections::VecDeque;
 
 /// What goes into the program.
 #[derive(Debug, Clone)]
@@ -57,8 +59,21 @@ pub(crate) struct World {
     pub(crate) blocked: Option<Gap>,
     /// Of each timer the largest preset in scans that it was given, by its first bit; none where that is not known.
     pub(crate) presets: FxHashMap<u32, Option<u64>>,
-    /// What two networks that are compared both find, by its name.
+    /// What goes in by its name: of two programs or networks that are compared the same for both.
     pub(crate) shared: FxHashMap<(String, Scalar), Number>,
+    /// Numbers that the program holds at the start: those that values are compared with are among them.
+    pub(crate) constants: Vec<i64>,
+    /// What the program that is followed may share with another one.
+    pub(crate) twins: Twins,
+}
+
+/// Of a program that is followed after another one: what of it is remembered in the same variables as there.
+#[derive(Debug, Default)]
+pub(crate) struct Twins {
+    /// The leaves of what is remembered first, in this order; none for one of its own.
+    pub(crate) first: VecDeque<Option<Lit>>,
+    /// Of the bits of a cell the leaf, and what that begins with; none for a bit of its own.
+    pub(crate) cells: FxHashMap<Kept, Vec<Option<(Lit, bool)>>>,
 }
 
 impl World {
@@ -86,7 +101,12 @@ impl World {
 
     /// A bit that is remembered; what it is next is said later. Returns its leaf and its number.
     pub(crate) fn remember(&mut self, initial: bool) -> (Lit, usize) {
-        let leaf = self.graph.leaf();
+        let twin = self.twins.first.pop_front().flatten();
+        let leaf = twin.unwrap_or_else(|| self.graph.leaf());
+        self.remember_as(leaf, initial)
+    }
+
+    fn remember_as(&mut self, leaf: Lit, initial: bool) -> (Lit, usize) {
         self.states.push(State {
             leaf,
             initial,
@@ -95,7 +115,23 @@ impl World {
         (leaf, self.states.len() - 1)
     }
 
-    /// A value that two networks find, by its name: the same for both.
+    /// The bits of a cell that is remembered: their leaves and numbers.
+    pub(crate) fn remember_cell(&mut self, cell: Kept, count: usize, initial: i64) -> (Vec<Lit>, Vec<usize>) {
+        let twins = self.twins.cells.remove(&cell).unwrap_or_default();
+        (0..count)
+            .map(|bit| {
+                let initial = initial >> bit & 1 != 0;
+                let twin = twins.get(bit).copied().flatten();
+                let leaf = match twin.filter(|(_, begins)| *begins == initial) {
+                    Some((leaf, _)) => leaf,
+                    None => self.graph.leaf(),
+                };
+                self.remember_as(leaf, initial)
+            })
+            .unzip()
+    }
+
+    /// A value that goes in by its name.
     pub(crate) fn shared(&mut self, tag: &InputTag) -> Number {
         let key = (tag.name.to_ascii_lowercase(), tag.ty);
         if let Some(known) = self.shared.get(&key) {
@@ -106,8 +142,7 @@ impl World {
         value
     }
 
-    /// A value that goes in.
-    pub(crate) fn input(&mut self, tag: &InputTag) -> Number {
+    fn input(&mut self, tag: &InputTag) -> Number {
         let (number, bits) = match tag.ty {
             Scalar::Bool => {
                 let bit = self.graph.leaf();

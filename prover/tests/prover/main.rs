@@ -2,6 +2,7 @@
 
 mod equal;
 mod open;
+mod programs;
 mod verdicts;
 
 use ladder_prover::{Answer, Options, prove};

@@ -5,6 +5,7 @@
 //! belongs to a block's place in the text go where that block went. The clock goes on. A change that leaves the code as it
 //! was (of comments, of the layout) is none: only places in the text are other ones.
 
+mod counterparts;
 mod matching;
 mod renamed;
 mod signature;
@@ -14,6 +15,7 @@ use crate::memory::{Bit, Word};
 use crate::places::{BlockAt, Cell};
 use crate::simulation::{Simulation, Status};
 use crate::tags::Point;
+pub use counterparts::counterparts;
 use ladder_analysis::program::{BlockKind, Location};
 use ladder_analysis::values::value::Value;
 use ladder_instructions::{Instruction, Op};
@@ -190,8 +192,12 @@ fn engine(old: &Simulation, new: &mut Simulation) {
     };
 }
 
-/// What blocks remember at their places.
-fn places(old: &Simulation, new: &mut Simulation, matching: &Matching, lost: &mut Vec<Lost>) {
+/// What blocks remember at their places: the cells that are the same ones, and the blocks of the new program without such cells.
+fn paired_places(
+    old: &Simulation,
+    new: &Simulation,
+    matching: &Matching,
+) -> (Vec<(Cell, Cell)>, Vec<Option<BlockAt>>) {
     let mut was: HashMap<_, Vec<Cell>> = HashMap::new();
     for remembered in &old.compiled.places.remembered {
         was.entry(&remembered.path).or_default().push(remembered.cell);
@@ -209,6 +215,12 @@ fn places(old: &Simulation, new: &mut Simulation, matching: &Matching, lost: &mu
             None => again.push(remembered.path.last().copied()),
         }
     }
+    (found, again)
+}
+
+/// Copies what blocks remember at their places.
+fn places(old: &Simulation, new: &mut Simulation, matching: &Matching, lost: &mut Vec<Lost>) {
+    let (found, mut again) = paired_places(old, new, matching);
     // Only where a block of this kind was taken away something is lost; any other is a new one.
     let mut removed = removed_ops(old, new, matching);
     again.dedup();

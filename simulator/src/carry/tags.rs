@@ -19,10 +19,10 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 /// Where a tag lives, and what it is.
-type Living<'p> = (&'p Tag, Home);
+pub(super) type Living<'p> = (&'p Tag, Home);
 
 /// The same tag in the old program and in the new one.
-type Pair<'p> = (Living<'p>, (Tag, Home));
+pub(super) type Pair<'p> = (Living<'p>, (Tag, Home));
 
 /// Copies what tags hold.
 pub(super) fn carry(
@@ -92,7 +92,7 @@ pub(super) fn carry(
 }
 
 /// Tags of both programs that are the same one, and those that are no more.
-fn pairs<'s>(
+pub(super) fn pairs<'s>(
     old: &'s Simulation,
     new: &Simulation,
     matching: &Matching,

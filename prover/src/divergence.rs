@@ -1,0 +1,281 @@
+//! A run in which two programs do not do the same: played in both simulators, and made readable.
+
+use crate::decide::Run;
+use crate::encode::Input;
+use crate::limits::End;
+use crate::replay::value;
+use crate::shown_tags::Watched;
+use ladder_analysis::program::Role;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
+use ladder_simulator::{Point, Simulation, Status};
+
+/// Inputs under which two programs differ, and what each of them shows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Divergence {
+    /// How many scans the run has: the programs differ after the last one.
+    pub scans: usize,
+    /// The tags that go in, with their values in each scan. One that is not among them holds its initial value.
+    pub given: Vec<Row>,
+    /// What differs after the last scan.
+    pub differs: Vec<Differing>,
+    /// In which scans a block recorded a fault: in the old program, and in the new one.
+    pub faults: [Vec<bool>; 2],
+    /// Which of them came to its end in the last scan, if only one did.
+    pub ended: Option<Which>,
+}
+
+/// One of two programs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Which {
+    /// The one before the change.
+    Old,
+    /// The one after it.
+    New,
+}
+
+/// A tag with its values in each scan.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// As the simulator resolves it.
+    pub name: String,
+    /// Its type.
+    pub ty: Scalar,
+    /// One a scan.
+    pub values: Vec<Value>,
+}
+
+/// A tag with its values after each scan in both programs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Differing {
+    /// As the simulator resolves it.
+    pub name: String,
+    /// Its type.
+    pub ty: Scalar,
+    /// In the old program.
+    pub old: Vec<Value>,
+    /// In the new program.
+    pub new: Vec<Value>,
+}
+
+/// Both programs, to be played with the same inputs.
+pub(crate) struct Stage<'s> {
+    pub(crate) old: &'s mut Simulation,
+    pub(crate) new: &'s mut Simulation,
+    pub(crate) watched: &'s [Watched],
+}
+
+/// A tag that goes in: where it does, and what it holds if nothing is given.
+struct Given {
+    name: String,
+    ty: Scalar,
+    points: [Option<Point>; 2],
+    initial: Value,
+    values: Vec<Value>,
+}
+
+impl Stage<'_> {
+    /// Plays a run that was found. None: both programs do the same in it.
+    pub(crate) fn play(&mut self, run: &Run, inputs: &[Input], end: End) -> Option<Divergence> {
+        let mut given = self.given(run, inputs);
+        let mut scans = self.first_difference(&given, run.scans)?;
+        self.shorten(&mut given, &mut scans, end);
+        self.calm(&mut given, &mut scans, end);
+        given.retain(|given| given.values[..scans].iter().any(|value| *value != given.initial));
+        Some(self.shown(&given, scans))
+    }
+
+    fn begin(&mut self) {
+        for simulation in [&mut *self.old, &mut *self.new] {
+            simulation.unforce_all();
+            simulation.reset();
+            simulation.take_faults();
+        }
+    }
+
+    fn given(&mut self, run: &Run, inputs: &[Input]) -> Vec<Given> {
+        self.begin();
+        let mut all = Vec::new();
+        for (input, scans) in inputs.iter().zip(&run.inputs) {
+            let points = [&*self.old, &*self.new].map(|simulation| {
+                let point = simulation.resolve(&input.tag.name).ok()?;
+                (point.role == Role::Input && !point.read_only).then_some(point)
+            });
+            let Some((simulation, point)) = [&*self.old, &*self.new]
+                .into_iter()
+                .zip(&points)
+                .find_map(|(simulation, point)| Some((simulation, point.as_ref()?)))
+            else {
+                continue;
+            };
+            if scans.is_empty() {
+                continue;
+            }
+            all.push(Given {
+                name: point.name.clone(),
+                ty: point.ty,
+                initial: simulation.value(point),
+                values: scans.iter().map(|bits| value(point.ty, bits)).collect(),
+                points,
+            });
+        }
+        all
+    }
+
+    /// After how many scans of a run the programs differ first.
+    fn first_difference(&mut self, given: &[Given], scans: usize) -> Option<usize> {
+        self.begin();
+        (0..scans).find_map(|scan| match self.scan(given, scan) {
+            None => Some(None),
+            Some(false) => None,
+            Some(true) => Some(Some(scan + 1)),
+        })?
+    }
+
+    /// Runs a scan: whether the programs differ after it. None: a scan cannot be run.
+    fn scan(&mut self, given: &[Given], scan: usize) -> Option<bool> {
+        for (n, simulation) in [&mut *self.old, &mut *self.new].into_iter().enumerate() {
+            for given in given {
+                let Some(point) = &given.points[n] else { continue };
+                simulation.set(point, given.values[scan].clone()).ok()?;
+            }
+            if simulation.status() != Status::Ready || !simulation.scan() {
+                return None;
+            }
+        }
+        let faulted = [&mut *self.old, &mut *self.new].map(|simulation| !simulation.take_faults().is_empty());
+        let differs = self.watched.iter().any(|watched| self.is_different(watched));
+        Some(differs || faulted[0] != faulted[1] || self.old.status() != self.new.status())
+    }
+
+    fn is_different(&self, watched: &Watched) -> bool {
+        self.old.value(&watched.old) != self.new.value(&watched.new)
+    }
+
+    /// Leaves out scans.
+    fn shorten(&mut self, given: &mut [Given], scans: &mut usize, end: End) {
+        let mut size = *scans / 2;
+        while size > 0 {
+            let mut at = 0;
+            while at + size <= *scans && *scans > 1 {
+                if end.is_over() {
+                    return;
+                }
+                let removed: Vec<Vec<Value>> = (given.iter_mut())
+                    .map(|given| given.values.drain(at..at + size).collect())
+                    .collect();
+                match self.first_difference(given, *scans - size) {
+                    Some(found) => *scans = found,
+                    None => {
+                        for (given, removed) in given.iter_mut().zip(removed) {
+                            given.values.splice(at..at, removed);
+                        }
+                        at += size;
+                    }
+                }
+            }
+            size /= 2;
+        }
+    }
+
+    /// Lets inputs stay what they were, one after the other.
+    fn calm(&mut self, given: &mut [Given], scans: &mut usize, end: End) {
+        for n in 0..given.len() {
+            let mut size = *scans;
+            while size > 0 {
+                let mut at = 0;
+                while at < *scans {
+                    if end.is_over() {
+                        return;
+                    }
+                    let to = (at + size).min(*scans);
+                    let before = match at.checked_sub(1) {
+                        None => given[n].initial.clone(),
+                        Some(before) => given[n].values[before].clone(),
+                    };
+                    if given[n].values[at..to].iter().any(|value| *value != before) {
+                        let kept = given[n].values[at..to].to_vec();
+                        given[n].values[at..to].fill(before);
+                        match self.first_difference(given, *scans) {
+                            Some(found) => *scans = found,
+                            None => {
+                                given[n].values.splice(at..to, kept);
+                            }
+                        }
+                    }
+                    at = to;
+                }
+                size /= 2;
+            }
+        }
+    }
+
+    fn shown(&mut self, given: &[Given], scans: usize) -> Divergence {
+        self.begin();
+        let mut values: Vec<[Vec<Value>; 2]> = vec![Default::default(); self.watched.len()];
+        let mut faults = [Vec::new(), Vec::new()];
+        // Which tags differ is known after the last scan: until then only that many values are kept.
+        let mut differs: Vec<usize> = Vec::new();
+        for last in [true, false] {
+            self.begin();
+            for scan in 0..scans {
+                for (n, simulation) in [&mut *self.old, &mut *self.new].into_iter().enumerate() {
+                    for given in given {
+                        if let Some(point) = &given.points[n] {
+                            // It was set before.
+                            let _ = simulation.set(point, given.values[scan].clone());
+                        }
+                    }
+                    simulation.scan();
+                    let faulted = !simulation.take_faults().is_empty();
+                    if last {
+                        faults[n].push(faulted);
+                    }
+                }
+                if !last {
+                    for &number in &differs {
+                        let watched = &self.watched[number];
+                        values[number][0].push(self.old.value(&watched.old));
+                        values[number][1].push(self.new.value(&watched.new));
+                    }
+                }
+            }
+            if last {
+                let watched = self.watched.iter().enumerate();
+                differs = (watched.filter(|(_, watched)| self.is_different(watched)))
+                    .map(|(number, _)| number)
+                    .collect();
+            }
+        }
+        let ended = match (self.old.status(), self.new.status()) {
+            (Status::Ended, Status::Ended) => None,
+            (Status::Ended, _) => Some(Which::Old),
+            (_, Status::Ended) => Some(Which::New),
+            _ => None,
+        };
+        let differing = differs.into_iter().map(|number| {
+            let point = &self.watched[number].old;
+            let [old, new] = std::mem::take(&mut values[number]);
+            Differing {
+                name: point.name.clone(),
+                ty: point.ty,
+                old,
+                new,
+            }
+        });
+        Divergence {
+            scans,
+            given: given
+                .iter()
+                .map(|given| Row {
+                    name: given.name.clone(),
+                    ty: given.ty,
+                    values: given.values[..scans].to_vec(),
+                })
+                .collect(),
+            differs: differing.collect(),
+            faults,
+            ended,
+        }
+    }
+}
