@@ -7,7 +7,7 @@ use crate::encode::{Kept, Twins, World};
 use crate::graph::{Lit, Node};
 use crate::model::{Followed, Model, follow_into};
 use crate::number::Number;
-use crate::shown_tags::Watched;
+use crate::shown_tags::{Shared, Watched};
 use ladder_analysis::values::types::Scalar;
 use ladder_simulator::compiled::{Bit, Cell, Word, counterparts};
 use ladder_simulator::{Point, Simulation};
@@ -29,14 +29,14 @@ type Twin = (Kept, Kept, usize);
 ///
 /// # Errors
 /// One cannot be followed, or they do not take the same inputs: why.
-pub(crate) fn both(old: &Simulation, new: &Simulation, watched: &[Watched]) -> Result<Both, String> {
+pub(crate) fn both(old: &Simulation, new: &Simulation, shared: &Shared) -> Result<Both, String> {
     let counterparts = counterparts(old, new);
     let mut apart: FxHashSet<Twin> = FxHashSet::default();
     loop {
-        let two = Two::follow((old, new), watched, &counterparts, &apart)?;
+        let two = Two::follow((old, new), shared, &counterparts, &apart)?;
         let different = two.different();
         if different.is_empty() {
-            return Ok(two.finish(watched));
+            return Ok(two.finish(&shared.watched));
         }
         apart.extend(different);
     }
@@ -59,15 +59,19 @@ const SYSTEM: Kept = Kept::Bit(u32::MAX);
 impl Two {
     fn follow(
         (old, new): (&Simulation, &Simulation),
-        watched: &[Watched],
+        shared: &Shared,
         counterparts: &[(Cell, Cell)],
         apart: &FxHashSet<Twin>,
     ) -> Result<Two, String> {
         let mut world = World::default();
+        let watched = &shared.watched;
         let points: Vec<Point> = watched.iter().map(|watched| watched.old.clone()).collect();
         let before = follow_into(&mut world, old, &points);
         let cells = cells(&before, counterparts);
-        let mut twins = Twins::default();
+        let mut twins = Twins {
+            names: shared.renamed.formerly(),
+            ..Twins::default()
+        };
         let system: Vec<usize> = before.system.clone().chain(before.over).collect();
         twins.first.extend(system.iter().enumerate().map(|(bit, number)| {
             (!apart.contains(&(SYSTEM, SYSTEM, bit))).then_some(world.states[*number].leaf)

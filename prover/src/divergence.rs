@@ -4,7 +4,7 @@ use crate::decide::Run;
 use crate::encode::Input;
 use crate::limits::End;
 use crate::replay::value;
-use crate::shown_tags::Watched;
+use crate::shown_tags::{Shared, Watched};
 use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
@@ -15,6 +15,8 @@ use ladder_simulator::{Point, Simulation, Status};
 pub struct Divergence {
     /// How many scans the run has: the programs differ after the last one.
     pub scans: usize,
+    /// From one scan to the next, in nanoseconds.
+    pub interval: i64,
     /// The tags that go in, with their values in each scan. One that is not among them holds its initial value.
     pub given: Vec<Row>,
     /// What differs after the last scan.
@@ -62,7 +64,7 @@ pub struct Differing {
 pub(crate) struct Stage<'s> {
     pub(crate) old: &'s mut Simulation,
     pub(crate) new: &'s mut Simulation,
-    pub(crate) watched: &'s [Watched],
+    pub(crate) shared: &'s Shared,
 }
 
 /// A tag that goes in: where it does, and what it holds if nothing is given.
@@ -71,6 +73,8 @@ struct Given {
     ty: Scalar,
     points: [Option<Point>; 2],
     initial: Value,
+    /// The programs begin with different values.
+    is_shown: bool,
     values: Vec<Value>,
 }
 
@@ -81,7 +85,9 @@ impl Stage<'_> {
         let mut scans = self.first_difference(&given, run.scans)?;
         self.shorten(&mut given, &mut scans, end);
         self.calm(&mut given, &mut scans, end);
-        given.retain(|given| given.values[..scans].iter().any(|value| *value != given.initial));
+        given.retain(|given| {
+            given.is_shown || given.values[..scans].iter().any(|value| *value != given.initial)
+        });
         Some(self.shown(&given, scans))
     }
 
@@ -97,15 +103,16 @@ impl Stage<'_> {
         self.begin();
         let mut all = Vec::new();
         for (input, scans) in inputs.iter().zip(&run.inputs) {
-            let points = [&*self.old, &*self.new].map(|simulation| {
-                let point = simulation.resolve(&input.tag.name).ok()?;
+            let name = input.tag.name.as_str();
+            let sides = [(&*self.old, name), (&*self.new, self.shared.renamed.now(name))];
+            let points = sides.map(|(simulation, name)| {
+                let point = simulation.resolve(name).ok()?;
                 (point.role == Role::Input && !point.read_only).then_some(point)
             });
-            let Some((simulation, point)) = [&*self.old, &*self.new]
-                .into_iter()
-                .zip(&points)
-                .find_map(|(simulation, point)| Some((simulation, point.as_ref()?)))
-            else {
+            let held = sides.iter().zip(&points);
+            let held = held.filter_map(|((simulation, _), point)| Some(simulation.value(point.as_ref()?)));
+            let held: Vec<Value> = held.collect();
+            let (Some(point), Some(initial)) = (points.iter().flatten().next(), held.first()) else {
                 continue;
             };
             if scans.is_empty() {
@@ -114,7 +121,8 @@ impl Stage<'_> {
             all.push(Given {
                 name: point.name.clone(),
                 ty: point.ty,
-                initial: simulation.value(point),
+                is_shown: held.iter().any(|value| value != initial),
+                initial: initial.clone(),
                 values: scans.iter().map(|bits| value(point.ty, bits)).collect(),
                 points,
             });
@@ -144,7 +152,11 @@ impl Stage<'_> {
             }
         }
         let faulted = [&mut *self.old, &mut *self.new].map(|simulation| !simulation.take_faults().is_empty());
-        let differs = self.watched.iter().any(|watched| self.is_different(watched));
+        let differs = self
+            .shared
+            .watched
+            .iter()
+            .any(|watched| self.is_different(watched));
         Some(differs || faulted[0] != faulted[1] || self.old.status() != self.new.status())
     }
 
@@ -212,7 +224,7 @@ impl Stage<'_> {
 
     fn shown(&mut self, given: &[Given], scans: usize) -> Divergence {
         self.begin();
-        let mut values: Vec<[Vec<Value>; 2]> = vec![Default::default(); self.watched.len()];
+        let mut values: Vec<[Vec<Value>; 2]> = vec![Default::default(); self.shared.watched.len()];
         let mut faults = [Vec::new(), Vec::new()];
         // Which tags differ is known after the last scan: until then only that many values are kept.
         let mut differs: Vec<usize> = Vec::new();
@@ -234,14 +246,14 @@ impl Stage<'_> {
                 }
                 if !last {
                     for &number in &differs {
-                        let watched = &self.watched[number];
+                        let watched = &self.shared.watched[number];
                         values[number][0].push(self.old.value(&watched.old));
                         values[number][1].push(self.new.value(&watched.new));
                     }
                 }
             }
             if last {
-                let watched = self.watched.iter().enumerate();
+                let watched = self.shared.watched.iter().enumerate();
                 differs = (watched.filter(|(_, watched)| self.is_different(watched)))
                     .map(|(number, _)| number)
                     .collect();
@@ -254,7 +266,7 @@ impl Stage<'_> {
             _ => None,
         };
         let differing = differs.into_iter().map(|number| {
-            let point = &self.watched[number].old;
+            let point = &self.shared.watched[number].old;
             let [old, new] = std::mem::take(&mut values[number]);
             Differing {
                 name: point.name.clone(),
@@ -265,6 +277,7 @@ impl Stage<'_> {
         });
         Divergence {
             scans,
+            interval: self.old.options().interval,
             given: given
                 .iter()
                 .map(|given| Row {

@@ -36,7 +36,9 @@ mod wanted;
 pub use answer::{Answer, Options, Refuted, Shown, Times, Verdict, prove};
 pub use concrete::Concrete;
 pub use equal::{Compared, Difference, Meaning};
-pub use programs::{Differing, Divergence, Limits, NotReproduced, Row, Which, Whole, compare_programs};
+pub use programs::{
+    Differing, Divergence, Limits, NotReproduced, Row, Which, Whole, compare_programs, outputs_of_one,
+};
 pub use said::drawn;
-pub use scenario_text::{found_scenario, scenario_file};
+pub use scenario_text::{found_scenario, rows_of, scenario_file, scenario_of_difference};
 pub use wanted::while_wanted;

@@ -16,7 +16,7 @@ use crate::lemmas;
 use crate::limits::End;
 use crate::merged::{drop_seen, keep, merge};
 use crate::model::Model;
-use crate::shown_tags::shared;
+use crate::shown_tags::{self, shared};
 use ladder_simulator::Simulation;
 use std::time::{Duration, Instant};
 
@@ -88,14 +88,14 @@ pub fn compare_programs(
         Ok(shared) => shared,
         Err(why) => return Ok(Whole::Unknown(why)),
     };
-    let both = match both(old, new, &shared.watched) {
+    let both = match both(old, new, &shared) {
         Ok(both) => both,
         Err(why) => return Ok(Whole::Unknown(why)),
     };
     let stage = Stage {
         old,
         new,
-        watched: &shared.watched,
+        shared: &shared,
     };
     let whole = Search {
         stage,
@@ -104,10 +104,15 @@ pub fn compare_programs(
         open: None,
     }
     .search(both)?;
-    Ok(match (whole, shared.untracked) {
+    Ok(match (whole, shared.untracked.clone()) {
         (Whole::Same, Some(why)) => Whole::Unknown(why),
         (whole, _) => whole,
     })
+}
+
+/// The outputs that only one of two programs has, by their names.
+pub fn outputs_of_one(old: &Simulation, new: &Simulation) -> Vec<(Which, String)> {
+    shown_tags::outputs_of_one(old, new)
 }
 
 struct Search<'s> {
@@ -133,7 +138,7 @@ impl Search<'_> {
         if let Some(found) = self.try_runs(&model, &differs, &mut pairs, (&SOON, scans))? {
             return Ok(Whole::Differs(Box::new(found)));
         }
-        let kept = keep(&model, &differs, pairs, self.end);
+        let kept = keep(&model, &differs, pairs, self.end.part(2));
         let merged = merge(&model, &kept);
         let mut wanted: Vec<Lit> = differs.iter().map(|lit| merged.lit(*lit)).collect();
         wanted.retain(|lit| *lit != Lit::FALSE);

@@ -2,11 +2,12 @@
 //! what came is replaced by what is to come.
 
 use crate::answer::Verdict;
+use crate::divergence::{Divergence, Which};
 use crate::replay::Shown;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use ladder_simulator::scenario::{self, Form, RunCell, RunRow, run_text};
-use ladder_simulator::{Point, value_text};
+use ladder_simulator::value_text;
 
 /// The run that was found for a property, as a scenario. `interval` is the time from scan to scan, in nanoseconds. None where
 /// none was found.
@@ -26,7 +27,7 @@ fn scenario_of(name: &str, shown: &Shown, interval: i64, is_about_faults: bool) 
     let mut rows: Vec<RunRow> = shown
         .given
         .iter()
-        .map(|(point, values)| row(point, values, false))
+        .map(|(point, values)| row((&point.name, point.ty), values, false))
         .collect();
     if is_about_faults {
         for row in &mut rows {
@@ -37,12 +38,15 @@ fn scenario_of(name: &str, shown: &Shown, interval: i64, is_about_faults: bool) 
         cells.push(RunCell::New("TRUE".to_owned()));
         rows.push(level_expected("SYS.FAULT", cells));
     } else {
-        let seen = shown.seen.iter().map(|(point, values)| row(point, values, true));
+        let seen = shown
+            .seen
+            .iter()
+            .map(|(point, values)| row((&point.name, point.ty), values, true));
         rows.extend(seen);
         if shown.seen.is_empty() {
             // A scenario expects something.
             rows.push(match shown.given.first() {
-                Some((point, values)) => row(point, values, true),
+                Some((point, values)) => row((&point.name, point.ty), values, true),
                 None => level_expected("SYS.ON", vec![RunCell::New("TRUE".to_owned()); shown.scans()]),
             });
         }
@@ -60,9 +64,9 @@ fn level_expected(tag: &str, cells: Vec<RunCell>) -> RunRow {
     }
 }
 
-fn row(point: &Point, values: &[Value], is_expected: bool) -> RunRow {
+fn row((name, ty): (&str, Scalar), values: &[Value], is_expected: bool) -> RunRow {
     let cell = |(scan, value): (usize, &Value)| {
-        let text = value_text::display(value, point.ty);
+        let text = value_text::display(value, ty);
         let is_still = scan > 0 && values[scan - 1] == *value;
         if is_still {
             RunCell::Still(text)
@@ -71,12 +75,66 @@ fn row(point: &Point, values: &[Value], is_expected: bool) -> RunRow {
         }
     };
     RunRow {
-        name: point.name.clone(),
+        name: name.to_owned(),
         is_expected,
-        is_level: point.ty == Scalar::Bool,
+        is_level: ty == Scalar::Bool,
         goes_on: true,
         cells: values.iter().enumerate().map(cell).collect(),
     }
+}
+
+fn given(run: &Divergence) -> Vec<RunRow> {
+    let rows = run.given.iter();
+    rows.map(|given| row((&given.name, given.ty), &given.values, false))
+        .collect()
+}
+
+/// A run in which two programs differ as a scenario of this name, with what one of them shows: that one passes it. None: no
+/// scenario shows that only one program comes to its end.
+pub fn scenario_of_difference(name: &str, run: &Divergence, which: Which) -> Option<String> {
+    let number = usize::from(which == Which::New);
+    let mut rows = given(run);
+    if run.differs.is_empty() {
+        if run.faults[0] == run.faults[1] {
+            return None;
+        }
+        // SYS.FAULT shows a fault one scan later.
+        for row in &mut rows {
+            row.cells.extend(row.cells.last().cloned());
+        }
+        let faults = std::iter::once(&false).chain(&run.faults[number]);
+        let values: Vec<Value> = faults.map(|faulted| Value::Bool(*faulted)).collect();
+        rows.push(row(("SYS.FAULT", Scalar::Bool), &values, true));
+    }
+    rows.extend(run.differs.iter().map(|tag| {
+        let values = [&tag.old, &tag.new][number];
+        row((&tag.name, tag.ty), values, true)
+    }));
+    Some(run_text(rows, run.interval, name))
+}
+
+/// The rows of a run in which two programs differ: what goes in, and of each tag that differs what both show, the old one first.
+pub fn rows_of(run: &Divergence) -> Vec<String> {
+    let mut rows = given(run);
+    for tag in &run.differs {
+        for values in [&tag.old, &tag.new] {
+            rows.push(row((&tag.name, tag.ty), values, true));
+        }
+    }
+    if rows.is_empty() {
+        return Vec::new();
+    }
+    let text = run_text(rows, run.interval, "s");
+    let mut is_new = false;
+    let rows = text.lines().skip(1).map(|line| {
+        if !line.contains("=>") {
+            return line.to_owned();
+        }
+        let which = if is_new { "new" } else { "old" };
+        is_new = !is_new;
+        format!("{line}  ({which})")
+    });
+    rows.collect()
 }
 
 /// A scenario file of these scenarios, in its layout. `interval` is in nanoseconds.

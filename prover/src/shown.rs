@@ -180,7 +180,7 @@ fn named(tag: &InputTag, number: i64) -> (String, String) {
     if let Some(name) = tag.name.strip_suffix(" phase") {
         return (name.to_owned(), phase(number).to_owned());
     }
-    (system_name(&tag.name), text(tag.ty, number))
+    (shown_name(&tag.name), text(tag.ty, number))
 }
 
 /// What a timer is doing, by the lowest two bits of its phase.
@@ -192,11 +192,9 @@ const fn phase(number: i64) -> &'static str {
     }
 }
 
-/// The tags of the system have no memory of a tag: they go by where they are.
-fn system_name(name: &str) -> String {
+/// The left rail has no name in the program.
+fn shown_name(name: &str) -> String {
     match name {
-        "SYS.2" => "SYS.FIRST_SCAN".to_owned(),
-        "SYS.3" => "SYS.FAULT".to_owned(),
         "SYS.RAIL" => "the left rail".to_owned(),
         name => name.to_owned(),
     }
@@ -228,7 +226,7 @@ fn said(effect: &Effect, was: i64, is: i64) -> String {
         Effect::GoesOn => does("the network below is reached"),
         Effect::Value(tag) if tag.ty == Scalar::Bool && !tag.name.contains(' ') => format!(
             "{} goes {} in the old and {} in the new program",
-            system_name(&tag.name),
+            shown_name(&tag.name),
             text(tag.ty, was),
             text(tag.ty, is)
         ),

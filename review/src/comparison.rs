@@ -3,8 +3,12 @@
 use crate::matching::{Pair, pairs};
 use crate::outline::{Entry, Outline};
 use crate::verdict::Verdict;
-use ladder_prover::Meaning;
+use crate::whole::Whole;
+use ladder_analysis::program::Program;
+use ladder_prover::{Compared, Meaning};
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Two programs, and what became of each entry.
 #[derive(Debug)]
@@ -15,6 +19,11 @@ pub struct Comparison<'o> {
     pub new: &'o Outline,
     /// What became of the entries, in the order of the new program; what is gone is where it was.
     pub changes: Vec<Change<'o>>,
+    /// Whether the programs do the same, once that was asked: see [`Comparison::decide_whole`].
+    pub whole: Option<Whole>,
+    /// Both programs, once they are asked for.
+    pub(crate) programs: OnceCell<Result<[Arc<Program>; 2], String>>,
+    pub(crate) compiled: OnceCell<Result<Compared, String>>,
 }
 
 /// What became of an entry. Of one that holds others it says what became of its first line.
@@ -82,6 +91,9 @@ pub fn compare<'o>(old: &'o Outline, new: &'o Outline) -> Comparison<'o> {
         old,
         new,
         changes: Vec::new(),
+        whole: None,
+        programs: OnceCell::new(),
+        compiled: OnceCell::new(),
     };
     comparison.level(&old.entries, &new.entries);
     comparison

@@ -26,7 +26,7 @@ pub mod verdict;
 pub mod whole;
 
 pub use comparison::{Change, Comparison, compare};
-pub use ladder_prover::Meaning;
+pub use ladder_prover::{Limits, Meaning};
 pub use merge::{Merged, NotMerged, Sides, merge};
 pub use outline::Outline;
 pub use verdict::Verdict;

@@ -27,13 +27,14 @@ impl Comparison<'_> {
         if !self.changes.iter().any(is_asked) {
             return;
         }
+        let mut changes = std::mem::take(&mut self.changes);
         let compared = self.compared();
-        let asked = self.changes.iter_mut().filter(|change| is_asked(change));
+        let asked = changes.iter_mut().filter(|change| is_asked(change));
         for change in asked.take_while(|_| wanted()) {
             let numbers = [change.old, change.new].map(|entry| entry.and_then(number));
             let [Some(old), Some(new)] = numbers else { continue };
             let left = end.saturating_duration_since(Instant::now());
-            change.meaning = Some(match &compared {
+            change.meaning = Some(match compared {
                 Ok(_) if left.is_zero() => {
                     Meaning::NotDecided("the edits of all programs together take too long".into())
                 }
@@ -41,15 +42,24 @@ impl Comparison<'_> {
                 Err(cause) => Meaning::NotDecided(cause.clone()),
             });
         }
+        self.changes = changes;
     }
 
-    /// Both programs, compiled.
+    /// Both programs, compiled. An error says which of them does not run, and why.
+    pub(crate) fn compared(&self) -> &Result<Compared, String> {
+        self.compiled.get_or_init(|| {
+            let [old, new] = self.programs()?;
+            Compared::new(&old, &new)
+        })
+    }
+
+    /// Both programs, as they run.
     ///
     /// # Errors
     /// One of them does not run: why.
-    pub(crate) fn compared(&self) -> Result<Compared, String> {
-        let (old, new) = (program(self.old, "old")?, program(self.new, "new")?);
-        Compared::new(&old, &new)
+    pub(crate) fn programs(&self) -> Result<[Arc<Program>; 2], String> {
+        let programs = || Ok([program(self.old, "old")?, program(self.new, "new")?]);
+        self.programs.get_or_init(programs).clone()
     }
 }
 

@@ -44,6 +44,11 @@ fn the_same_and_drawn_differently_and_different() {
         + +--\--[ ]( start )--\--[ ]( stop )-------------------------------( )( run )--+
                                  ^^^^^^^^^^^
         + |  /--[ ]( run )----/                                                        |
+
+        the programs differ in scan 0, at 0s
+            start    -
+            run   => -  (old)
+            run   => _  (new)
     "#]]
     .assert_eq(&folder.ladder(&["diff", "a.clad", "edited.clad"]).to_string());
     for (arguments, message) in [
@@ -105,6 +110,11 @@ fn folders_with_their_settings() {
                                  ^^^^^^^^^^^
         + |  /--[ ]( run )----/                                                        |
 
+        the programs differ in scan 0, at 0s
+            start    -
+            run   => -  (old)
+            run   => _  (new)
+
         --- old/gone.clad
         +++ (no such file)
             1 gone
@@ -144,6 +154,14 @@ fn folders_with_their_settings() {
         + +--\--[ ]( start )--\--[ ]( stop )-------------------------------( )( run )--+
                                  ^^^^^^^^^^^
         + |  /--[ ]( run )----/                                                        |
+        ```
+
+        the programs differ in scan 0, at 0s
+
+        ```diff
+        start    -
+        run   => -  (old)
+        run   => _  (new)
         ```
 
         ### `old/gone.clad` (gone)
@@ -216,7 +234,35 @@ fn for_machines() {
                   "text": "+--\\--[ ]( start )--\\--[ ]( stop )---------------------------------( )( run )--+\n|  /--[ ]( run )----/                                                          |\n"
                 }
               }
-            ]
+            ],
+            "whole": {
+              "meaning": "other",
+              "reasons": [
+                "the programs differ in scan 0, at 0s"
+              ],
+              "scan": 0,
+              "interval_ns": 10000000,
+              "given": [
+                {
+                  "tag": "start",
+                  "values": [
+                    "TRUE"
+                  ]
+                }
+              ],
+              "differs": [
+                {
+                  "tag": "run",
+                  "old": [
+                    "TRUE"
+                  ],
+                  "new": [
+                    "FALSE"
+                  ]
+                }
+              ],
+              "scenario": "scenario \"the programs differ\"\nstart -\nrun => -\n"
+            }
           }
         ]
     "#]].assert_eq(
@@ -311,23 +357,134 @@ fn programs_that_do_the_same() {
         exit status 1
         -- stdout
         not the same
-          other.clad: moved, edited, does another thing: network, line 3 (was line 1), writes alarm: with guard on and stop off, alarm goes off in the old and on in the new program
+          other.clad: the programs differ in scan 0, at 0s
+            guard    -
+            alarm => _  (old)
+            alarm => -  (new)
         exit status 1
         -- stdout
-        not decided
-          moved.clad: moved, edited, does the same: network, line 3 (was line 1), writes alarm: it has passed networks, and the order may matter
+        not the same
+          moved.clad: the programs differ in scan 0, at 0s
+            door     -
+            alarm => -  (old)
+            alarm => _  (new)
         exit status 1
         -- stdout
-        not decided
-          more.clad: new: network, line 6, writes b
+        not the same
+          more.clad: only the new program has the output b
         exit status 1
         -- stdout
         not decided
           broken.clad: the new program has errors, or uses other files
-    "#]].assert_eq(&all.concat());
+    "#]]
+    .assert_eq(&all.concat());
     folder
         .ladder(&["diff", "--same", "old.clad", "none.clad"])
         .refused_with("none.clad: no such file or folder");
+}
+
+/// Two programs whose last networks differ in a state that never is.
+const GATE: &str = "\
++--[ ]( open_it )--[/]( down )---------------------------------------( )( up )--+
+
++--[ ]( close_it )--[/]( up )--------------------------------------( )( down )--+
+
++--[ ]( up )------------------------------------------------( )( lamp )--+
+";
+
+#[test]
+fn whole_programs_are_compared_by_their_runs() {
+    let folder = Folder::with(&[
+        ("gate.clad", GATE),
+        (
+            "careful.clad",
+            &GATE.replace("[ ]( up )-", "[ ]( up )--[/]( down )-"),
+        ),
+        ("late.clad", &GATE.replace("[/]( up )", "[TON]( t, 30ms )")),
+        ("seal.clad", &GATE.replace("( )( lamp )", "(S)( lamp )")),
+    ]);
+    let said = |new: &str| {
+        let same = folder.ladder(&["diff", "--same", "gate.clad", new]).to_string();
+        let shown = folder.ladder(&["diff", "gate.clad", new]).to_string();
+        let last = shown.rsplit("\n\n").next().unwrap_or_default().to_owned();
+        format!("{same}--\n{last}")
+    };
+    expect![[r#"
+        exit status 0
+        -- stdout
+        the same
+        --
+        the programs do the same in every run
+    "#]]
+    .assert_eq(&said("careful.clad"));
+    expect![[r#"
+        exit status 1
+        -- stdout
+        not the same
+          late.clad: the programs differ in scan 0, at 0s
+            close_it    -
+            down     => -  (old)
+            down     => _  (new)
+        --
+        the programs differ in scan 0, at 0s
+            close_it    -
+            down     => -  (old)
+            down     => _  (new)
+    "#]]
+    .assert_eq(&said("late.clad"));
+    expect![[r#"
+        exit status 1
+        -- stdout
+        not the same
+          seal.clad: the programs differ in scan 1, at 10ms
+            open_it    -_
+            lamp    => -_  (old)
+            lamp    => --  (new)
+        --
+        the programs differ in scan 1, at 10ms
+            open_it    -_
+            lamp    => -_  (old)
+            lamp    => --  (new)
+    "#]]
+    .assert_eq(&said("seal.clad"));
+    let shown = folder.ladder(&["diff", "gate.clad", "seal.clad", "--format", "json"]);
+    let whole = shown.stdout.split("\"whole\"").nth(1).unwrap_or_default();
+    expect![[r#"
+        : {
+              "meaning": "other",
+              "reasons": [
+                "the programs differ in scan 1, at 10ms"
+              ],
+              "scan": 1,
+              "interval_ns": 10000000,
+              "given": [
+                {
+                  "tag": "open_it",
+                  "values": [
+                    "TRUE",
+                    "FALSE"
+                  ]
+                }
+              ],
+              "differs": [
+                {
+                  "tag": "lamp",
+                  "old": [
+                    "TRUE",
+                    "FALSE"
+                  ],
+                  "new": [
+                    "TRUE",
+                    "TRUE"
+                  ]
+                }
+              ],
+              "scenario": "scenario \"the programs differ\"\nopen_it -_\nlamp => -_\n"
+            }
+          }
+        ]
+    "#]]
+    .assert_eq(whole);
 }
 
 #[test]

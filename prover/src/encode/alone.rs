@@ -6,7 +6,7 @@ use super::world::World;
 use super::{Scan, Times};
 use crate::graph::Lit;
 use crate::number::Number;
-use ladder_analysis::program::{Program, Tag};
+use ladder_analysis::program::{Clock, Program, SystemTag, Tag};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_simulator::compiled::{
     Bit, CHANNELS, Cell, Compiled, Home, Instr, Ports, Word, counter, state_size, timer,
@@ -202,11 +202,20 @@ impl Cells {
     }
 
     fn name_system(&mut self, ports: Ports) {
-        for at in Bit::FIRST_SCAN.0..Bit::RESERVED as u32 {
-            self.name_bit(at, format!("SYS.{at}"));
+        let tag = |tag: SystemTag| format!("SYS.{}", tag.name());
+        self.name_bit(Bit::FIRST_SCAN.0, tag(SystemTag::FirstScan));
+        self.name_bit(Bit::FAULT.0, tag(SystemTag::Fault));
+        for clock in Clock::ALL {
+            let Bit(at) = Bit::CLOCKS.offset(clock as u32);
+            self.name_bit(at, tag(SystemTag::Clock(clock)));
         }
-        for at in 0..Word::RESERVED as u32 {
-            self.name_word(at, format!("SYS.WORD{at}"), Scalar::Lint);
+        let words = [
+            (Word::SCAN, SystemTag::Scan),
+            (Word::TIME, SystemTag::Time),
+            (Word::SCAN_TIME, SystemTag::ScanTime),
+        ];
+        for (Word(at), system) in words {
+            self.name_word(at, tag(system), system.ty());
         }
         let channels = [
             (ports.analog, CHANNELS, "ADC"),

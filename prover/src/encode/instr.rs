@@ -2,7 +2,7 @@
 
 use super::Scan;
 use super::controller::Relay;
-use super::world::Gap;
+use super::world::{Applied, Gap};
 use crate::graph::Lit;
 use crate::number::Number;
 use ladder_analysis::program::Location;
@@ -86,6 +86,18 @@ impl Scan<'_, '_> {
         let location = self.location(at);
         let what = what.into();
         self.world.open_bits(Gap { what, location }, count)
+    }
+
+    /// The same, of what depends on some bits alone.
+    pub(super) fn open_bits_of(
+        &mut self,
+        what: impl Into<String>,
+        at: u32,
+        applied: Applied,
+        count: usize,
+    ) -> Vec<Lit> {
+        let (what, location) = (what.into(), self.location(at));
+        self.world.open_bits_of(Gap { what, location }, applied, count)
     }
 
     /// A fault where this holds: the block has no power, and what follows it goes on.

@@ -1,6 +1,7 @@
 //! Reals: compared by their bits, computed where they are known, and else left open; and conversions.
 
 use super::Scan;
+use super::world::Applied;
 use crate::graph::Lit;
 use crate::number::Number;
 use ladder_simulator::compiled::{
@@ -9,6 +10,7 @@ use ladder_simulator::compiled::{
 
 const NANOSECONDS: i64 = 1_000_000;
 const NOT_TRACKED: &str = "arithmetic of reals is not tracked";
+const TO_WHOLE: &str = "reals that become whole numbers are not tracked";
 
 impl Scan<'_, '_> {
     /// The order of two finite reals is that of their bits, those of negative ones turned; 0 has two forms.
@@ -44,7 +46,14 @@ impl Scan<'_, '_> {
                 let greater = self.compare_real(Test::GT, &b, &a);
                 (self.world.graph.choose_number(greater, &b, &a), Lit::FALSE)
             }
-            _ => self.any_real(at),
+            _ => {
+                // Of a sum and a product the order does not matter.
+                let (a, b) = match op {
+                    RealOp::Add | RealOp::Mul if b.low(64) < a.low(64) => (b, a),
+                    _ => (a, b),
+                };
+                self.any_real(at, Applied::new(format!("{op:?} {single}"), &[&a, &b]))
+            }
         };
         let fault = self.world.graph.and(power, fault);
         self.fault(at, fault);
@@ -56,8 +65,8 @@ impl Scan<'_, '_> {
     }
 
     /// A finite real, or a fault.
-    fn any_real(&mut self, at: u32) -> (Number, Lit) {
-        let mut bits = self.open_bits(NOT_TRACKED, at, 65);
+    fn any_real(&mut self, at: u32, applied: Applied) -> (Number, Lit) {
+        let mut bits = self.open_bits_of(NOT_TRACKED, at, applied, 65);
         let fault = bits.pop().unwrap_or(Lit::FALSE);
         let all = self.world.graph.all(bits[52..63].to_vec());
         self.world.valid.push(!all);
@@ -82,7 +91,7 @@ impl Scan<'_, '_> {
                 };
                 (Number::of_bits(bits), Lit::FALSE)
             }
-            _ => self.any_real(at),
+            _ => self.any_real(at, Applied::new(format!("{function:?} {single}"), &[&a])),
         };
         self.fault(at, fault);
         self.write_word(to, value);
@@ -104,6 +113,7 @@ impl Scan<'_, '_> {
             (word, !same)
         };
         let milliseconds = Number::constant(NANOSECONDS);
+        let applied = Applied::new(format!("{conversion:?}"), &[&from]);
         let (value, fault) = match conversion {
             Conversion::Wrap(width) => (from.wrapped(width), Lit::FALSE),
             Conversion::Fit { from: seen, to } => held(from.seen_as(seen), to),
@@ -120,27 +130,19 @@ impl Scan<'_, '_> {
                 (graph.max(&number, &Number::constant(i64::MIN)), Lit::FALSE)
             }
             Conversion::Round(width) | Conversion::Truncate(width) => {
-                let mut bits = self.open_bits(
-                    "reals that become whole numbers are not tracked",
-                    at,
-                    width.bits() as usize + 1,
-                );
+                let mut bits = self.open_bits_of(TO_WHOLE, at, applied, width.bits() as usize + 1);
                 let fault = bits.pop().unwrap_or(Lit::FALSE);
                 (Number::of_bits(bits).wrapped(width), fault)
             }
             Conversion::Saturate(width) => {
-                let bits = self.open_bits(
-                    "reals that become whole numbers are not tracked",
-                    at,
-                    width.bits() as usize,
-                );
+                let bits = self.open_bits_of(TO_WHOLE, at, applied, width.bits() as usize);
                 (Number::of_bits(bits).wrapped(width), Lit::FALSE)
             }
             Conversion::ToMilliseconds(_)
             | Conversion::RealToTime
             | Conversion::DayOf
             | Conversion::TimeOfDayOf => {
-                let mut bits = self.open_bits("conversions of times are not tracked", at, 65);
+                let mut bits = self.open_bits_of("conversions of times are not tracked", at, applied, 65);
                 let fault = bits.pop().unwrap_or(Lit::FALSE);
                 let value = match conversion {
                     Conversion::ToMilliseconds(width) => Number::of_bits(bits).wrapped(width),
@@ -151,7 +153,7 @@ impl Scan<'_, '_> {
             Conversion::IntegerToReal { .. }
             | Conversion::Single
             | Conversion::RawSingle
-            | Conversion::TimeToReal { .. } => self.any_real(at),
+            | Conversion::TimeToReal { .. } => self.any_real(at, applied),
         };
         self.fault(at, fault);
         self.write_word(to, value);

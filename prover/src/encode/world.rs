@@ -32,6 +32,20 @@ pub(crate) struct Gap {
     pub(crate) location: Option<Location>,
 }
 
+/// A function that is not followed, with what it is of.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub(crate) struct Applied {
+    pub(crate) function: String,
+    pub(crate) of: Vec<Lit>,
+}
+
+impl Applied {
+    pub(crate) fn new(function: String, of: &[&Number]) -> Applied {
+        let of = of.iter().flat_map(|number| number.low(64)).collect();
+        Applied { function, of }
+    }
+}
+
 /// See the module.
 #[derive(Debug, Default)]
 pub(crate) struct World {
@@ -41,6 +55,8 @@ pub(crate) struct World {
     /// Leaves that stand for what was left open: by their nodes the gap.
     pub(crate) open: FxHashMap<usize, usize>,
     pub(crate) gaps: Vec<Gap>,
+    /// What was left open and depends on some bits alone, by these.
+    pub(crate) applied: FxHashMap<Applied, Vec<Lit>>,
     /// Leaves that are in the place of times.
     pub(crate) times: Vec<Lit>,
     /// The words that are remembered, by their bits among the states.
@@ -72,6 +88,8 @@ pub(crate) struct World {
 pub(crate) struct Twins {
     /// The leaves of what is remembered first, in this order; none for one of its own.
     pub(crate) first: VecDeque<Option<Lit>>,
+    /// The names there of what goes in, by its names here.
+    pub(crate) names: FxHashMap<String, String>,
     /// Of the bits of a cell the leaf, and what that begins with; none for a bit of its own.
     pub(crate) cells: FxHashMap<Kept, Vec<Option<(Lit, bool)>>>,
 }
@@ -88,6 +106,16 @@ impl World {
         };
         let bits: Vec<Lit> = (0..count).map(|_| self.graph.leaf()).collect();
         self.open.extend(bits.iter().map(|bit| (bit.node(), number)));
+        bits
+    }
+
+    /// The same, of what depends on these bits and nothing else: asked for again, it is the same as before.
+    pub(crate) fn open_bits_of(&mut self, gap: Gap, applied: Applied, count: usize) -> Vec<Lit> {
+        if let Some(bits) = self.applied.get(&applied) {
+            return bits.clone();
+        }
+        let bits = self.open_bits(gap, count);
+        self.applied.insert(applied, bits.clone());
         bits
     }
 
@@ -133,7 +161,8 @@ impl World {
 
     /// A value that goes in by its name.
     pub(crate) fn shared(&mut self, tag: &InputTag) -> Number {
-        let key = (tag.name.to_ascii_lowercase(), tag.ty);
+        let name = tag.name.to_ascii_lowercase();
+        let key = (self.twins.names.get(&name).cloned().unwrap_or(name), tag.ty);
         if let Some(known) = self.shared.get(&key) {
             return known.clone();
         }

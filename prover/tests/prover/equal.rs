@@ -187,6 +187,27 @@ fn numbers() {
 }
 
 #[test]
+fn tags_of_the_system_have_their_names() {
+    check(
+        "+--[ ]( SYS.CLOCK_1S )--( )( x )--+\n",
+        "+--[ ]( SYS.FIRST_SCAN )--( )( x )--+\n",
+        expect![
+            "with SYS.CLOCK_1S off and SYS.FIRST_SCAN on, x goes off in the old and on in the new program"
+        ],
+    );
+    check(
+        "+--[GT]( SYS.SCAN, 3 )--( )( x )--+\n",
+        "+--[GT]( SYS.SCAN, 4 )--( )( x )--+\n",
+        expect!["with SYS.SCAN 4, x goes on in the old and off in the new program"],
+    );
+    check(
+        "+--[GT]( SYS.TIME, T#3s )--( )( x )--+\n",
+        "+--[GT]( SYS.TIME, T#4s )--( )( x )--+\n",
+        expect!["with SYS.TIME T#3s1ns, x goes on in the old and off in the new program"],
+    );
+}
+
+#[test]
 fn where_execution_goes_on() {
     check(
         "+--[ ]( a )--<JMP>( On )--+\n\n+--( )( y )--+\n\n+--<LBL>( On )--( )( x )--+\n",
@@ -211,6 +232,11 @@ fn what_is_not_followed() {
         "VAR\n    p, q, r : REAL;\nEND_VAR\n+--[ ]( a )--[ADD]( p, q, r )--+\n",
         "VAR\n    p, q, r : REAL;\nEND_VAR\n+--[ ]( a )--[SUB]( p, q, r )--+\n",
         expect!["not decided: arithmetic of reals is not tracked"],
+    );
+    check(
+        "VAR\n    p, q, r : REAL;\nEND_VAR\n+--[ ]( a )--[ ]( b )--[ADD]( p, q, r )--[SUB]( q, p, r )--+\n",
+        "VAR\n    p, q, r : REAL;\nEND_VAR\n+--[ ]( b )--[ ]( a )--[ADD]( p, r, q )--[SUB]( q, p, r )--+\n",
+        expect!["the same"],
     );
     check(
         "VAR\n    p, q, r : DINT;\nEND_VAR\n+--[ ]( a )--[MUL]( p, q, r )--+\n",

@@ -200,6 +200,40 @@ fn what_is_compared() {
     );
 }
 
+/// What is at an address is the same by whichever name.
+#[test]
+fn other_names() {
+    let program = |input: &str, output: &str, address: &str| {
+        format!(
+            "VAR_INPUT\n    {input} AT {address} : BOOL;\nEND_VAR\nVAR_OUTPUT\n    {output} AT %QX0.0 : BOOL;\nEND_VAR\n\
+             VAR\n    relay : BOOL;\nEND_VAR\n+--[P]( {input} )--(S)( relay )--+\n+--[ ]( relay )--( )( {output} )--+\n"
+        )
+    };
+    let old = program("start", "lamp", "%IX0.0");
+    check(&old, &program("go", "light", "%IX0.0"), expect!["the same\n"]);
+    check(
+        &old,
+        &program("go", "light", "%IX0.0")
+            .replace("[P]", "[ ]")
+            .replace("(S)", "( )"),
+        expect![[r#"
+            differs after scan 2
+            start 1 0
+            lamp old 1 1
+            lamp new 1 0
+        "#]],
+    );
+    check(
+        &old,
+        &program("start", "lamp", "%IX0.1"),
+        expect![[r#"
+        unknown: start is at another address
+    "#]],
+    );
+    // A relay has another name.
+    check(&old, &old.replace("relay", "seal"), expect!["the same\n"]);
+}
+
 #[test]
 fn what_is_not_known() {
     let start = Instant::now();

@@ -2,7 +2,7 @@
 //!
 //! The page holds all that it needs and asks nobody for anything. Nothing of a program is markup or script in it.
 
-use super::{Compared, heading, reason, summary};
+use super::{Compared, heading, of_whole, reason, summary};
 use crate::comparison::{Change, Comparison};
 use crate::drawing::{Drawn, changed_parts, draw, draw_both};
 use crate::outline::{Entry, Kind, Outline};
@@ -95,6 +95,14 @@ fn program(file: &Compared<'_>, out: &mut String) {
         Escaped(&summary(comparison))
     );
     out.push_str(&sections(comparison).concat());
+    if let Some((said, rows)) = of_whole(comparison) {
+        let _ = write!(
+            out,
+            "<section class=\"change\" tabindex=\"0\">\n<h3>{}</h3>\n<pre>{}</pre>\n</section>\n",
+            Escaped(&said),
+            Escaped(&rows.join("\n"))
+        );
+    }
 }
 
 /// The pictures of both programs.

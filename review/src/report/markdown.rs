@@ -1,6 +1,6 @@
 //! A comparison for a pull request.
 
-use super::{Compared, heading, reason, summary, text};
+use super::{Compared, heading, of_whole, reason, summary, text};
 
 /// The report of some files.
 pub fn report(files: &[Compared<'_>]) -> String {
@@ -30,6 +30,12 @@ pub fn report(files: &[Compared<'_>]) -> String {
             }
             let drawn: Vec<&str> = lines.iter().map(|line| line.text.as_str()).collect();
             out.push_str(&format!("\n{}", fenced(&drawn.join("\n"))));
+        }
+        if let Some((said, rows)) = of_whole(&file.comparison) {
+            out.push_str(&format!("\n{}\n", escaped(&said)));
+            if !rows.is_empty() {
+                out.push_str(&format!("\n{}", fenced(&rows.join("\n"))));
+            }
         }
         out.push('\n');
     }

@@ -6,6 +6,7 @@ pub mod text;
 
 use crate::comparison::{Change, Comparison};
 use crate::outline::{Entry, Kind};
+use crate::whole::{Whole, is_harmless, said};
 use ladder_prover::Meaning;
 
 /// Two files that are compared, by the names that they go by.
@@ -99,6 +100,18 @@ pub fn names(entry: &Entry) -> Vec<&str> {
             entry.title.split(", ").filter(|name| !name.is_empty()).collect()
         }
         _ => Vec::new(),
+    }
+}
+
+/// What is known of the whole programs, for who has read what changed in them: a sentence, and the rows of a run that shows it.
+/// None: nothing, or nothing new.
+pub fn of_whole(comparison: &Comparison<'_>) -> Option<(String, Vec<String>)> {
+    match comparison.whole.as_ref()? {
+        // What each network says for itself needs no more words.
+        Whole::Same if comparison.changes.iter().all(is_harmless) => None,
+        Whole::Same => Some(("the programs do the same in every run".to_owned(), Vec::new())),
+        Whole::Differs(run) => Some(said(run)),
+        Whole::Outputs(_) | Whole::NotDecided(_) => None,
     }
 }
 

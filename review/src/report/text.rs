@@ -1,6 +1,6 @@
 //! A comparison for a terminal: what changed is drawn, in the old form and the new, what did not is a line.
 
-use super::{Compared, heading, reason, summary};
+use super::{Compared, heading, of_whole, reason, summary};
 use crate::comparison::{Change, Comparison};
 use crate::drawing::{Drawn, DrawnLine, draw, draw_both};
 use crate::verdict::Verdict;
@@ -48,6 +48,14 @@ pub fn report(compared: &Compared<'_>) -> Vec<Line> {
     let mut lines = settings(compared.old, compared.new, &[]);
     lines.push(plain(LineKind::Plain, format!("    {}", summary(comparison))));
     changes(comparison, &mut lines);
+    if let Some((said, rows)) = of_whole(comparison) {
+        lines.push(plain(LineKind::Plain, String::new()));
+        lines.push(plain(LineKind::Heading, said));
+        lines.extend(
+            rows.into_iter()
+                .map(|row| plain(LineKind::Plain, format!("    {row}"))),
+        );
+    }
     lines
 }
 

@@ -27,6 +27,7 @@ mod rooms;
 mod rule_index;
 mod safe_fixes;
 mod same_networks;
+mod same_programs;
 mod scenarios;
 mod settings_reference;
 mod structured_text;

@@ -1,9 +1,14 @@
 //! A comparison for machines. The names of the members are documented; nothing may be renamed.
 
 use super::settings::SettingsDiff;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
+use ladder_prover::{Which, scenario_of_difference};
 use ladder_review::outline::{Entry, Outline};
 use ladder_review::report::{Compared, names, reason, word};
+use ladder_review::whole::{Whole, said};
 use ladder_review::{Change, Verdict};
+use ladder_simulator::value_text;
 use serde::Serialize;
 
 /// A file that is compared.
@@ -15,6 +20,8 @@ pub(super) enum File<'c> {
         new: Option<&'c str>,
         same: usize,
         changes: Vec<Changed<'c>>,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        whole: Option<WholePrograms<'c>>,
     },
     Settings {
         old: Option<&'c str>,
@@ -46,6 +53,80 @@ struct Form<'c> {
     text: std::borrow::Cow<'c, str>,
 }
 
+/// What is known of both programs.
+#[derive(Serialize, Default)]
+pub(super) struct WholePrograms<'c> {
+    meaning: &'static str,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    reasons: Vec<String>,
+    /// The scan after which they differ, from 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    scan: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    interval_ns: Option<i64>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    given: Vec<Given<'c>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    differs: Vec<Differs<'c>>,
+    /// What the old program does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    scenario: Option<String>,
+}
+
+#[derive(Serialize)]
+struct Given<'c> {
+    tag: &'c str,
+    /// One for each scan.
+    values: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Differs<'c> {
+    tag: &'c str,
+    /// One for each scan.
+    old: Vec<String>,
+    new: Vec<String>,
+}
+
+fn whole(whole: &Whole) -> WholePrograms<'_> {
+    let of = |meaning, reasons: &[String]| WholePrograms {
+        meaning,
+        reasons: reasons.to_vec(),
+        ..WholePrograms::default()
+    };
+    let run = match whole {
+        Whole::Same => return of("same", &[]),
+        Whole::Outputs(names) => return of("other", names),
+        Whole::NotDecided(reasons) => return of("unknown", reasons),
+        Whole::Differs(run) => run,
+    };
+    let given = run.given.iter().map(|row| Given {
+        tag: &row.name,
+        values: texts(&row.values, row.ty),
+    });
+    let differs = run.differs.iter().map(|row| Differs {
+        tag: &row.name,
+        old: texts(&row.old, row.ty),
+        new: texts(&row.new, row.ty),
+    });
+    WholePrograms {
+        meaning: "other",
+        reasons: vec![said(run).0],
+        scan: run.scans.checked_sub(1),
+        interval_ns: Some(run.interval),
+        given: given.collect(),
+        differs: differs.collect(),
+        scenario: scenario_of_difference("the programs differ", run, Which::Old),
+    }
+}
+
+fn texts(values: &[Value], ty: Scalar) -> Vec<String> {
+    values
+        .iter()
+        .map(|value| value_text::display(value, ty))
+        .collect()
+}
+
 impl<'c> File<'c> {
     pub(super) fn program(compared: &'c Compared<'c>) -> File<'c> {
         let comparison = &compared.comparison;
@@ -71,6 +152,7 @@ impl<'c> File<'c> {
                 .find(|(what, _)| *what == same)
                 .map_or(0, |(_, count)| *count),
             changes: changes.map(changed).collect(),
+            whole: comparison.whole.as_ref().map(whole),
         }
     }
 

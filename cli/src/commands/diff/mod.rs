@@ -15,7 +15,7 @@ use ladder_analysis::Others;
 use ladder_analysis::names::join::context;
 use ladder_review::report::text::{Line, LineKind};
 use ladder_review::report::{Compared, html, markdown, text};
-use ladder_review::{Outline, compare};
+use ladder_review::{Limits, Outline, compare};
 use ladder_workspace::shown;
 use settings::SettingsDiff;
 use side::{File, Side};
@@ -58,7 +58,8 @@ pub(crate) struct Arguments {
     /// Say whether the programs do the same, and nothing else
     ///
     /// They do if each network of the old program is in the new one and does the same there, in an order that is the same
-    /// or does not matter. What cannot be decided network by network is said, and counts as a difference.
+    /// or does not matter. Otherwise they do if no run from a cold start on shows a difference; one that does is shown. What
+    /// cannot be decided is said, and counts as a difference.
     #[arg(long, conflicts_with_all = ["format", "output"])]
     same: bool,
 
@@ -89,6 +90,27 @@ enum Format {
 
 /// How long may be asked what edited networks do.
 const TIME: Duration = Duration::from_secs(20);
+
+/// The same of whole programs, where it is not all that is asked.
+const TIME_OF_WHOLE: Duration = Duration::from_secs(2);
+/// Programs of more networks are not compared then: what changed in them is to be seen at once.
+const MOST_NETWORKS: usize = 2_000;
+
+impl Arguments {
+    /// How much may be done to compare whole programs, and of how many networks.
+    fn limits(&self) -> (Limits, usize) {
+        let (time, networks) = if self.same {
+            (TIME, usize::MAX)
+        } else {
+            (TIME_OF_WHOLE, MOST_NETWORKS)
+        };
+        let limits = Limits {
+            time,
+            ..Limits::default()
+        };
+        (limits, networks)
+    }
+}
 
 /// Two files that are compared. None: there is no such file on that side.
 struct Pair {
@@ -140,6 +162,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     for compared in &mut compared {
         let left = end.saturating_duration_since(Instant::now());
         compared.comparison.decide(left);
+        if compared.old.is_some() && compared.new.is_some() {
+            let (limits, networks) = arguments.limits();
+            compared.comparison.decide_whole(limits, networks);
+        }
     }
     if arguments.same {
         return Ok(same::print(&compared, &settings)?);

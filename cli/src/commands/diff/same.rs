@@ -3,7 +3,7 @@
 use super::settings::SettingsDiff;
 use crate::outcome::Outcome;
 use ladder_review::report::Compared;
-use ladder_review::whole::{Whole, whole};
+use ladder_review::whole::{Whole, said};
 use ladder_workspace::shown;
 use std::io::{self, Write};
 
@@ -11,16 +11,21 @@ use std::io::{self, Write};
 pub(super) fn print(compared: &[Compared<'_>], settings: &[SettingsDiff]) -> io::Result<Outcome> {
     let (mut others, mut open) = (Vec::new(), Vec::new());
     for file in compared {
-        let (to, said) = match (file.old, file.new) {
-            (Some(_), Some(_)) => match whole(&file.comparison) {
-                Whole::Same => continue,
-                Whole::Other(said) => (&mut others, said),
-                Whole::NotDecided(said) => (&mut open, said),
-            },
-            (None, _) => (&mut open, vec![String::from("a new file")]),
-            (_, None) => (&mut open, vec![String::from("gone")]),
+        let add = |to: &mut Vec<String>, reasons: &[String]| {
+            to.extend(reasons.iter().map(|reason| format!("{}: {reason}", file.name())));
         };
-        to.extend(said.iter().map(|said| format!("{}: {said}", file.name())));
+        match &file.comparison.whole {
+            Some(Whole::Same) => {}
+            Some(Whole::Differs(run)) => {
+                let (said, rows) = said(run);
+                add(&mut others, &[said]);
+                others.extend(rows.iter().map(|row| format!("  {row}")));
+            }
+            Some(Whole::Outputs(names)) => add(&mut others, names),
+            Some(Whole::NotDecided(reasons)) => add(&mut open, reasons),
+            None if file.old.is_none() => add(&mut open, &["a new file".into()]),
+            None => add(&mut open, &["gone".into()]),
+        }
     }
     open.extend(
         settings

@@ -62,7 +62,7 @@ pub(super) fn write(
                 writeln!(out, "/>")?;
                 continue;
             }
-            let (verdict, _) = word(&property.answer.verdict);
+            let verdict = property.answer.verdict.word();
             let message = format!("{verdict} {}", property.answer.note(answers.interval));
             writeln!(
                 out,
