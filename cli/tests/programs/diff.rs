@@ -261,7 +261,7 @@ fn for_machines() {
                   ]
                 }
               ],
-              "scenario": "scenario \"the programs differ\"\nstart -\nrun => -\n"
+              "scenario": "scenario \"the programs differ\"\nstart    -\nrun   => -\n"
             }
           }
         ]
@@ -479,7 +479,7 @@ fn whole_programs_are_compared_by_their_runs() {
                   ]
                 }
               ],
-              "scenario": "scenario \"the programs differ\"\nopen_it -_\nlamp => -_\n"
+              "scenario": "scenario \"the programs differ\"\nopen_it    -_\nlamp    => -_\n"
             }
           }
         ]
