@@ -196,6 +196,10 @@ export interface ScenarioRun {
     readonly passed: boolean;
     readonly scans: number;
     readonly differences: readonly { readonly tag: string; readonly ranges: readonly Range[]; readonly message: string }[];
+    /** Properties that it violates; `range` is where the property has its name. */
+    readonly violations?: readonly { readonly name: string; readonly range: Range; readonly scan: number; readonly message: string }[];
+    /** Where it leaves what is assumed, in words. */
+    readonly outside?: string;
     readonly faults: readonly { readonly message: string; readonly scan: number; readonly range?: Range }[];
     /** Both waveforms, with what differs. */
     readonly diagram?: string;

@@ -95,10 +95,12 @@ export class ScenariosPanel {
         return element('button', { type: 'button', class: 'link', onclick: go }, title);
     }
 
-    #row({ name, range, passed, differences, faults, diagram }: ScenarioRun): HTMLElement {
+    #row({ name, range, passed, differences, violations = [], outside, faults, diagram }: ScenarioRun): HTMLElement {
         const title = this.#link(`${passed ? '✓ passed' : '✗ failed'}  ${name}`, this.#scenarios, range);
-        const said = [...differences.map(({ message }) => message), ...faults.map(({ message, scan }) => `fault in scan ${scan}: ${message}`)];
+        const broken = [...differences, ...violations].map(({ message }) => message);
+        const said = [...broken, ...faults.map(({ message, scan }) => `fault in scan ${scan}: ${message}`)];
         const words = said.map((text) => element('p', { class: 'error' }, text));
+        words.push(...(outside === undefined ? [] : [element('p', { class: 'hint' }, outside)]));
         const drawn = diagram === undefined ? [] : [element('pre', { tabindex: '0', role: 'group', 'aria-label': `Waveforms of ${name}` }, diagram)];
         return element('section', { class: passed ? 'passed' : 'not-passed' }, title, ...words, ...drawn);
     }
@@ -121,7 +123,10 @@ export class ScenariosPanel {
             const [from, to] = [text.offset(range.start), text.offset(range.end)];
             return from < to ? [mark.range(from, to)] : [];
         };
-        const ranges = scenarios.flatMap(({ differences }) => differences.flatMap((difference) => difference.ranges));
+        const ranges = scenarios.flatMap(({ differences, violations = [] }) => [
+            ...differences.flatMap((difference) => difference.ranges),
+            ...violations.map(({ range }) => range),
+        ]);
         const failures = ranges.flatMap((range) => within(this.#scenarios, range, failed));
         this.#scenarios.view.dispatch({ effects: setMarks.of(Decoration.set(failures, true)) });
         const lines = (coverage?.networks ?? []).flatMap(({ range: { start, end }, scans }) =>

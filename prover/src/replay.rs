@@ -4,8 +4,7 @@ use crate::decide::Run;
 use crate::encode::Input;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
-use ladder_simulator::expression::Expression;
-use ladder_simulator::scenario::{Form, Monitor, Watched};
+use ladder_simulator::scenario::Watched;
 use ladder_simulator::{Point, Simulation, Status};
 
 /// A run as it went in the simulator: for each scan the values of the tags that are shown.
@@ -45,14 +44,12 @@ pub(crate) fn replay(
     simulation.unforce_all();
     simulation.reset();
     simulation.take_faults();
-    for assumption in &mut watched.assumptions {
-        assumption.forget();
-    }
-    let monitor = &mut watched.properties[property];
-    monitor.restart();
+    watched.restart();
+    let monitor = &watched.properties[property];
     let mut shown = Shown {
         given: Vec::new(),
-        seen: named_by(monitor)
+        seen: monitor
+            .points()
             .into_iter()
             .map(|point| (point, Vec::new()))
             .collect(),
@@ -84,10 +81,8 @@ pub(crate) fn replay(
             return None;
         }
         let faulted = !simulation.take_faults().is_empty();
-        for assumption in &mut watched.assumptions {
-            if !assumption.holds(simulation).unwrap_or(false) {
-                return None;
-            }
+        if watched.broken_assumption(simulation).is_some() {
+            return None;
         }
         let monitor = &mut watched.properties[property];
         let violates = monitor.violates(simulation, faulted);
@@ -101,21 +96,6 @@ pub(crate) fn replay(
         }
     }
     is_shown.then_some(shown)
-}
-
-/// The tags that a property names.
-fn named_by(monitor: &Monitor) -> Vec<Point> {
-    let mut points: Vec<Point> = Vec::new();
-    let mut add = |expression: &Expression| {
-        expression.for_each_point(&mut |point| {
-            if !points.iter().any(|known| known.name == point.name) {
-                points.push(point.clone());
-            }
-        });
-        Ok::<(), ()>(())
-    };
-    let _: Result<Form<()>, ()> = monitor.form.try_map(&mut add);
-    points
 }
 
 /// The value of an input from its bits.

@@ -74,6 +74,7 @@ pub use notation::messages as notation_messages;
 pub use proof::{LeftOpen, PropertiesProved, PropertyProved, ProveProperties};
 pub use rule_page::{AskedPage, RulePage};
 pub use scenario_run::{
-    Exercised, FaultOfScenario, NetworkReached, PartSeen, RowDiffers, RunScenarios, ScenarioRun, ScenariosRun,
+    Exercised, FaultOfScenario, NetworkReached, PartSeen, PropertyViolated, RowDiffers, RunScenarios,
+    ScenarioRun, ScenariosRun,
 };
 pub use simulation::messages;

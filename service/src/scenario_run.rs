@@ -63,6 +63,12 @@ pub struct ScenarioRun {
     pub scans: u64,
     /// Rows that are not as expected.
     pub differences: Vec<RowDiffers>,
+    /// Properties that it violates.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub violations: Vec<PropertyViolated>,
+    /// Where it leaves what is assumed, in words: the properties are not watched from there on.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub outside: Option<String>,
     /// What went wrong in the program.
     pub faults: Vec<FaultOfScenario>,
     /// Both waveforms, with what differs.
@@ -78,6 +84,20 @@ pub struct RowDiffers {
     pub tag: String,
     /// Where the values are that differ.
     pub ranges: Vec<Range>,
+    /// The sentence for people.
+    pub message: String,
+}
+
+/// A property that a scenario violates.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct PropertyViolated {
+    /// Its name.
+    pub name: String,
+    /// Where that is.
+    pub range: Range,
+    /// The first scan that violates it, counted from 0.
+    pub scan: u64,
     /// The sentence for people.
     pub message: String,
 }
@@ -149,10 +169,12 @@ pub(crate) fn run(
     cancel: &Cancel,
 ) -> Result<ScenariosRun, String> {
     let (cases, found) = scenario::bind(suite, &simulation);
+    let (mut watched, of_properties) = scenario::bind_properties(suite, &simulation);
     if let Some(error) = suite
         .errors
         .iter()
         .chain(&found)
+        .chain(&of_properties)
         .min_by_key(|error| error.range.start())
     {
         let line = files.scenarios.range(error.range).start.line + 1;
@@ -164,7 +186,7 @@ pub(crate) fn run(
     for case in &cases {
         let mut scans: u64 = 0;
         let mut is_late = false;
-        let ran = scenario::run(case, &mut simulation, |simulation| {
+        let ran = scenario::run(case, &mut watched, &mut simulation, |simulation| {
             scans += 1;
             is_late |= scans.is_multiple_of(SCANS_BETWEEN) && (cancel.is_cancelled() || clock.now() > until);
             !is_late
@@ -180,7 +202,12 @@ pub(crate) fn run(
                 case.name
             ));
         }
-        scenarios.push(scenario_run(files, case, &ran, simulation.options().interval));
+        scenarios.push(scenario_run(
+            files,
+            (suite, case),
+            &ran,
+            simulation.options().interval,
+        ));
     }
     if let Some(coverage) = &mut coverage {
         coverage.finish(&simulation);
@@ -194,7 +221,7 @@ pub(crate) fn run(
     })
 }
 
-fn scenario_run(files: &Files<'_>, case: &Case, ran: &Ran, interval: i64) -> ScenarioRun {
+fn scenario_run(files: &Files<'_>, (suite, case): (&Suite, &Case), ran: &Ran, interval: i64) -> ScenarioRun {
     let lines = if ran.passed() {
         Vec::new()
     } else {
@@ -210,6 +237,13 @@ fn scenario_run(files: &Files<'_>, case: &Case, ran: &Ran, interval: i64) -> Sce
             .collect(),
         message: scenario::sentence(case, ran, difference, interval),
     });
+    let violations = ran.violations.iter().map(|violation| PropertyViolated {
+        name: violation.name.clone(),
+        range: files.scenarios.range(violation.range),
+        scan: violation.scan,
+        message: scenario::violation_sentence(case, violation, interval),
+    });
+    let outside = ran.outside.as_ref();
     let faults = ran.faults.iter().map(
         |Fault {
              message,
@@ -228,6 +262,8 @@ fn scenario_run(files: &Files<'_>, case: &Case, ran: &Ran, interval: i64) -> Sce
         passed: ran.passed(),
         scans: ran.scans,
         differences: differences.collect(),
+        violations: violations.collect(),
+        outside: outside.map(|outside| scenario::outside_sentence(suite, outside, interval)),
         faults: faults.collect(),
         diagram: lines.join("\n"),
     }

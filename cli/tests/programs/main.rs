@@ -34,6 +34,7 @@ mod render_pdf;
 mod replacing;
 mod retain;
 mod scenario_formats;
+mod scenario_properties;
 mod scenarios;
 mod settings;
 mod several_files;

@@ -413,7 +413,7 @@ fn test_says_how_many_properties_there_are() {
             exit status 0
             -- stdout
             motor.ladder-test
-                    3 properties: ladder prove motor.ladder-test
+                    3 properties; ladder prove motor.ladder-test decides them for all runs
 
             0 scenarios in 1 file: 0 passed, in T s.
         "#]],

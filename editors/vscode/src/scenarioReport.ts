@@ -23,11 +23,14 @@ export function report(
         return;
     }
     const duration = scenario.seconds * 1000;
+    if (scenario.outside !== undefined) {
+        run.appendOutput(`${scenario.outside}\r\n`, undefined, item);
+    }
     if (scenario.passed) {
         run.passed(item, duration);
         return;
     }
-    const [first, ...others] = scenario.differences;
+    const [first, ...others] = [...scenario.differences, ...(scenario.violations ?? [])];
     // The first line is next to the row, too; the drawing has it at its end.
     const sentence = first?.message ?? 'A fault stopped the program.';
     const drawn = new vscode.TestMessage(new vscode.MarkdownString(`${escaped(sentence)}\n\n${fenced(scenario.diagram ?? '')}`));

@@ -18,6 +18,10 @@ export interface ScenarioResult {
     readonly passed: boolean;
     readonly seconds: number;
     readonly differences: readonly Difference[];
+    /** Properties that it violates: `line` and `column` are where the property has its name, from 1, in characters. */
+    readonly violations?: readonly { readonly property: string; readonly line: number; readonly column: number; readonly message: string }[];
+    /** Where it leaves what is assumed of what goes in, in words. */
+    readonly outside?: string;
     readonly faults: readonly { readonly file: string; readonly line: number; readonly message: string; readonly scan: number }[];
     /** Both waveforms, with what differs. */
     readonly diagram?: string;

@@ -1,9 +1,10 @@
 //! The rows of a scenario that came out differently: what was expected and what came, the differing steps marked.
 
-use super::bind::{Case, Target};
-use super::parse::TIME;
+use super::bind::Case;
+use super::parse::{Suite, TIME};
 use super::run::{Difference, Ran};
 use super::steps::Steps;
+use super::watch::{Outside, Violation};
 use crate::value_text;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
@@ -33,8 +34,8 @@ pub struct Line {
     pub text: String,
 }
 
-/// Draws the rows that differ, below what was given, in lines of at most about `width` letters: of a long scenario
-/// the part around the first difference. `interval` is that of the simulation that ran it.
+/// Draws the rows that differ and the properties that are violated, below what was given, in lines of at most about `width`
+/// letters: of a long scenario the part around the first difference. `interval` is that of the simulation that ran it.
 ///
 /// Waveforms are drawn as they are written, a letter a step. Rows of values have columns as wide as their values need.
 /// Where values were given they may be why a waveform differs, so all rows are in such columns; else the waveforms come
@@ -48,105 +49,182 @@ pub fn draw(case: &Case, ran: &Ran, interval: i64, width: usize) -> Vec<Line> {
     } else {
         vec![waves, values]
     };
+    let groups = groups.into_iter().map(|group: Vec<&Difference>| {
+        let entries = group.into_iter();
+        let entries = entries.map(|difference| of_difference(case, ran, difference, interval));
+        entries.collect::<Vec<Entry>>()
+    });
+    // The tags of each property are its own, and so are its columns.
+    let violations = ran.violations.iter();
+    let violations = violations.map(|violation| vec![of_violation(case, violation, interval)]);
     let mut lines = Vec::new();
-    for differences in groups.into_iter().filter(|group| !group.is_empty()) {
-        let group = Group {
-            case,
-            ran,
-            differences,
-        };
-        group.draw(interval, width, &mut lines);
+    for entries in groups.chain(violations).filter(|entries| !entries.is_empty()) {
+        draw_group(case, &entries, interval, width, &mut lines);
     }
     lines
 }
 
-/// Rows that share their columns.
-struct Group<'a> {
-    case: &'a Case,
-    ran: &'a Ran,
-    differences: Vec<&'a Difference>,
+/// Rows that show one thing that is wrong, and what it is.
+struct Entry<'a> {
+    rows: Vec<Row<'a>>,
+    steps: &'a [usize],
+    sentence: String,
 }
 
-impl Group<'_> {
-    fn draw(&self, interval: i64, width: usize, lines: &mut Vec<Line>) {
-        let times = self.times(interval);
-        let time = times.is_some().then_some(TIME);
-        let names = self.case.given.iter().map(|row| row.name.as_str()).chain(time);
-        let differing = self.differences.iter().map(|difference| difference.tag.as_str());
-        let longest = names
-            .chain(differing)
-            .map(UnicodeWidthStr::width)
-            .max()
-            .unwrap_or(0);
-        // `name  expected  `
-        let label = |name: &str, what: &str| {
-            let gap = longest - name.width().min(longest);
-            format!("{name}{}  {what:<8}  ", " ".repeat(gap))
-        };
-        let table = Table::of(self, times.as_deref(), width.saturating_sub(longest + 12).max(20));
-        if let Some(times) = times {
-            let cells: Vec<Drawn> = times.into_iter().map(Drawn::Text).collect();
-            lines.push(Line {
-                kind: LineKind::Given,
-                text: label(TIME, "") + &table.row(&cells),
-            });
-        }
-        for row in &self.case.given {
-            let cells: Vec<Drawn> = row
-                .values
-                .iter()
-                .map(|value| drawn(value.as_ref(), &row.target, "."))
-                .collect();
-            lines.push(Line {
-                kind: LineKind::Given,
-                text: label(&row.name, "") + &table.row(&cells),
-            });
-        }
-        for difference in &self.differences {
-            let (row, got) = (&self.case.expected[difference.row], &self.ran.got[difference.row]);
-            let expected: Vec<Drawn> = row
-                .values
-                .iter()
-                .map(|(value, _)| drawn(value.as_ref(), &row.target, "."))
-                .collect();
-            let got: Vec<Drawn> = got
-                .iter()
-                .map(|value| drawn(value.as_ref(), &row.target, "?"))
-                .collect();
-            for (kind, name, what, text) in [
-                (
-                    LineKind::Expected,
-                    row.name.as_str(),
-                    "expected",
-                    table.row(&expected),
-                ),
-                (LineKind::Got, "", "got", table.row(&got)),
-                (LineKind::Marks, "", "", table.marks(&difference.steps)),
-            ] {
-                let text = (label(name, what) + &text).trim_end().to_owned();
-                lines.push(Line { kind, text });
-            }
-            lines.push(Line {
-                kind: LineKind::Sentence,
-                text: sentence(self.case, self.ran, difference, interval),
-            });
-        }
-    }
+struct Row<'a> {
+    kind: LineKind,
+    name: &'a str,
+    what: &'static str,
+    cells: Vec<Drawn>,
+}
 
-    /// How long each step is, as it may be written; nothing where all are alike.
-    fn times(&self, interval: i64) -> Option<Vec<String>> {
-        let steps = &self.case.steps;
-        if matches!(steps, Steps::Even { .. }) {
-            return None;
-        }
-        let written = |step: usize| match steps.unusual(step) {
-            Some(scans) => {
-                value_text::duration(i64::try_from(scans).unwrap_or(i64::MAX).saturating_mul(interval))
-            }
-            None => ".".to_owned(),
-        };
-        Some((0..steps.count()).map(written).collect())
+fn of_difference<'a>(case: &'a Case, ran: &'a Ran, difference: &'a Difference, interval: i64) -> Entry<'a> {
+    let (row, got) = (&case.expected[difference.row], &ran.got[difference.row]);
+    let ty = row.target.ty();
+    let expected = row.values.iter().map(|(value, _)| drawn(value.as_ref(), ty, "."));
+    let got = got.iter().map(|value| drawn(value.as_ref(), ty, "?"));
+    Entry {
+        rows: vec![
+            Row {
+                kind: LineKind::Expected,
+                name: &row.name,
+                what: "expected",
+                cells: expected.collect(),
+            },
+            Row {
+                kind: LineKind::Got,
+                name: "",
+                what: "got",
+                cells: got.collect(),
+            },
+        ],
+        steps: &difference.steps,
+        sentence: sentence(case, ran, difference, interval),
     }
+}
+
+fn of_violation<'a>(case: &'a Case, violation: &'a Violation, interval: i64) -> Entry<'a> {
+    let is_given = |name: &str| case.given.iter().any(|row| row.name == name);
+    let seen = violation.seen.iter();
+    let rows = seen
+        .filter(|(point, _)| !is_given(&point.name))
+        .map(|(point, values)| Row {
+            kind: LineKind::Got,
+            name: &point.name,
+            what: "",
+            cells: values
+                .iter()
+                .map(|value| drawn(Some(value), point.ty, ""))
+                .collect(),
+        });
+    Entry {
+        rows: rows.collect(),
+        steps: &violation.steps,
+        sentence: violation_sentence(case, violation, interval),
+    }
+}
+
+/// Draws what shares its columns.
+fn draw_group(case: &Case, entries: &[Entry], interval: i64, width: usize, lines: &mut Vec<Line>) {
+    let time = times(case, interval).map(|cells| Row {
+        kind: LineKind::Given,
+        name: TIME,
+        what: "",
+        cells,
+    });
+    let given = case.given.iter().map(|row| Row {
+        kind: LineKind::Given,
+        name: &row.name,
+        what: "",
+        cells: row
+            .values
+            .iter()
+            .map(|value| drawn(value.as_ref(), row.target.ty(), "."))
+            .collect(),
+    });
+    let given: Vec<Row> = time.into_iter().chain(given).collect();
+    let rows = || given.iter().chain(entries.iter().flat_map(|entry| &entry.rows));
+    let longest = rows().map(|row| row.name.width()).max().unwrap_or(0);
+    // `name  expected  `
+    let widest = rows().map(|row| row.what.len()).max().unwrap_or(0);
+    let label = |name: &str, what: &str| {
+        let gap = longest - name.width().min(longest);
+        let what = if widest > 0 {
+            format!("{what:<widest$}  ")
+        } else {
+            String::new()
+        };
+        format!("{name}{}  {what}", " ".repeat(gap))
+    };
+    let first = entries.iter().filter_map(|entry| entry.steps.first()).min();
+    let room = width.saturating_sub(longest + 12).max(20);
+    let table = Table::of(case.steps(), rows(), *first.unwrap_or(&0), room);
+    let drawn = |row: &Row| Line {
+        kind: row.kind,
+        text: (label(row.name, row.what) + &table.row(&row.cells))
+            .trim_end()
+            .to_owned(),
+    };
+    lines.extend(given.iter().map(drawn));
+    for entry in entries {
+        lines.extend(entry.rows.iter().map(drawn));
+        lines.push(Line {
+            kind: LineKind::Marks,
+            text: (label("", "") + &table.marks(entry.steps)).trim_end().to_owned(),
+        });
+        lines.push(Line {
+            kind: LineKind::Sentence,
+            text: entry.sentence.clone(),
+        });
+    }
+}
+
+/// How long each step is, as it may be written; nothing where all are alike.
+fn times(case: &Case, interval: i64) -> Option<Vec<Drawn>> {
+    let steps = &case.steps;
+    if matches!(steps, Steps::Even { .. }) {
+        return None;
+    }
+    let written = |step: usize| match steps.unusual(step) {
+        Some(scans) => {
+            let scans = i64::try_from(scans).unwrap_or(i64::MAX);
+            Drawn::Text(value_text::duration(scans.saturating_mul(interval)))
+        }
+        None => Drawn::Text(".".to_owned()),
+    };
+    Some((0..steps.count()).map(written).collect())
+}
+
+/// A violation in words: `"the contactors exclude each other" is violated in scan 3 (at 300ms)`.
+pub fn violation_sentence(case: &Case, violation: &Violation, interval: i64) -> String {
+    let time = i64::try_from(violation.scan)
+        .unwrap_or(i64::MAX)
+        .saturating_mul(interval);
+    let mut text = format!(
+        "the property \"{}\" is violated in scan {} (step {}, at {})",
+        violation.name,
+        violation.scan,
+        case.step_at(violation.scan),
+        value_text::duration(time)
+    );
+    if violation.scans > 1 {
+        text.push_str(&format!("; {} scans violate it", violation.scans));
+    }
+    text
+}
+
+/// Where a run leaves what is assumed, in words.
+pub fn outside_sentence(suite: &Suite, outside: &Outside, interval: i64) -> String {
+    let assumed = suite.assumptions.get(outside.assumption);
+    let time = i64::try_from(outside.scan)
+        .unwrap_or(i64::MAX)
+        .saturating_mul(interval);
+    format!(
+        "outside of what is assumed from scan {} (at {}) on, where `{}` does not hold: the properties are not watched from there",
+        outside.scan,
+        value_text::duration(time),
+        assumed.map_or("", |assumed| &assumed.text)
+    )
 }
 
 /// A difference in words: `run is FALSE in step 3 (at 300ms), TRUE was expected; 4 of 9 steps differ`.
@@ -192,15 +270,17 @@ pub fn sentence(case: &Case, ran: &Ran, difference: &Difference, interval: i64) 
 enum Drawn {
     /// One letter that fills its column.
     Level(char),
+    /// What stands where there is no value.
+    Nothing(&'static str),
     Text(String),
 }
 
-fn drawn(value: Option<&Value>, target: &Target, none: &str) -> Drawn {
+fn drawn(value: Option<&Value>, ty: Scalar, none: &'static str) -> Drawn {
     match value {
-        None => Drawn::Text(none.to_owned()),
+        None => Drawn::Nothing(none),
         Some(Value::Bool(high)) => Drawn::Level(if *high { '-' } else { '_' }),
         Some(value) => {
-            let text = value_text::display(value, target.ty());
+            let text = value_text::display(value, ty);
             Drawn::Text(match text.strip_prefix("T#") {
                 Some(duration) => duration.to_owned(),
                 None => text,
@@ -219,30 +299,17 @@ struct Table {
 }
 
 impl Table {
-    fn of(group: &Group, times: Option<&[String]>, room: usize) -> Table {
-        let mut widths = vec![1; group.case.steps()];
+    /// Columns of these rows, of which as many are shown as there is room for.
+    fn of<'r>(steps: usize, rows: impl Iterator<Item = &'r Row<'r>>, first: usize, room: usize) -> Table {
+        let mut widths = vec![1; steps];
         let mut has_texts = false;
-        let mut take = |step: usize, value: Option<&Value>, target: &Target| {
-            if let Drawn::Text(text) = drawn(value, target, ".") {
-                has_texts |= value.is_some();
-                widths[step] = widths[step].max(text.width());
+        for row in rows {
+            for (width, cell) in widths.iter_mut().zip(&row.cells) {
+                if let Drawn::Text(text) = cell {
+                    has_texts = true;
+                    *width = (*width).max(text.width());
+                }
             }
-        };
-        for row in &group.case.given {
-            for (step, value) in row.values.iter().enumerate() {
-                take(step, value.as_ref(), &row.target);
-            }
-        }
-        for difference in &group.differences {
-            let row = &group.case.expected[difference.row];
-            for (step, (wanted, _)) in row.values.iter().enumerate() {
-                take(step, wanted.as_ref(), &row.target);
-                take(step, group.ran.got[difference.row][step].as_ref(), &row.target);
-            }
-        }
-        for (width, time) in widths.iter_mut().zip(times.unwrap_or_default()) {
-            has_texts = true;
-            *width = (*width).max(time.width());
         }
         if has_texts {
             // A blank after each value.
@@ -250,12 +317,7 @@ impl Table {
                 *width += 1;
             }
         }
-        let first = group
-            .differences
-            .iter()
-            .filter_map(|difference| difference.steps.first())
-            .min();
-        let (from, to) = window(&widths, first.copied().unwrap_or(0), room);
+        let (from, to) = window(&widths, first, room);
         Table { widths, from, to }
     }
 
@@ -267,10 +329,8 @@ impl Table {
         for (cell, &width) in cells.iter().zip(&self.widths).take(self.to).skip(self.from) {
             match cell {
                 Drawn::Level(letter) => text.extend(std::iter::repeat_n(*letter, width)),
-                Drawn::Text(value) => {
-                    text.push_str(value);
-                    text.extend(std::iter::repeat_n(' ', width - value.width().min(width)));
-                }
+                Drawn::Nothing(value) => padded(&mut text, value, width),
+                Drawn::Text(value) => padded(&mut text, value, width),
             }
         }
         if self.to < self.widths.len() {
@@ -294,6 +354,11 @@ impl Table {
         }
         text.trim_end().to_owned()
     }
+}
+
+fn padded(text: &mut String, value: &str, width: usize) {
+    text.push_str(value);
+    text.extend(std::iter::repeat_n(' ', width - value.width().min(width)));
 }
 
 /// As many steps as there is room for, with the first difference in the left third of them.

@@ -7,9 +7,9 @@
 //!
 //! [`parse()`] needs no program and never fails: what it cannot read is a [`ScenarioError`], and it goes on in the next
 //! line. [`bind()`] asks a compiled program for the tags and reads the values in their types. [`run()`] plays one
-//! case from a cold start, and [`draw()`] shows the rows that came out differently. [`layout()`] puts a file's columns
+//! case from a cold start, watched by the monitors of the file's properties ([`bind_properties()`]), and [`draw()`] shows the
+//! rows that came out differently and the properties that were violated. [`layout()`] puts a file's columns
 //! straight.
-//! [`bind_properties()`] makes monitors of properties, which watch runs.
 
 mod bind;
 mod draw;
@@ -29,10 +29,11 @@ mod steps;
 #[cfg(test)]
 mod tests;
 mod tolerance;
+mod watch;
 mod words;
 
 pub use bind::{Case, bind};
-pub use draw::{Line, LineKind, draw, sentence};
+pub use draw::{Line, LineKind, draw, outside_sentence, sentence, violation_sentence};
 pub use error::ScenarioError;
 pub use layout::layout;
 pub use monitor::{Monitor, Watched, bind_properties};
@@ -40,7 +41,8 @@ pub use parse::{Cell, Direction, HEADINGS, Row, Scenario, Suite, TIME, TimeRow, 
 pub use play::Unmet;
 pub use property::{FORMS, Form, PROPERTY, Property, Span, Written};
 pub use record::{Recordable, Recorded, Wanted, passes, record, recordable, recorded_file};
-pub use run::{Difference, Ran, run};
+pub use run::{Difference, Ran, run, run_within};
 pub use run_text::{RunCell, RunRow, run_text};
 pub use tolerance::Tolerance;
+pub use watch::{Outside, Violation};
 pub use words::{Line as TextLine, Word};

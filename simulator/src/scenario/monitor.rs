@@ -5,10 +5,11 @@ use super::parse::Suite;
 use super::property::{Form, Written};
 use crate::expression::Expression;
 use crate::simulation::Simulation;
+use crate::tags::Point;
 use ladder_syntax::TextRange;
 
 /// The properties of a file, and what is assumed for them.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Watched {
     /// What goes into the program has this in every scan.
     pub assumptions: Vec<Expression>,
@@ -69,7 +70,41 @@ pub fn bind_properties(suite: &Suite, simulation: &Simulation) -> (Watched, Vec<
     (watched, errors)
 }
 
+impl Watched {
+    /// Watches from a cold start.
+    pub fn restart(&mut self) {
+        self.assumptions.iter_mut().for_each(Expression::forget);
+        self.properties.iter_mut().for_each(Monitor::restart);
+    }
+
+    /// The first assumption that a scan does not keep, in the order of the file. To be asked once after each scan.
+    pub fn broken_assumption(&mut self, simulation: &Simulation) -> Option<usize> {
+        let mut broken = None;
+        for (n, assumption) in self.assumptions.iter_mut().enumerate() {
+            if !assumption.holds(simulation).unwrap_or(false) && broken.is_none() {
+                broken = Some(n);
+            }
+        }
+        broken
+    }
+}
+
 impl Monitor {
+    /// The tags that it names.
+    pub fn points(&self) -> Vec<Point> {
+        let mut points: Vec<Point> = Vec::new();
+        let mut add = |expression: &Expression| {
+            expression.for_each_point(&mut |point| {
+                if !points.iter().any(|known| known.name == point.name) {
+                    points.push(point.clone());
+                }
+            });
+            Ok::<(), ()>(())
+        };
+        let _: Result<Form<()>, ()> = self.form.try_map(&mut add);
+        points
+    }
+
     /// Watches from a cold start.
     pub fn restart(&mut self) {
         (self.armed, self.waits) = (false, None);

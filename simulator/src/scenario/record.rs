@@ -5,6 +5,7 @@
 //! something else, that is reported.
 
 use super::bind::{MOST_SCANS, bind};
+use super::monitor::Watched;
 use super::parse::parse;
 use super::played::{Choice, Played};
 use super::run::{MOST_BLOCKS, run};
@@ -200,7 +201,7 @@ pub fn passes(session: &Session, recorded: &Recorded) -> bool {
         && errors.is_empty()
         && cases
             .iter()
-            .all(|case| run(case, &mut simulation, Simulation::scan).passed())
+            .all(|case| run(case, &mut Watched::default(), &mut simulation, Simulation::scan).passed())
 }
 
 /// The tags that a person chose.

@@ -1,7 +1,9 @@
 //! Playing a scenario.
 
 use super::bind::{Case, Expected, Target};
+use super::monitor::Watched;
 use super::tolerance::Tolerance;
+use super::watch::{Outside, Violation, Watch};
 use crate::fault::Fault;
 use crate::simulation::{Simulation, Status};
 use ladder_analysis::values::value::Value;
@@ -18,6 +20,10 @@ pub struct Ran {
     pub(super) got: Vec<Vec<Option<Value>>>,
     /// What is not as expected, row by row.
     pub differences: Vec<Difference>,
+    /// The properties that it violates, in the order of the file.
+    pub violations: Vec<Violation>,
+    /// Where it leaves what is assumed of what goes in.
+    pub outside: Option<Outside>,
     /// The faults that were recorded, in their order.
     pub faults: Vec<Fault>,
     /// How many scans were run.
@@ -27,9 +33,9 @@ pub struct Ran {
 }
 
 impl Ran {
-    /// Whether all is as expected.
+    /// Whether all is as expected, and no property is violated.
     pub fn passed(&self) -> bool {
-        self.differences.is_empty() && self.stopped.is_none()
+        self.differences.is_empty() && self.violations.is_empty() && self.stopped.is_none()
     }
 }
 
@@ -48,15 +54,22 @@ pub struct Difference {
     pub places: Vec<TextRange>,
 }
 
-/// Runs a scenario from a cold start. `scan` runs each scan, as [`Simulation::scan`] does.
-pub fn run(case: &Case, simulation: &mut Simulation, scan: impl FnMut(&mut Simulation) -> bool) -> Ran {
-    run_within(MOST_BLOCKS, case, simulation, scan)
+/// Runs a scenario from a cold start, and watches the properties of its file. `scan` runs each scan, as
+/// [`Simulation::scan`] does.
+pub fn run(
+    case: &Case,
+    watched: &mut Watched,
+    simulation: &mut Simulation,
+    scan: impl FnMut(&mut Simulation) -> bool,
+) -> Ran {
+    run_within(MOST_BLOCKS, case, watched, simulation, scan)
 }
 
 /// Runs a scenario that may do the work of this many blocks.
-pub(super) fn run_within(
+pub fn run_within(
     most: u64,
     case: &Case,
+    watched: &mut Watched,
     simulation: &mut Simulation,
     mut scan: impl FnMut(&mut Simulation) -> bool,
 ) -> Ran {
@@ -64,9 +77,12 @@ pub(super) fn run_within(
     simulation.reset();
     simulation.take_faults();
     simulation.take_serial();
+    let mut watch = Watch::new(watched);
     let mut ran = Ran {
         got: vec![Vec::with_capacity(case.steps()); case.expected.len()],
         differences: Vec::new(),
+        violations: Vec::new(),
+        outside: None,
         faults: Vec::new(),
         scans: 0,
         stopped: None,
@@ -75,14 +91,17 @@ pub(super) fn run_within(
     for step in 0..case.steps() {
         give(case, step, simulation);
         for _ in case.steps.begin(step)..case.steps.begin(step + 1) {
+            let faults = simulation.fault_count();
             if !scan(simulation) {
                 break;
             }
+            watch.scan(simulation, step, simulation.fault_count() > faults);
             if simulation.work() - begun > most {
                 simulation.exhaust(most);
                 break;
             }
         }
+        watch.step(simulation, step);
         ran.faults.extend(simulation.take_faults());
         let stopped = simulation.status() == Status::Faulted;
         if stopped && ran.stopped.is_none() {
@@ -100,6 +119,8 @@ pub(super) fn run_within(
         }
     }
     ran.scans = simulation.scans();
+    ran.outside = watch.outside;
+    ran.violations = watch.violations();
     compare(case, &mut ran);
     ran
 }

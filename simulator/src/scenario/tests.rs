@@ -1,6 +1,6 @@
 //! Scenarios as texts, with what is reported about them.
 
-use super::{Ran, bind, draw, parse, run};
+use super::{Ran, Watched, bind, draw, parse, run};
 use crate::simulation::{Options, Simulation};
 use expect_test::{Expect, expect};
 use ladder_syntax::LineIndex;
@@ -56,7 +56,7 @@ fn report(program: &str, text: &str, width: usize) -> String {
         return out;
     }
     for case in &cases {
-        let ran: Ran = run(case, &mut simulation, Simulation::scan);
+        let ran: Ran = run(case, &mut Watched::default(), &mut simulation, Simulation::scan);
         let word = if ran.passed() { "ok" } else { "FAILED" };
         out.push_str(&format!("{word} {}, {} scans\n", case.name, ran.scans));
         for line in draw(case, &ran, simulation.options().interval, width) {
@@ -608,7 +608,13 @@ fn a_scenario_does_a_bounded_amount_of_work() {
     let text = "program motor.clad\nstep 1000s\nscenario \"long\"\nstart _-_\nrun => _--\n";
     let (cases, errors) = bind(&parse(text), &simulation);
     assert_eq!(errors, []);
-    let ran = super::run::run_within(5000, &cases[0], &mut simulation, Simulation::scan);
+    let ran = super::run::run_within(
+        5000,
+        &cases[0],
+        &mut Watched::default(),
+        &mut simulation,
+        Simulation::scan,
+    );
     assert_eq!(ran.stopped, Some(0));
     assert!(ran.scans < 5000, "{}", ran.scans);
     expect!["all scans together have done the work of more than 5000 blocks; run fewer scans, or make the program do less in each"].assert_eq(&ran.faults[0].message);

@@ -194,6 +194,11 @@ impl Simulation {
         self.machine.now
     }
 
+    /// How many faults were recorded since they were last taken.
+    pub(crate) fn fault_count(&self) -> u64 {
+        self.machine.faults.len() as u64 + self.machine.faults_lost
+    }
+
     /// The faults that were recorded since they were last taken, oldest first.
     pub fn take_faults(&mut self) -> Vec<Fault> {
         self.machine.faults_lost = 0;

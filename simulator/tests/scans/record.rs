@@ -4,7 +4,7 @@ use crate::change_and_back::{Numbers, give, programs};
 use crate::support::{simulation, simulation_with};
 use expect_test::{Expect, expect};
 use ladder_analysis::values::value::Value;
-use ladder_simulator::scenario::{self, Recorded, Wanted, bind, parse, run};
+use ladder_simulator::scenario::{self, Recorded, Wanted, Watched, bind, parse, run};
 use ladder_simulator::value_text;
 use ladder_simulator::{HistoryLimits, Options, Session, Simulation};
 
@@ -66,7 +66,7 @@ fn passes(recorded: &Recorded, program: &str) {
     let (cases, errors) = bind(&suite, &simulation);
     assert_eq!(errors, [], "{}", recorded.text);
     for case in &cases {
-        let ran = run(case, &mut simulation, Simulation::scan);
+        let ran = run(case, &mut Watched::default(), &mut simulation, Simulation::scan);
         assert!(
             ran.passed(),
             "{:?}\n{}\n{program}",

@@ -39,7 +39,9 @@ pub(crate) fn check(data: &[u8]) {
     };
     let (cases, errors) = scenario::bind(&suite, &simulation);
     lie_in(&file, &errors);
-    if !suite.errors.is_empty() || !errors.is_empty() {
+    let (mut watched, of_properties) = scenario::bind_properties(&suite, &simulation);
+    lie_in(&file, &of_properties);
+    if !suite.errors.is_empty() || !errors.is_empty() || !of_properties.is_empty() {
         return;
     }
     let mut left = MOST_SCANS;
@@ -49,7 +51,7 @@ pub(crate) fn check(data: &[u8]) {
             return;
         }
         left -= scans;
-        let ran = scenario::run(case, &mut simulation, Simulation::scan);
+        let ran = scenario::run(case, &mut watched, &mut simulation, Simulation::scan);
         assert!(ran.scans <= scans, "{file}");
         for width in [20, 100] {
             let drawn = scenario::draw(case, &ran, options.interval, width);

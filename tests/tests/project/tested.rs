@@ -59,12 +59,13 @@ impl Tested {
         mut scan: impl FnMut(&mut Simulation) -> bool,
     ) -> Vec<String> {
         let (cases, errors) = scenario::bind(&self.suite, &self.simulation);
-        for error in self.suite.errors.iter().chain(&errors) {
+        let (mut watched, of_properties) = scenario::bind_properties(&self.suite, &self.simulation);
+        for error in self.suite.errors.iter().chain(&errors).chain(&of_properties) {
             problems.push(format!("{}: {}", self.file.display(), error.message));
         }
         let mut passed = Vec::new();
         for case in &cases {
-            let ran = scenario::run(case, &mut self.simulation, &mut scan);
+            let ran = scenario::run(case, &mut watched, &mut self.simulation, &mut scan);
             if ran.passed() {
                 passed.push(case.name.clone());
                 continue;

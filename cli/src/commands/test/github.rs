@@ -19,6 +19,10 @@ impl Writer for Github {
                 let line = annotation("warning", &fault.place, &title, &fault.message);
                 writeln!(out, "{line}")?;
             }
+            if let Some(outside) = &case.outside {
+                let line = annotation("warning", &case.place, &case.name, outside);
+                writeln!(out, "{line}")?;
+            }
             if case.passed {
                 continue;
             }

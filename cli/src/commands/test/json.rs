@@ -1,7 +1,7 @@
 //! Results for machines: one object. Its members are documented; nothing may be renamed.
 
 use super::coverage;
-use super::report::{CaseReport, DifferenceReport, FaultReport, FileReport};
+use super::report::{CaseReport, DifferenceReport, FaultReport, FileReport, ViolationReport};
 use super::{All, Writer};
 use crate::findings::{FileRange, Problem};
 use crate::json::to_writer;
@@ -87,6 +87,11 @@ struct Scenario<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     stopped_in_step: Option<usize>,
     differences: Vec<Difference<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    violations: Vec<Violation<'a>>,
+    /// Where it leaves what is assumed, in words.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    outside: Option<&'a str>,
     faults: Vec<Fault<'a>>,
     /// What is shown to people.
     #[serde(skip_serializing_if = "String::is_empty")]
@@ -105,6 +110,8 @@ impl<'a> Scenario<'a> {
             seconds: case.seconds,
             stopped_in_step: case.stopped,
             differences: case.differences.iter().map(Difference::new).collect(),
+            violations: case.violations.iter().map(Violation::new).collect(),
+            outside: case.outside.as_deref(),
             faults: case.faults.iter().map(Fault::new).collect(),
             diagram: case.drawn(),
         }
@@ -131,6 +138,30 @@ impl<'a> Difference<'a> {
             steps: &difference.steps,
             places: difference.places.iter().map(Place::new).collect(),
             message: &difference.sentence,
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Violation<'a> {
+    property: &'a str,
+    /// Of its name.
+    line: u32,
+    column: u32,
+    scan: u64,
+    steps: &'a [usize],
+    message: &'a str,
+}
+
+impl<'a> Violation<'a> {
+    fn new(violation: &'a ViolationReport) -> Violation<'a> {
+        Violation {
+            property: &violation.name,
+            line: violation.place.line,
+            column: violation.place.column,
+            scan: violation.scan,
+            steps: &violation.steps,
+            message: &violation.sentence,
         }
     }
 }

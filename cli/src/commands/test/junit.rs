@@ -83,7 +83,13 @@ impl Junit {
                 case.seconds,
                 case.place.line
             )?;
-            if case.passed && case.faults.is_empty() {
+            let said: Vec<String> = case
+                .outside
+                .iter()
+                .cloned()
+                .chain(case.faults.iter().map(super::report::FaultReport::line))
+                .collect();
+            if case.passed && said.is_empty() {
                 writeln!(out, "/>")?;
                 continue;
             }
@@ -96,12 +102,11 @@ impl Junit {
                     escaped(&case.drawn())
                 )?;
             }
-            if !case.faults.is_empty() {
-                let faults: Vec<String> = case.faults.iter().map(super::report::FaultReport::line).collect();
+            if !said.is_empty() {
                 writeln!(
                     out,
                     "      <system-err>{}</system-err>",
-                    escaped(&faults.join("\n"))
+                    escaped(&said.join("\n"))
                 )?;
             }
             writeln!(out, "    </testcase>")?;

@@ -56,6 +56,9 @@ impl People {
         if let Some(step) = case.stopped {
             writeln!(out, "{INDENT}the simulation stopped in step {step}")?;
         }
+        if let Some(outside) = &case.outside {
+            writeln!(out, "{INDENT}{}", self.paint(UNSURE, &shown::line(outside)))?;
+        }
         for fault in &case.faults {
             writeln!(out, "{INDENT}{}", fault.line())?;
         }
@@ -85,6 +88,7 @@ impl People {
 
 const GOOD: Style = AnsiColor::Green.on_default();
 const BAD: Style = AnsiColor::Red.on_default().bold();
+const UNSURE: Style = AnsiColor::Yellow.on_default();
 const FAINT: Style = AnsiColor::BrightBlack.on_default();
 
 impl Writer for People {
@@ -103,12 +107,14 @@ impl Writer for People {
             self.paint(Style::new().bold(), &shown::line(&report.file))
         )?;
         report.cases.iter().try_for_each(|case| self.case(case, out))?;
-        let has_them = match report.properties {
+        let (has_them, decides) = match report.properties {
             0 => return Ok(()),
-            1 => "1 property".to_owned(),
-            count => format!("{count} properties"),
+            1 => ("1 property".to_owned(), "decides it"),
+            count => (format!("{count} properties"), "decides them"),
         };
-        let line = format!("{has_them}: ladder prove {}", shown::line(&report.file));
+        let watched = if report.cases.is_empty() { "" } else { " watched" };
+        let file = shown::line(&report.file);
+        let line = format!("{has_them}{watched}; ladder prove {file} {decides} for all runs");
         writeln!(out, "        {}", self.paint(FAINT, &line))
     }
 

@@ -20,7 +20,7 @@ pub(super) struct FileReport {
     pub(super) seconds: f64,
     /// What the scenarios exercised, if that was asked for.
     pub(super) coverage: Option<Coverage>,
-    /// How many properties it has, which are for another command.
+    /// How many properties it has, which are watched in each scenario.
     pub(super) properties: usize,
 }
 
@@ -49,18 +49,22 @@ pub(super) struct CaseReport {
     /// What differs, drawn.
     pub(super) drawing: Vec<Line>,
     pub(super) differences: Vec<DifferenceReport>,
+    pub(super) violations: Vec<ViolationReport>,
+    /// Where it leaves what is assumed, in words.
+    pub(super) outside: Option<String>,
     pub(super) faults: Vec<FaultReport>,
     /// The simulation was stopped in this step.
     pub(super) stopped: Option<usize>,
 }
 
 impl CaseReport {
-    /// What is wrong, in one sentence for each row.
+    /// What is wrong, in one sentence for each row and property.
     pub(super) fn sentences(&self) -> Vec<String> {
         let mut sentences: Vec<String> = self
             .differences
             .iter()
             .map(|difference| difference.sentence.clone())
+            .chain(self.violations.iter().map(|violation| violation.sentence.clone()))
             .collect();
         if let Some(step) = self.stopped {
             sentences.push(format!("the simulation stopped in step {step}"));
@@ -68,7 +72,7 @@ impl CaseReport {
         sentences
     }
 
-    /// The place of the first value that is not met, else of the scenario's name.
+    /// The place of the first value that is not met, else of the scenario's name, whose run violates a property.
     pub(super) fn first_place(&self) -> &FileRange {
         self.differences
             .first()
@@ -89,6 +93,16 @@ pub(super) struct DifferenceReport {
     pub(super) steps: Vec<usize>,
     /// Where the values are that differ.
     pub(super) places: Vec<FileRange>,
+    pub(super) sentence: String,
+}
+
+/// A property that is violated.
+pub(super) struct ViolationReport {
+    pub(super) name: String,
+    /// Of its name.
+    pub(super) place: FileRange,
+    pub(super) scan: u64,
+    pub(super) steps: Vec<usize>,
     pub(super) sentence: String,
 }
 

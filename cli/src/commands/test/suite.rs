@@ -1,6 +1,6 @@
 //! One scenario file: its program is read, and its scenarios are run.
 
-use super::report::{CaseReport, DifferenceReport, FaultReport, FileReport};
+use super::report::{CaseReport, DifferenceReport, FaultReport, FileReport, ViolationReport};
 use crate::findings::{FileRange, Problem, Source, Workspaces};
 use crate::ready::{Ready, place_of};
 use annotate_snippets::Renderer;
@@ -62,9 +62,9 @@ fn play(path: &Path, source: &Source, wishes: &Wishes, report: &mut FileReport) 
     let Ready {
         suite,
         cases,
+        mut watched,
         mut simulation,
         program,
-        ..
     } = Ready::new(path, source, &wishes.renderer, &wishes.workspaces).map_err(|(problems, program)| {
         report.program = program;
         problems
@@ -77,10 +77,15 @@ fn play(path: &Path, source: &Source, wishes: &Wishes, report: &mut FileReport) 
             continue;
         }
         let began = Instant::now();
-        let ran = scenario::run(case, &mut simulation, |simulation| match &mut coverage {
-            Some(coverage) => coverage.scan(simulation),
-            None => simulation.scan(),
-        });
+        let ran = scenario::run(
+            case,
+            &mut watched,
+            &mut simulation,
+            |simulation| match &mut coverage {
+                Some(coverage) => coverage.scan(simulation),
+                None => simulation.scan(),
+            },
+        );
         let seconds = began.elapsed().as_secs_f64();
         let interval = simulation.options().interval;
         let drawing = if ran.passed() {
@@ -111,6 +116,19 @@ fn play(path: &Path, source: &Source, wishes: &Wishes, report: &mut FileReport) 
                     sentence: scenario::sentence(case, &ran, difference, interval),
                 })
                 .collect(),
+            violations: ran
+                .violations
+                .iter()
+                .map(|violation| ViolationReport {
+                    name: violation.name.clone(),
+                    place: FileRange::of(source, violation.range),
+                    scan: violation.scan,
+                    steps: violation.steps.clone(),
+                    sentence: scenario::violation_sentence(case, violation, interval),
+                })
+                .collect(),
+            outside: (ran.outside.as_ref())
+                .map(|outside| scenario::outside_sentence(&suite, outside, interval)),
             faults: ran
                 .faults
                 .iter()

@@ -19,6 +19,9 @@ function M.entries(report, folder)
       for _, difference in ipairs(scenario.differences) do
         add(file.file, difference, ('%s: %s'):format(scenario.name, difference.message))
       end
+      for _, violation in ipairs(scenario.violations or {}) do
+        add(file.file, violation, ('%s: %s'):format(scenario.name, violation.message))
+      end
       if scenario.stopped_in_step then
         local text = ('%s: the simulation stopped in step %d'):format(scenario.name, scenario.stopped_in_step)
         add(file.file, scenario, text)

@@ -5,7 +5,7 @@ use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
 use ladder_invariants::generator::Dice;
 use ladder_simulator::compiled::{Compiled, Home, compile};
-use ladder_simulator::scenario::{self, Case};
+use ladder_simulator::scenario::{self, Case, Watched};
 use ladder_simulator::{Options, Simulation};
 use std::fmt::Write;
 use std::sync::Arc;
@@ -132,7 +132,7 @@ pub(super) fn as_played(program: &Arc<Program>, interval: i64, case: &Case) -> O
     let mut simulation = Simulation::new(program.clone(), options).ok()?;
     let mut before = told.words(&simulation);
     let (mut told_of, mut scans, mut ran_last) = (0, 0, true);
-    let ran = scenario::run(case, &mut simulation, |simulation| {
+    let ran = scenario::run(case, &mut Watched::default(), &mut simulation, |simulation| {
         let now = told.words(simulation);
         let is_given = |n: &usize| told.places[*n].may_be_set && now[*n] != before[*n];
         let given: Vec<usize> = (0..now.len()).filter(is_given).collect();
