@@ -79,6 +79,24 @@ impl Ready {
     }
 }
 
+/// A program without scenarios, ready to run.
+///
+/// # Errors
+/// It cannot be read, or has errors.
+pub(crate) fn program_alone(
+    path: &Path,
+    renderer: &Renderer,
+    workspaces: &Mutex<Workspaces>,
+) -> Result<(Arc<Source>, Simulation), Vec<Problem>> {
+    let bytes = ladder_workspace::read_bytes(path).map_err(|error| {
+        let place = FileRange::start(&path.display().to_string());
+        vec![Problem::unusable(place, &error)]
+    })?;
+    let source = source_of(path, bytes, workspaces).map_err(|error| vec![broken_program(path, &error)])?;
+    let simulation = compile(path, &source, &scenario::parse(""), renderer)?;
+    Ok((Arc::new(source), simulation))
+}
+
 /// A program among the others of its workspace, which many files of scenarios share.
 fn source_of(program: &Path, bytes: Vec<u8>, workspaces: &Mutex<Workspaces>) -> Result<Source, NotRead> {
     let source = Source::of_bytes(program, bytes, None)?;

@@ -4,6 +4,8 @@ use anstyle::{AnsiColor, Style};
 use ladder_workspace::shown;
 use std::fmt::Display;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, StdoutLock, Write};
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
 
 const ERROR: Style = AnsiColor::BrightRed.on_default().bold();
 const WARNING: Style = AnsiColor::BrightYellow.on_default().bold();
@@ -81,6 +83,44 @@ pub(crate) fn is_interactive() -> bool {
 #[cfg(feature = "screen")]
 pub(crate) fn raw_stdout() -> io::Stdout {
     io::stdout()
+}
+
+/// A line on stderr that says how far something is that takes long. It is shown only on a terminal, and gone at the end.
+pub(crate) struct Progress {
+    /// When it was last written.
+    last: Option<Mutex<Instant>>,
+}
+
+/// It is written no more often.
+const BETWEEN: Duration = Duration::from_millis(100);
+
+impl Progress {
+    pub(crate) fn new() -> Progress {
+        let is_seen = io::stderr().is_terminal();
+        Progress {
+            last: is_seen.then(|| Mutex::new(Instant::now())),
+        }
+    }
+
+    /// Says how far it is, unless it did a moment ago.
+    pub(crate) fn say(&self, text: impl FnOnce() -> String) {
+        // Whoever comes while another one writes has nothing newer to say.
+        let Some(Ok(mut last)) = self.last.as_ref().map(Mutex::try_lock) else {
+            return;
+        };
+        if last.elapsed() >= BETWEEN {
+            let _ = write!(io::stderr(), "\r{}\x1b[K", text());
+            *last = Instant::now();
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        if self.last.is_some() {
+            let _ = write!(io::stderr(), "\r\x1b[K");
+        }
+    }
 }
 
 /// How wide lines may be: what the environment says, else what the terminal has, else 100.

@@ -10,6 +10,7 @@ use crate::number::Number;
 use crate::shown_tags::{Shared, Watched};
 use ladder_analysis::values::types::Scalar;
 use ladder_simulator::compiled::{Bit, Cell, Word, counterparts};
+use ladder_simulator::expression::Expression;
 use ladder_simulator::{Point, Simulation};
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -29,11 +30,16 @@ type Twin = (Kept, Kept, usize);
 ///
 /// # Errors
 /// One cannot be followed, or they do not take the same inputs: why.
-pub(crate) fn both(old: &Simulation, new: &Simulation, shared: &Shared) -> Result<Both, String> {
+pub(crate) fn both(
+    old: &Simulation,
+    new: &Simulation,
+    shared: &Shared,
+    assumptions: &[Expression],
+) -> Result<Both, String> {
     let counterparts = counterparts(old, new);
     let mut apart: FxHashSet<Twin> = FxHashSet::default();
     loop {
-        let two = Two::follow((old, new), shared, &counterparts, &apart)?;
+        let two = Two::follow((old, new), (shared, assumptions), &counterparts, &apart)?;
         let different = two.different();
         if different.is_empty() {
             return Ok(two.finish(&shared.watched));
@@ -59,14 +65,14 @@ const SYSTEM: Kept = Kept::Bit(u32::MAX);
 impl Two {
     fn follow(
         (old, new): (&Simulation, &Simulation),
-        shared: &Shared,
+        (shared, assumptions): (&Shared, &[Expression]),
         counterparts: &[(Cell, Cell)],
         apart: &FxHashSet<Twin>,
     ) -> Result<Two, String> {
         let mut world = World::default();
         let watched = &shared.watched;
         let points: Vec<Point> = watched.iter().map(|watched| watched.old.clone()).collect();
-        let before = follow_into(&mut world, old, &points);
+        let before = follow_into(&mut world, old, &points, assumptions);
         let cells = cells(&before, counterparts);
         let mut twins = Twins {
             names: shared.renamed.formerly(),
@@ -85,7 +91,7 @@ impl Two {
         }
         world.twins = twins;
         let points: Vec<Point> = watched.iter().map(|watched| watched.new.clone()).collect();
-        let after = follow_into(&mut world, new, &points);
+        let after = follow_into(&mut world, new, &points, &[]);
         if let Some(gap) = &world.blocked {
             return Err(gap.what.clone());
         }
@@ -181,6 +187,7 @@ impl Two {
         let pairs = apart.filter_map(|(old, new)| numbers[*old].zip(numbers[*new]));
         let pairs = pairs.collect();
         let mut assumed = std::mem::take(&mut world.valid);
+        assumed.extend(&self.before.assumed);
         assumed.retain(|lit| *lit != Lit::TRUE);
         differs.retain(|lit| *lit != Lit::FALSE);
         differs.sort_unstable();

@@ -8,6 +8,7 @@ use crate::shown_tags::{Shared, Watched};
 use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
+use ladder_simulator::scenario::Watched as Assumed;
 use ladder_simulator::{Point, Simulation, Status};
 
 /// Inputs under which two programs differ, and what each of them shows.
@@ -65,6 +66,8 @@ pub(crate) struct Stage<'s> {
     pub(crate) old: &'s mut Simulation,
     pub(crate) new: &'s mut Simulation,
     pub(crate) shared: &'s Shared,
+    /// What is assumed of the runs, as the old program has it.
+    pub(crate) assumed: &'s mut Assumed,
 }
 
 /// A tag that goes in: where it does, and what it holds if nothing is given.
@@ -97,6 +100,7 @@ impl Stage<'_> {
             simulation.reset();
             simulation.take_faults();
         }
+        self.assumed.restart();
     }
 
     fn given(&mut self, run: &Run, inputs: &[Input]) -> Vec<Given> {
@@ -140,7 +144,7 @@ impl Stage<'_> {
         })?
     }
 
-    /// Runs a scan: whether the programs differ after it. None: a scan cannot be run.
+    /// Runs a scan: whether the programs differ after it. None: it cannot be run, or leaves what is assumed.
     fn scan(&mut self, given: &[Given], scan: usize) -> Option<bool> {
         for (n, simulation) in [&mut *self.old, &mut *self.new].into_iter().enumerate() {
             for given in given {
@@ -150,6 +154,9 @@ impl Stage<'_> {
             if simulation.status() != Status::Ready || !simulation.scan() {
                 return None;
             }
+        }
+        if self.assumed.broken_assumption(self.old).is_some() {
+            return None;
         }
         let faulted = [&mut *self.old, &mut *self.new].map(|simulation| !simulation.take_faults().is_empty());
         let differs = self

@@ -37,7 +37,8 @@ pub use answer::{Answer, Options, Refuted, Shown, Times, Verdict, prove};
 pub use concrete::Concrete;
 pub use equal::{Compared, Difference, Meaning};
 pub use programs::{
-    Differing, Divergence, Limits, NotReproduced, Row, Which, Whole, compare_programs, outputs_of_one,
+    Differing, Divergence, Limits, NotReproduced, Row, Which, Whole, compare_programs,
+    compare_programs_assuming, outputs_of_one,
 };
 pub use said::drawn;
 pub use scenario_text::{found_scenario, rows_of, scenario_file, scenario_of_difference};

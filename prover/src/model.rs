@@ -78,6 +78,8 @@ pub(crate) fn build_with_points(simulation: &Simulation, times: Times) -> (Model
 pub(crate) struct Followed {
     /// What the points hold after the scan.
     pub(crate) points: Vec<Number>,
+    /// What is assumed of each scan.
+    pub(crate) assumed: Vec<Lit>,
     pub(crate) faulted: Lit,
     /// An earlier scan ended the program.
     pub(crate) is_over: Lit,
@@ -89,14 +91,24 @@ pub(crate) struct Followed {
 }
 
 /// Follows a program into a world, with exact times, and no texts among the points.
-pub(crate) fn follow_into(world: &mut World, simulation: &Simulation, points: &[Point]) -> Followed {
-    let seen: Vec<PointSlot> = points.iter().map(Point::slot).collect();
+pub(crate) fn follow_into(
+    world: &mut World,
+    simulation: &Simulation,
+    points: &[Point],
+    assumptions: &[Expression],
+) -> Followed {
+    let mut seen: Vec<PointSlot> = points.iter().map(Point::slot).collect();
+    for assumption in assumptions {
+        assumption.for_each_point(&mut |point| seen.push(point.slot()));
+    }
     follow(world, simulation, &seen, Times::Exact, |builder| {
+        let assumed = builder.assumed(assumptions);
         let points = points.iter().map(|point| builder.point(point)).collect();
         let kept = builder.memory.kept().collect();
         builder.memory.finish(builder.world);
         Followed {
             points,
+            assumed,
             faulted: builder.faulted,
             is_over: builder.is_over,
             system: builder.system.clone(),
@@ -205,12 +217,7 @@ impl<'w, 'c> Builder<'w, 'c> {
 
     /// Adds the properties, and ends the scan.
     fn properties(&mut self, watched: &Watched) -> Model {
-        let mut assumed: Vec<Lit> = Vec::new();
-        for assumption in &watched.assumptions {
-            let holds = self.holds(assumption);
-            // Nothing is checked after the end.
-            assumed.push(self.world.graph.or(holds, self.is_over));
-        }
+        let mut assumed = self.assumed(&watched.assumptions);
         let mut properties = Vec::new();
         for property in &watched.properties {
             self.fault = Lit::FALSE;
@@ -228,6 +235,15 @@ impl<'w, 'c> Builder<'w, 'c> {
             assumed,
             lemmas: Vec::new(),
         }
+    }
+
+    fn assumed(&mut self, assumptions: &[Expression]) -> Vec<Lit> {
+        let assumed = assumptions.iter().map(|assumption| {
+            let holds = self.holds(assumption);
+            // Nothing is checked after the end.
+            self.world.graph.or(holds, self.is_over)
+        });
+        assumed.collect()
     }
 
     fn form(&mut self, form: &Form<Expression>) -> (Lit, Option<Lit>) {

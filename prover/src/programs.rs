@@ -18,6 +18,7 @@ use crate::merged::{drop_seen, keep, merge};
 use crate::model::Model;
 use crate::shown_tags::{self, shared};
 use ladder_simulator::Simulation;
+use ladder_simulator::scenario::Watched as Assumed;
 use std::time::{Duration, Instant};
 
 /// How much may be done to compare two programs.
@@ -80,6 +81,19 @@ pub fn compare_programs(
     new: &mut Simulation,
     limits: Limits,
 ) -> Result<Whole, NotReproduced> {
+    compare_programs_assuming(old, new, &mut Assumed::default(), limits)
+}
+
+/// The same in runs in which something is assumed of what goes into the old program: runs in which that does not hold count for nothing.
+///
+/// # Errors
+/// See [`NotReproduced`].
+pub fn compare_programs_assuming(
+    old: &mut Simulation,
+    new: &mut Simulation,
+    assumed: &mut Assumed,
+    limits: Limits,
+) -> Result<Whole, NotReproduced> {
     let end = End::from(Instant::now() + limits.time);
     if old.options().interval != new.options().interval {
         return Ok(Whole::Unknown("the times between scans differ".into()));
@@ -88,7 +102,7 @@ pub fn compare_programs(
         Ok(shared) => shared,
         Err(why) => return Ok(Whole::Unknown(why)),
     };
-    let both = match both(old, new, &shared) {
+    let both = match both(old, new, &shared, &assumed.assumptions) {
         Ok(both) => both,
         Err(why) => return Ok(Whole::Unknown(why)),
     };
@@ -96,6 +110,7 @@ pub fn compare_programs(
         old,
         new,
         shared: &shared,
+        assumed,
     };
     let whole = Search {
         stage,

@@ -22,6 +22,7 @@ mod lsp;
 mod lsp_ending;
 mod lsp_recording;
 mod merge;
+mod mutation;
 mod new;
 mod outside;
 mod own_library;

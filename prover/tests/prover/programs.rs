@@ -2,7 +2,7 @@
 
 use super::simulation;
 use expect_test::{Expect, expect};
-use ladder_prover::{Divergence, Limits, Row, Whole, compare_programs};
+use ladder_prover::{Divergence, Limits, Row, Whole, compare_programs, compare_programs_assuming};
 use ladder_simulator::value_text;
 use std::fmt::Write;
 use std::time::{Duration, Instant};
@@ -269,4 +269,25 @@ fn what_is_not_known() {
             unknown: texts are not tracked, as in s
         "#]],
     );
+}
+
+/// What differs only where an assumption does not hold is the same; a run that is found keeps it.
+#[test]
+fn what_is_assumed_holds_in_the_runs() {
+    let old = "+--[ ]( a )--[ ]( b )--( )( y )--+\n+--[ ]( c )--( )( z )--+\n";
+    let new = "+--[ ]( a )--( )( y )--+\n+--[ ]( c )--( )( z )--+\n";
+    let both = |assumption: &str| {
+        let [mut old, mut new] = [old, new].map(|text| simulation(text, INTERVAL).expect("it has no errors"));
+        let suite = ladder_simulator::scenario::parse(&format!("program p.clad\nassume {assumption}\n"));
+        let (mut assumed, errors) = ladder_simulator::scenario::bind_properties(&suite, &old);
+        assert_eq!((suite.errors, errors), (Vec::new(), Vec::new()));
+        let limits = Limits::default();
+        compare_programs_assuming(&mut old, &mut new, &mut assumed, limits).expect("what is found happens")
+    };
+    assert_eq!(both("b or not a"), Whole::Same);
+    let Whole::Differs(found) = both("c or not a") else {
+        panic!("they differ");
+    };
+    let names: Vec<&str> = found.given.iter().map(|row| row.name.as_str()).collect();
+    assert_eq!(names, ["a", "c"]);
 }

@@ -14,6 +14,7 @@
 mod bind;
 mod draw;
 mod error;
+mod generated;
 mod layout;
 mod monitor;
 mod parse;
@@ -35,6 +36,7 @@ mod words;
 pub use bind::{Case, bind};
 pub use draw::{Line, LineKind, draw, outside_sentence, sentence, violation_sentence};
 pub use error::ScenarioError;
+pub use generated::{Columns, Given, scenario_of_inputs};
 pub use layout::layout;
 pub use monitor::{Monitor, Watched, bind_properties};
 pub use parse::{Cell, Direction, HEADINGS, Row, Scenario, Suite, TIME, TimeRow, parse};

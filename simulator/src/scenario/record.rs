@@ -371,7 +371,7 @@ fn differs(session: &Session, played: &Played, ends: &BTreeSet<u64>, scans: u64)
 }
 
 /// A value as a scenario has it; none if it could not be read back.
-fn written(value: &Value, ty: Scalar) -> Option<String> {
+pub(super) fn written(value: &Value, ty: Scalar) -> Option<String> {
     let text = value_text::display(value, ty);
     (value_text::parse(&text, ty).as_ref() == Ok(value)).then_some(text)
 }

@@ -115,28 +115,30 @@ fn heading(name: &str) -> String {
 /// The file, below its line with the program.
 pub(super) fn text(rows: &[RunRow], lengths: Lengths<'_>, name: &str) -> String {
     let step = lengths.step();
-    let mut text = format!(
+    let scans = i64::try_from(step).unwrap_or(i64::MAX);
+    layout(&format!(
         "step {}\ninterval {}\n\n{}",
-        short_duration(
-            i64::try_from(step)
-                .unwrap_or(i64::MAX)
-                .saturating_mul(lengths.interval)
-        ),
+        short_duration(scans.saturating_mul(lengths.interval)),
         short_duration(lengths.interval),
-        heading(name)
-    );
+        scenario(rows, lengths, name, step)
+    ))
+}
+
+/// The scenario alone, for a file whose steps have so many scans.
+pub(super) fn scenario(rows: &[RunRow], lengths: Lengths<'_>, name: &str, step: u64) -> String {
     let by_change = by_change(rows, lengths, step);
-    match even(rows, lengths, step) {
-        Some(even) if even.len() <= by_change.len() => text.push_str(&even),
-        _ => text.push_str(&by_change),
-    }
-    layout(&text)
+    let rows = match even(rows, lengths, step) {
+        Some(even) if even.len() <= by_change.len() => even,
+        _ => by_change,
+    };
+    heading(name) + &rows
 }
 
 /// All columns as long as the step, if that fits.
 fn even(rows: &[RunRow], lengths: Lengths<'_>, step: u64) -> Option<String> {
     let steps = lengths.columns.iter().sum::<u64>() / step;
-    if steps > WIDTH as u64 {
+    let is_whole = lengths.columns.iter().all(|length| length.is_multiple_of(step));
+    if !is_whole || steps > WIDTH as u64 {
         return None;
     }
     let mut text = String::new();

@@ -37,6 +37,8 @@ pub(super) struct CoveredPart {
     pub(super) off: bool,
     /// The network that it is in is reached.
     pub(super) reached: bool,
+    /// Of a contact or comparison in a program that was changed: a scenario fails when it is bridged, and when it is inverted.
+    pub(super) matters: Option<bool>,
 }
 
 impl Covered {
@@ -60,6 +62,24 @@ impl Covered {
                 parts: BTreeMap::new(),
             });
             file.add(index as u32, coverage);
+        }
+    }
+}
+
+impl Covered {
+    /// Whether it is known which contacts are shown to matter.
+    pub(super) fn was_mutated(&self) -> bool {
+        let mut parts = self.files.values().flat_map(|file| file.parts.values());
+        parts.any(|part| part.matters.is_some())
+    }
+
+    /// Notes which contacts and comparisons of a program are shown to matter, by where they begin.
+    pub(super) fn note_what_matters(&mut self, file: &str, matters: &BTreeMap<u32, bool>) {
+        let Some(file) = self.files.get_mut(file) else {
+            return;
+        };
+        for (start, part) in &mut file.parts {
+            part.matters = matters.get(start).copied();
         }
     }
 }
@@ -111,6 +131,7 @@ impl CoveredFile {
                 on: false,
                 off: false,
                 reached: false,
+                matters: None,
             });
         entry.on |= part.on;
         entry.off |= part.off;
@@ -189,7 +210,7 @@ pub(super) fn missed(covered: &Covered) -> Vec<Missed> {
         let parts = file
             .parts
             .iter()
-            .filter(|(_, part)| part.reached && !(part.on && part.off))
+            .filter(|(_, part)| part.reached && (!(part.on && part.off) || part.matters == Some(false)))
             .map(|(&start, part)| (start, &part.place, what_is_missing(part)));
         let mut all: Vec<(u32, &FileRange, String)> = networks.chain(parts).collect();
         all.sort_by_key(|(start, ..)| *start);
@@ -211,6 +232,7 @@ fn what_is_missing(part: &CoveredPart) -> String {
         (CoverageItemKind::Coil, false, true) => "never had power",
         (CoverageItemKind::Coil, true, false) => "was never without power",
         (CoverageItemKind::Coil, ..) => "was never reached",
+        (_, true, true) => "was seen open and closed, but no scenario shows that it matters",
         (_, true, _) => "was never open while power came to it",
         (_, false, true) => "was never closed while power came to it",
         (_, false, false) => "never had power coming to it",
@@ -218,7 +240,8 @@ fn what_is_missing(part: &CoveredPart) -> String {
     format!("this {name} {missing}")
 }
 
-fn excerpt(source: &Source, place: &FileRange, what: &str) -> Missed {
+/// The rung with the marks under one of its things.
+pub(super) fn excerpt(source: &Source, place: &FileRange, what: &str) -> Missed {
     let line = source
         .file_text()
         .lines()
@@ -288,6 +311,9 @@ struct PartObject {
     column: u32,
     on: bool,
     off: bool,
+    /// Whether a scenario shows that it matters, where that was tried.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    matters: Option<bool>,
 }
 
 /// What was exercised, for machines.
@@ -322,6 +348,7 @@ pub(super) fn json(covered: &Covered) -> impl Serialize + '_ {
                     column: part.place.column,
                     on: part.on,
                     off: part.off,
+                    matters: part.matters,
                 })
                 .collect(),
         }

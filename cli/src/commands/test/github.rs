@@ -1,5 +1,6 @@
 //! Results as GitHub shows them at the lines of a change.
 
+use super::mutation::Mutated;
 use super::report::FileReport;
 use super::{All, Writer};
 use crate::findings::annotation;
@@ -34,6 +35,13 @@ impl Writer for Github {
     }
 
     fn end(&mut self, all: &All, out: &mut dyn Write) -> io::Result<()> {
+        for (place, message) in all.mutated.iter().copied().flatten().flat_map(Mutated::missed) {
+            writeln!(
+                out,
+                "{}",
+                annotation("warning", &place, "no scenario notices this change", &message)
+            )?;
+        }
         let tally = all.tally;
         write!(
             out,

@@ -1,6 +1,7 @@
 //! Results for machines: one object. Its members are documented; nothing may be renamed.
 
 use super::coverage;
+use super::mutation;
 use super::report::{CaseReport, DifferenceReport, FaultReport, FileReport, ViolationReport};
 use super::{All, Writer};
 use crate::findings::{FileRange, Problem};
@@ -34,6 +35,10 @@ impl Writer for Json {
                 seconds: all.seconds,
             },
         )?;
+        if let Some(mutated) = all.mutated {
+            write!(out, ",\n\"mutation\": ")?;
+            to_writer(out, &mutation::json(mutated))?;
+        }
         if let Some(covered) = all.covered {
             write!(out, ",\n\"coverage\": ")?;
             to_writer(out, &coverage::json(covered))?;

@@ -1,5 +1,6 @@
 //! Results as XML in the form that JUnit began and build servers read.
 
+use super::mutation::Mutated;
 use super::report::FileReport;
 use super::{All, Writer};
 use crate::xml::{attribute, escaped};
@@ -29,6 +30,10 @@ impl Writer for Junit {
     }
 
     fn end(&mut self, all: &All, out: &mut dyn Write) -> io::Result<()> {
+        for mutated in all.mutated.unwrap_or_default() {
+            // Writing to a String does not fail.
+            let _ = self.changes(mutated);
+        }
         writeln!(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>")?;
         writeln!(
             out,
@@ -41,6 +46,29 @@ impl Writer for Junit {
 }
 
 impl Junit {
+    /// A change that no scenario notices is a test that fails.
+    fn changes(&mut self, mutated: &Mutated) -> std::fmt::Result {
+        let missed: Vec<_> = mutated.missed().collect();
+        let (program, count) = (attribute(mutated.program()), missed.len());
+        (self.tests, self.failures) = (self.tests + count, self.failures + count);
+        let out = &mut self.suites;
+        writeln!(
+            out,
+            "  <testsuite name=\"changes to {program}\" tests=\"{count}\" failures=\"{count}\" errors=\"0\" skipped=\"0\" \
+             time=\"0\" file=\"{program}\">"
+        )?;
+        for (place, message) in missed {
+            let (line, column, message) = (place.line, place.column, attribute(&message));
+            writeln!(
+                out,
+                "    <testcase name=\"{program}:{line}:{column}\" classname=\"{program}\" time=\"0\" file=\"{program}\" \
+                 line=\"{line}\">\n      <failure message=\"no scenario notices this change: {message}\" type=\"change\"/>\n    \
+                 </testcase>"
+            )?;
+        }
+        writeln!(out, "  </testsuite>")
+    }
+
     fn suite(
         &mut self,
         report: &FileReport,

@@ -30,7 +30,9 @@ fn record(name: &str, file: &CoveredFile) -> String {
     let mut numbers: BTreeMap<u32, u32> = BTreeMap::new();
     for part in contacts {
         let number = numbers.entry(part.place.line).or_default();
-        for (branch, seen) in [part.on, part.off].into_iter().enumerate() {
+        // Where it was tried, a third says whether a scenario shows that it matters.
+        let ways = [Some(part.on), Some(part.off), part.matters];
+        for (branch, seen) in ways.into_iter().flatten().enumerate() {
             let count = match (part.on || part.off, seen) {
                 (false, _) => "-",
                 (true, false) => "0",

@@ -5,6 +5,7 @@ mod github;
 mod json;
 mod junit;
 mod lcov;
+mod mutation;
 mod people;
 mod report;
 mod suite;
@@ -18,13 +19,14 @@ use annotate_snippets::Renderer;
 use clap::{Args, ValueEnum};
 use coverage::Covered;
 use ladder_workspace::shown;
+use mutation::{Asked, Mutated, Target};
 use report::{FileReport, Tally};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, mpsc};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 use suite::Wishes;
 
 const EXAMPLES: &str = "\
@@ -34,6 +36,8 @@ Examples:
   ladder test . --format junit > report.xml    for a build server
   ladder test . --coverage                     and what was never exercised
   ladder test . --watch                        again whenever a file changes
+  ladder test motor.ladder-test --mutate       how much the scenarios notice
+  ladder test motor.clad --generate            add scenarios for what they do not
 
 A file of scenarios, motor.ladder-test, says what goes into a program and what must come out of it:
 
@@ -48,8 +52,12 @@ A file of scenarios, motor.ladder-test, says what goes into a program and what m
 One column is one step: _ is low, - is high, . is as before (after => it is not checked). Numbers are with
 blanks between them.
 
-Exit status: 0 all is as expected, 1 a scenario failed, or a scenario file or its program has errors, 2 a file
-cannot be read, or no scenario has the name asked for.";
+With --mutate one thing after the other is changed in the program: a contact is inverted or bridged, an edge turned, a
+coil inverted, a comparison shifted, a timer of another kind. A change that no scenario notices is shown with a run that
+would notice it, unless it is proved that the program does the same.
+
+Exit status: 0 all is as expected, 1 a scenario failed, or a scenario file or its program has errors, or a change is
+not noticed (with --min-score: too many are not), 2 a file cannot be read, or no scenario has the name asked for.";
 
 /// Run the scenarios of programs
 ///
@@ -78,9 +86,33 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE")]
     coverage_output: Option<PathBuf>,
 
-    /// Replace the file for --coverage-output even if this command did not make it
-    #[arg(long, requires = "coverage_output")]
+    /// Replace the file for --coverage-output or --output even if this command did not make it
+    #[arg(long)]
     force: bool,
+
+    /// Change one thing after the other in the programs, and show which changes no scenario notices
+    ///
+    /// A PATH may then be a program too.
+    #[arg(long, conflicts_with = "watch")]
+    mutate: bool,
+
+    /// Write scenarios that notice what no scenario does, as the program is today; includes --mutate
+    ///
+    /// They are added to the program's first scenario file, or to a new one next to it. Check what they expect.
+    #[arg(long, conflicts_with = "watch")]
+    generate: bool,
+
+    /// Write the scenarios of --generate to this file
+    #[arg(long, short, value_name = "FILE", requires = "generate")]
+    output: Option<PathBuf>,
+
+    /// How many seconds --mutate may take
+    #[arg(long, value_name = "SECONDS", default_value_t = 120.0)]
+    time: f64,
+
+    /// With --mutate, end with exit status 1 only if a program has a lower score, in percent
+    #[arg(long, value_name = "PERCENT", value_parser = clap::value_parser!(u8).range(0..=100))]
+    min_score: Option<u8>,
 
     /// Run again whenever scenarios, a program or ladder.toml change, until Ctrl-C
     #[arg(long)]
@@ -112,6 +144,8 @@ struct All<'c> {
     tally: Tally,
     seconds: f64,
     covered: Option<&'c Covered>,
+    /// What came of changes to the programs, if they were asked for.
+    mutated: Option<&'c [Mutated]>,
 }
 
 /// What came of running all files once.
@@ -132,24 +166,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 /// Runs all files once.
 fn run_files(arguments: &Arguments) -> Result<Round, Failure> {
     let began = Instant::now();
-    if let Some(program) = arguments
-        .paths
-        .iter()
-        .find(|path| ladder_workspace::is_program(path))
-    {
-        return Err(Failure::new(format!(
-            "{}: this is a program; name the file with its scenarios, for example {}",
-            shown::path(program),
-            shown::path(&program.with_extension(ladder_workspace::SCENARIO_EXTENSION))
-        )));
-    }
+    let Paths { paths, programs } = Paths::of(arguments)?;
     if arguments.coverage_output.as_deref() == Some(Path::new("-")) {
         return Err(Failure::new(
             "--coverage-output needs a file: stdout has the results",
         ));
     }
-    let (files, errors) = ladder_workspace::find_scenarios(&arguments.paths);
+    let (files, errors) = ladder_workspace::find_scenarios(&paths);
     let mut outcome = unreadable(&errors);
+    if let Some(file) = &arguments.output {
+        may_write(file, Existing::by(arguments.force))?;
+    }
     if let Some(file) = &arguments.coverage_output {
         may_write(file, Existing::by(arguments.force))?;
     }
@@ -187,15 +214,33 @@ fn run_files(arguments: &Arguments) -> Result<Round, Failure> {
     {
         return Err(Failure::new(format!("no scenario has `{filter}` in its name")));
     }
-    if tally.files > 0 {
+    let seconds = began.elapsed().as_secs_f64();
+    let mutated = match arguments.mutate || arguments.generate {
+        false => None,
+        true => Some(mutate(arguments, (&files, &programs), &wishes, &mut outcome)?),
+    };
+    for mutated in mutated.iter().flatten() {
+        mutated.note_in(&mut covered);
+    }
+    if tally.files > 0 || mutated.as_ref().is_some_and(|mutated| !mutated.is_empty()) {
         let all = All {
             tally,
-            seconds: began.elapsed().as_secs_f64(),
+            seconds,
             covered: wishes.coverage.then_some(&covered),
+            mutated: mutated.as_deref(),
         };
         writer.end(&all, &mut out)?;
     }
     out.flush()?;
+    if arguments.generate {
+        let target = match &arguments.output {
+            Some(file) => Target::File(file.clone(), Existing::by(arguments.force)),
+            None => Target::InPlace,
+        };
+        for done in mutation::generate(mutated.as_deref().unwrap_or_default(), &target)? {
+            terminal::note(&done);
+        }
+    }
     if let Some(file) = &arguments.coverage_output {
         ladder_workspace::write(file, lcov::text(&covered).as_bytes())?;
     }
@@ -203,6 +248,76 @@ fn run_files(arguments: &Arguments) -> Result<Round, Failure> {
         outcome,
         nobody_reads: out.is_closed(),
     })
+}
+
+/// What is named.
+struct Paths {
+    /// Scenario files, and folders.
+    paths: Vec<PathBuf>,
+    /// Programs without scenarios.
+    programs: Vec<PathBuf>,
+}
+
+impl Paths {
+    fn of(arguments: &Arguments) -> Result<Paths, Failure> {
+        let mut all = Paths {
+            paths: Vec::new(),
+            programs: Vec::new(),
+        };
+        for path in &arguments.paths {
+            if !ladder_workspace::is_program(path) {
+                all.paths.push(path.clone());
+                continue;
+            }
+            let scenarios = path.with_extension(ladder_workspace::SCENARIO_EXTENSION);
+            if !(arguments.mutate || arguments.generate) {
+                return Err(Failure::new(format!(
+                    "{}: this is a program; name the file with its scenarios, for example {}",
+                    shown::path(path),
+                    shown::path(&scenarios)
+                )));
+            }
+            if scenarios.exists() {
+                all.paths.push(scenarios);
+            } else {
+                all.programs.push(path.clone());
+            }
+        }
+        Ok(all)
+    }
+}
+
+/// Changes the programs, and adds to the outcome whether that was noticed.
+fn mutate(
+    arguments: &Arguments,
+    (files, programs): (&[PathBuf], &[PathBuf]),
+    wishes: &Wishes,
+    outcome: &mut Outcome,
+) -> Result<Vec<Mutated>, Failure> {
+    if !arguments.time.is_finite() || !(0.0..=1e6).contains(&arguments.time) {
+        return Err(Failure::new("--time takes a number of seconds, such as 60"));
+    }
+    let asked = Asked {
+        files,
+        programs,
+        time: Duration::from_secs_f64(arguments.time),
+    };
+    let mutated = mutation::mutate(&asked, wishes).unwrap_or_else(|problems| {
+        for problem in &problems {
+            terminal::plain(&format_args!("{}\n", problem.shown));
+            *outcome = (*outcome).max(problem.outcome);
+        }
+        Vec::new()
+    });
+    let is_enough = |mutated: &Mutated| match (mutated.score().percent(), arguments.min_score) {
+        (None, _) => true,
+        (Some(percent), Some(least)) => percent >= usize::from(least),
+        (Some(percent), None) => percent == 100,
+    };
+    if !mutated.iter().all(is_enough) {
+        *outcome = (*outcome).max(Outcome::Findings);
+    }
+    Ok(mutated)
 }
 
 /// Runs the files on all processors, and gives their reports in the order of the files, each as soon as it can be.

@@ -1,6 +1,7 @@
 //! Results for people: a line for each scenario, and what differs below those that failed.
 
 use super::coverage::{self, Covered};
+use super::mutation;
 use super::report::{CaseReport, FileReport};
 use super::{All, Writer};
 use anstyle::{AnsiColor, Style};
@@ -74,10 +75,14 @@ impl People {
         writeln!(out, "\n{}", self.paint(Style::new().bold(), "Coverage"))?;
         write!(out, "{}", coverage::table(covered))?;
         let missed = coverage::missed(covered);
+        let heading = match covered.was_mutated() {
+            true => "Never exercised, or not shown to matter",
+            false => "Never exercised",
+        };
         if missed.is_empty() {
             return Ok(());
         }
-        writeln!(out, "\n{}", self.paint(Style::new().bold(), "Never exercised"))?;
+        writeln!(out, "\n{}", self.paint(Style::new().bold(), heading))?;
         for place in missed {
             writeln!(out, "  {}\n    {}", place.title, place.rung)?;
             writeln!(out, "    {}", self.paint(BAD, &place.marks))?;
@@ -124,6 +129,16 @@ impl Writer for People {
             self.covered(covered, out)?;
             self.separated = false;
         }
+        if all.tally.files > 0 {
+            self.sum(all, out)?;
+        }
+        let (colours, mutated) = (self.colours, all.mutated);
+        mutated.map_or(Ok(()), |mutated| mutation::People { mutated, colours }.write(out))
+    }
+}
+
+impl People {
+    fn sum(&self, all: &All, out: &mut dyn Write) -> io::Result<()> {
         if !self.separated {
             writeln!(out)?;
         }

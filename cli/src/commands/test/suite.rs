@@ -23,6 +23,14 @@ pub(super) struct Wishes {
     pub(super) workspaces: Mutex<Workspaces>,
 }
 
+impl Wishes {
+    /// Whether a scenario of this name is to be run.
+    pub(super) fn wants(&self, name: &str) -> bool {
+        let holds = |filter: &String| name.to_lowercase().contains(filter);
+        self.filter.as_ref().is_none_or(holds)
+    }
+}
+
 /// Runs the scenarios of a file.
 pub(super) fn run(path: &Path, wishes: &Wishes) -> FileReport {
     let began = Instant::now();
@@ -72,8 +80,7 @@ fn play(path: &Path, source: &Source, wishes: &Wishes, report: &mut FileReport) 
     let files = simulation.program().files.clone();
     let mut coverage = wishes.coverage.then(|| Coverage::of(&mut simulation));
     for case in &cases {
-        let wanted = |filter: &String| case.name.to_lowercase().contains(filter);
-        if !wishes.filter.as_ref().is_none_or(wanted) {
+        if !wishes.wants(&case.name) {
             continue;
         }
         let began = Instant::now();
