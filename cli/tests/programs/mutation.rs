@@ -217,7 +217,8 @@ fn a_program_without_scenarios_gets_a_file() {
         start    -
         stop     -
         run   => _
-    "#]].assert_eq(&folder.read("motor.ladder-test"));
+    "#]]
+    .assert_eq(&folder.read("motor.ladder-test"));
     let tested = folder
         .ladder(&["test", "--mutate", "motor.ladder-test"])
         .to_string();

@@ -215,9 +215,10 @@ fn run_files(arguments: &Arguments) -> Result<Round, Failure> {
         return Err(Failure::new(format!("no scenario has `{filter}` in its name")));
     }
     let seconds = began.elapsed().as_secs_f64();
-    let mutated = match arguments.mutate || arguments.generate {
-        false => None,
-        true => Some(mutate(arguments, (&files, &programs), &wishes, &mut outcome)?),
+    let mutated = if arguments.mutate || arguments.generate {
+        Some(mutate(arguments, (&files, &programs), &wishes, &mut outcome)?)
+    } else {
+        None
     };
     for mutated in mutated.iter().flatten() {
         mutated.note_in(&mut covered);

@@ -75,9 +75,10 @@ impl People {
         writeln!(out, "\n{}", self.paint(Style::new().bold(), "Coverage"))?;
         write!(out, "{}", coverage::table(covered))?;
         let missed = coverage::missed(covered);
-        let heading = match covered.was_mutated() {
-            true => "Never exercised, or not shown to matter",
-            false => "Never exercised",
+        let heading = if covered.was_mutated() {
+            "Never exercised, or not shown to matter"
+        } else {
+            "Never exercised"
         };
         if missed.is_empty() {
             return Ok(());

@@ -124,9 +124,8 @@ fn preset(program: &Program, block: &Block, row: &Instruction) -> Option<(Kind, 
     let Argument::Value(Expr { kind, ty, .. }) = &argument.argument else {
         return None;
     };
-    let number = match constant(program, kind)? {
-        Value::Int(number) => number,
-        _ => return None,
+    let Value::Int(number) = constant(program, kind)? else {
+        return None;
     };
     let (value, done) = match number {
         0 => return None,

@@ -5,7 +5,7 @@ use super::{Change, Mutated};
 use serde::Serialize;
 
 #[derive(Serialize)]
-struct Program<'a> {
+struct OfProgram<'a> {
     program: &'a str,
     /// The scenario that fails though nothing was changed: then no change was tried.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -47,13 +47,13 @@ pub(in super::super) fn json(mutated: &[Mutated]) -> impl Serialize + '_ {
     mutated.iter().map(program).collect::<Vec<_>>()
 }
 
-fn program(mutated: &Mutated) -> Program<'_> {
+fn program(mutated: &Mutated) -> OfProgram<'_> {
     let score = mutated.score();
     let uncaught = mutated
         .changes
         .iter()
         .filter(|(_, fate)| !matches!(fate, Fate::Caught));
-    Program {
+    OfProgram {
         program: &mutated.subject.source.file,
         fails: mutated.subject.fails.as_deref(),
         caught: score.caught,
