@@ -167,7 +167,7 @@ fn generated_scenarios_are_added_and_notice_what_they_claim() {
     expect![[r#"
 
         # Generated, to be checked: this is what the program does today. It notices when
-        #   [/]( b ) becomes --------
+        #   [/]( b ) becomes -------- in line 4
         scenario "generated 1: [/]( b )"
         a    ----
         b    __--
@@ -202,17 +202,17 @@ fn a_program_without_scenarios_gets_a_file() {
         interval 10ms
 
         # Generated, to be checked: this is what the program does today. It notices when
-        #   [ ]( start ) becomes [/]( start )
-        #   [ ]( start ) becomes --------
-        #   ( )( run ) becomes (/)( run )
-        #   [ ]( run ) becomes [/]( run )
+        #   [ ]( start ) becomes [/]( start ) in line 1
+        #   [ ]( start ) becomes -------- in line 1
+        #   ( )( run ) becomes (/)( run ) in line 1
+        #   [ ]( run ) becomes [/]( run ) in line 2
         #   and of 1 more
         scenario "generated 1: [ ]( start )"
         run => _
 
         # Generated, to be checked: this is what the program does today. It notices when
-        #   [/]( stop ) becomes [ ]( stop )
-        #   [/]( stop ) becomes --------
+        #   [/]( stop ) becomes [ ]( stop ) in line 1
+        #   [/]( stop ) becomes -------- in line 1
         scenario "generated 2: [/]( stop )"
         start    -
         stop     -

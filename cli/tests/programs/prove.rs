@@ -379,10 +379,10 @@ fn a_long_run_has_a_column_for_each_stretch_in_which_nothing_changes() {
         interval 10ms
 
         scenario "never warm is violated"
-        time     1.13s 70ms 800ms .
-        stop     _     _    _     _
-        start    -     _    -     -
-        ready => _     _    _     -
+        time     1.37s 180ms 450ms .
+        stop     _     _     _     _
+        start    -     _     -     -
+        ready => _     _     _     -
     "#]]
     .assert_eq(&folder.read("found.ladder-test"));
     let tested = folder.ladder(&["test", "found.ladder-test"]).to_string();

@@ -52,12 +52,13 @@ A file of scenarios, motor.ladder-test, says what goes into a program and what m
 One column is one step: _ is low, - is high, . is as before (after => it is not checked). Numbers are with
 blanks between them.
 
-With --mutate one thing after the other is changed in the program: a contact is inverted or bridged, an edge turned, a
-coil inverted, a comparison shifted, a timer of another kind. A change that no scenario notices is shown with a run that
-would notice it, unless it is proved that the program does the same.
+With --mutate one thing after the other is changed in the program: a contact is inverted or bridged, an edge
+turned, a coil inverted, a comparison shifted, a timer of another kind. A change that no scenario notices is shown
+with a run that would notice it, unless it is proved that the program does the same.
 
-Exit status: 0 all is as expected, 1 a scenario failed, or a scenario file or its program has errors, or a change is
-not noticed (with --min-score: too many are not), 2 a file cannot be read, or no scenario has the name asked for.";
+Exit status: 0 all is as expected, 1 a scenario failed, or a scenario file or its program has errors, or a
+change is not noticed (with --min-score: too many are not), 2 a file cannot be read, or no scenario has the name
+asked for.";
 
 /// Run the scenarios of programs
 ///

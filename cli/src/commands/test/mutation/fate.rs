@@ -56,25 +56,32 @@ pub(super) fn of_uncaught(subject: &Subject, changed: &Arc<Program>, end: Instan
         time: left.min(EACH),
         ..Limits::default()
     };
-    let missed = |run: Run| run.shown_to_differ(subject, changed, width).map(Fate::Missed);
+    let shown = |run: Run| run.shown_to_differ(subject, changed, width);
     let (mut watched, _) = scenario::bind_properties(&subject.tested[0].suite, &old);
-    let why = match compare_programs_assuming(&mut old, &mut new, &mut watched, limits) {
+    let found = match compare_programs_assuming(&mut old, &mut new, &mut watched, limits) {
         Ok(Whole::Same) => return Fate::Same,
         Ok(Whole::Differs(divergence)) => {
             let found = Run::of(&mut old, &divergence);
-            match found
-                .ok_or("it differs in a run that is no scenario".to_owned())
-                .and_then(missed)
-            {
-                Ok(fate) => return fate,
-                Err(why) => why,
+            let found = found.ok_or("it differs in a run that is no scenario".to_owned());
+            match found.and_then(shown) {
+                Ok(run) if divergence.scans <= MOST_STEPS => return Fate::Missed(run),
+                other => other,
             }
         }
-        Ok(Whole::Unknown(why)) => why,
-        Err(_) => "a difference was found that the simulator does not have: please report this".into(),
+        Ok(Whole::Unknown(why)) => Err(why),
+        Err(_) => Err("a difference was found that the simulator does not have: please report this".into()),
     };
-    let mut held = held::differences(subject, (old, new)).filter_map(|run| missed(run).ok());
-    held.next().unwrap_or(Fate::Unknown(why))
+    let (found, why) = match found {
+        Ok(run) => (Some(run), String::new()),
+        Err(why) => (None, why),
+    };
+    // What a person wrote, held on, is easier to read than a long run that was found by chance.
+    let held = held::differences(subject, (old, new)).filter_map(|run| shown(run).ok());
+    let held = held.map(|run| (run.changes(), run.scans, run));
+    let easiest = held
+        .chain(found.map(|run| (run.changes(), usize::MAX, run)))
+        .min_by_key(|(changes, scans, _)| (*changes, *scans));
+    easiest.map_or(Fate::Unknown(why), |(.., run)| Fate::Missed(run))
 }
 
 impl Run {
@@ -117,6 +124,12 @@ impl Run {
             columns: Columns::Stretches,
             drawing: Vec::new(),
         }
+    }
+
+    /// How often what is given changes.
+    fn changes(&self) -> usize {
+        let changes = |values: &[Value]| values.windows(2).filter(|pair| pair[0] != pair[1]).count();
+        self.given.iter().map(|(_, values)| changes(values)).sum()
     }
 
     /// The drawing as plain text.

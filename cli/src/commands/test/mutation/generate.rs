@@ -159,7 +159,10 @@ impl Chosen<'_> {
             "# Generated, to be checked: this is what the program does today. It notices when\n".to_owned();
         for change in self.catches.iter().take(MOST_NAMED) {
             let (before, after) = (change.before(&subject.source), change.after(&subject.source));
-            text.push_str(&format!("#   {} becomes {}\n", written(before), written(&after)));
+            let at = subject.source.range_in_file(change.location.range).start();
+            let line = subject.source.place(at).line;
+            let (before, after) = (written(before), written(&after));
+            text.push_str(&format!("#   {before} becomes {after} in line {line}\n"));
         }
         if let Some(more) = self
             .catches
