@@ -37,7 +37,7 @@ Examples:
   ladder test . --coverage                     and what was never exercised
   ladder test . --watch                        again whenever a file changes
   ladder test motor.ladder-test --mutate       how much the scenarios notice
-  ladder test motor.clad --generate            add scenarios for what they do not
+  ladder test motor.clad --generate            add scenarios for the rest
 
 A file of scenarios, motor.ladder-test, says what goes into a program and what must come out of it:
 
