@@ -35,7 +35,7 @@ pub(super) struct Body<'b> {
     pub(super) graph: &'b Graph,
     pub(super) made: &'b mut Made,
     pub(super) reading: &'b mut Reading,
-    evaluation: Evaluation,
+    pub(super) evaluation: Evaluation,
     pub(super) uses: HashMap<End, Vec<usize>>,
     /// What became of each element, where it is not the same.
     outcomes: Vec<Option<Outcome>>,
@@ -45,6 +45,8 @@ pub(super) struct Body<'b> {
     pub(super) merged: Vec<bool>,
     /// The tags that hold results, and power at points of the drawing.
     pub(super) results: HashMap<End, String>,
+    /// The tags that are high while a contact sees its edge, for the next network.
+    pub(super) edges: HashMap<usize, String>,
     /// The tags for power after blocks.
     pub(super) holders: HashMap<End, String>,
     /// What else is written where a block has power: the variables that take its result.
@@ -56,10 +58,14 @@ pub(super) struct Body<'b> {
     /// What is done in the next network, and what feeds it.
     group: Vec<usize>,
     shown: HashSet<usize>,
-    work: usize,
+    pub(super) work: usize,
     pieces: usize,
+    /// The drawing is taken apart.
+    pub(super) is_in_pieces: bool,
     /// The characters of all networks so far.
     pub(super) characters: usize,
+    /// The tags that something in the drawing writes, in small letters.
+    pub(super) written: HashSet<String>,
     /// The elements that stand somewhere, or are operands.
     pub(super) seen: Vec<bool>,
     comments: Vec<String>,
@@ -95,6 +101,7 @@ impl<'b> Body<'b> {
             executed: vec![false; count],
             merged: vec![false; count],
             results: HashMap::new(),
+            edges: HashMap::new(),
             holders: HashMap::new(),
             moves: HashMap::new(),
             operands: HashMap::new(),
@@ -103,13 +110,16 @@ impl<'b> Body<'b> {
             shown: HashSet::new(),
             work: 0,
             pieces: 0,
+            is_in_pieces: false,
             characters: 0,
+            written: HashSet::new(),
             seen: vec![false; count],
             comments: Vec::new(),
             next: Vec::new(),
             types: HashMap::new(),
         };
         body.names();
+        body.written = (0..count).flat_map(|node| body.writes(node)).collect();
         for node in graph.in_order() {
             body.element(node);
         }
@@ -259,12 +269,22 @@ impl<'b> Body<'b> {
             self.lose(node, "the drawing is larger than what can be read");
             return;
         }
-        self.prepare(node);
-        if self.executed[node] || self.merged[node] {
+        if self.take_turns(node) {
+            self.flush();
+            self.prepare(node);
+            if !self.executed[node] && !self.merged[node] {
+                self.group.push(node);
+                self.flush();
+            }
+            self.edges.clear();
             return;
         }
-        if !self.goes_on(&own) {
+        self.prepare(node);
+        if !self.goes_on(node, &own) {
             self.flush();
+        }
+        if self.executed[node] || self.merged[node] {
+            return;
         }
         self.shown.extend(own);
         self.group.push(node);
@@ -272,7 +292,7 @@ impl<'b> Body<'b> {
 
     /// Whether what feeds an element belongs into the network so far: something of it stands there, and reads nothing
     /// that is written in it before. Else all of it is read again.
-    fn goes_on(&self, own: &HashSet<usize>) -> bool {
+    fn goes_on(&self, node: usize, own: &HashSet<usize>) -> bool {
         let mut both = own.intersection(&self.shown).peekable();
         if both.peek().is_none() {
             return self.group.is_empty();
@@ -281,11 +301,12 @@ impl<'b> Body<'b> {
             return true;
         }
         let written: HashSet<String> = self.group.iter().flat_map(|node| self.writes(*node)).collect();
-        !both.any(|both| self.reads(*both).iter().any(|tag| written.contains(tag)))
+        let is_written = |node: &usize| self.reads(*node).iter().any(|tag| written.contains(tag));
+        !both.any(is_written) && !self.falls_within(node, None).iter().any(is_written)
     }
 
     /// All elements that power goes through on its way to an element.
-    fn feeds(&self, node: usize, all: &mut HashSet<usize>) {
+    pub(super) fn feeds(&self, node: usize, all: &mut HashSet<usize>) {
         let mut waiting = vec![node];
         while let Some(node) = waiting.pop() {
             if self.graph.nodes[node].kind == Kind::LeftRail || !all.insert(node) {
@@ -302,7 +323,7 @@ impl<'b> Body<'b> {
         }
     }
 
-    fn reads(&self, node: usize) -> Vec<String> {
+    pub(super) fn reads(&self, node: usize) -> Vec<String> {
         match &self.graph.nodes[node].kind {
             Kind::Contact(text, _) | Kind::Value(text, _) => {
                 self.operand(text).map(|it| it.reads).unwrap_or_default()
@@ -311,7 +332,7 @@ impl<'b> Body<'b> {
         }
     }
 
-    fn writes(&self, node: usize) -> Vec<String> {
+    pub(super) fn writes(&self, node: usize) -> Vec<String> {
         match &self.graph.nodes[node].kind {
             Kind::Coil(text, ..) | Kind::Variable(text, _) => {
                 self.operand(text).map(|it| it.reads).unwrap_or_default()
@@ -351,10 +372,11 @@ impl<'b> Body<'b> {
             return;
         }
         for target in targets {
-            if let Target::Root(node) = target
-                && self.executed[node]
-            {
-                continue;
+            if let Target::Root(node) = target {
+                self.run_blocks_before(node);
+                if self.executed[node] {
+                    continue;
+                }
             }
             if !self.network(std::slice::from_ref(&target)) {
                 self.in_pieces(target);
@@ -388,8 +410,24 @@ impl<'b> Body<'b> {
             .collect()
     }
 
-    /// Draws a network, if it can be drawn as one.
+    /// Draws a network, if it can be drawn as one, and above it what sees the falls in it.
     pub(super) fn network(&mut self, targets: &[Target]) -> bool {
+        let (items, helpers) = (self.made.items.len(), self.made.helpers.len());
+        let comments = self.comments.clone();
+        let falls = self.see_falls(targets);
+        let is_drawn = self.one_network(targets);
+        for contact in falls {
+            self.edges.remove(&contact);
+        }
+        if !is_drawn {
+            self.made.items.truncate(items);
+            self.made.helpers.truncate(helpers);
+            self.comments = comments;
+        }
+        is_drawn
+    }
+
+    fn one_network(&mut self, targets: &[Target]) -> bool {
         loop {
             match Drawn::of(self, targets) {
                 Ok(Some(drawn)) => {
@@ -414,9 +452,11 @@ impl<'b> Body<'b> {
     /// A network that is not of series and branches: power at its points goes into tags, one network each.
     pub(super) fn in_pieces(&mut self, target: Target) {
         let node = match target {
-            Target::Root(node) | Target::Pin(node, ..) => node,
+            Target::Root(node) | Target::Pin(node, ..) | Target::Edge(node, _) => node,
             Target::End(end, _) | Target::Value(end, _) => end.node,
         };
+        self.run_blocks_before(node);
+        self.is_in_pieces = true;
         let mut cuts = Vec::new();
         let ends = self.ends_before(node);
         self.pieces += ends.len();
@@ -438,6 +478,7 @@ impl<'b> Body<'b> {
         if !self.network(std::slice::from_ref(&target)) {
             self.lose(node, "the drawing is larger than what can be drawn");
         }
+        self.is_in_pieces = false;
         for end in cuts {
             self.results.remove(&end);
         }

@@ -21,6 +21,8 @@ pub(super) enum Target {
     End(End, String),
     /// The value of an expression goes into a tag.
     Value(End, String),
+    /// What a contact sees of its tag's edges goes into a tag.
+    Edge(usize, String),
 }
 
 /// A network has no more elements.
@@ -141,6 +143,15 @@ impl Pencil<'_, '_> {
             Target::End(end, tag) => {
                 let before = self.end(*end, RAIL)?;
                 self.last(before, format!("( )( {tag} )"), end.node);
+                Ok(())
+            }
+            Target::Edge(node, tag) => {
+                if let Kind::Contact(text, modifier) = &self.body.graph.nodes[*node].kind {
+                    let read = self.tag(*node, text)?;
+                    let texts = self.contact(*node, &read, *modifier, true);
+                    let before = self.series(RAIL, texts, *node);
+                    self.last(before, format!("( )( {tag} )"), *node);
+                }
                 Ok(())
             }
             Target::Value(end, tag) => {
@@ -318,7 +329,7 @@ impl Pencil<'_, '_> {
                     let point = self.point();
                     self.join(points, point);
                     // Where a tag holds one of them, each pin has a contact of its own.
-                    if !ends.iter().any(|end| self.body.results.contains_key(end)) {
+                    if !ends.iter().any(|end| self.has_tag(*end)) {
                         self.joins.insert((ends.to_vec(), start), point);
                     }
                     point
@@ -359,6 +370,16 @@ impl Pencil<'_, '_> {
         Ok(self.series(start, [format!("{contact}( {} )", operand.text)], end.node))
     }
 
+    /// Whether a tag holds what leaves an output. Tags that the source has count only where the drawing is taken apart.
+    fn has_tag(&self, end: End) -> bool {
+        let is_named = match self.body.graph.nodes[end.node].kind {
+            Kind::Value(..) | Kind::Variable(..) => true,
+            Kind::Block { .. } => self.body.executed[end.node],
+            _ => false,
+        };
+        self.body.results.contains_key(&end) || (self.body.is_in_pieces && is_named)
+    }
+
     /// The point that an output is.
     fn end(&mut self, end: End, start: usize) -> Result<usize, Refused> {
         if let Some(point) = self.ends.get(&(end, start)) {
@@ -366,7 +387,7 @@ impl Pencil<'_, '_> {
         }
         let point = self.find_end(end, start)?;
         // Where a tag holds it, each that takes it has a contact of its own.
-        if !self.body.results.contains_key(&end) {
+        if !self.has_tag(end) {
             self.ends.insert((end, start), point);
         }
         Ok(point)
@@ -390,8 +411,13 @@ impl Pencil<'_, '_> {
                 if self.body.is_refused(node) {
                     return Ok(self.stand_in(before, node));
                 }
-                let tag = self.tag(node, text)?;
-                let texts = self.contact(node, &tag, *modifier, before == RAIL);
+                let texts = match self.body.edges.get(&node) {
+                    Some(tag) => vec![format!("[ ]( {tag} )")],
+                    None => {
+                        let tag = self.tag(node, text)?;
+                        self.contact(node, &tag, *modifier, before == RAIL)
+                    }
+                };
                 Ok(self.series(before, texts, node))
             }
             Kind::Coil(..) => match self.after.get(&node) {
@@ -502,21 +528,29 @@ impl Pencil<'_, '_> {
         self.held.push((end, tag));
     }
 
-    /// Coils on tags for power that leaves blocks of this network and goes on in others.
+    /// Coils on tags for power that leaves blocks of this network and goes on in others, and for what conditions decided that
+    /// are asked for again.
     fn hold_what_goes_on(&mut self) {
         for node in self.executed.clone() {
-            let Some(output) = power_output(self.body, node) else {
+            if let Some(output) = power_output(self.body, node) {
+                let end = End { node, output };
+                if self.body.goes_on_from(end, &self.shown) {
+                    self.hold(end);
+                }
+            }
+        }
+        let mut conditions: Vec<usize> = self.shown.iter().copied().collect();
+        conditions.retain(|node| self.body.class(*node).is_some_and(|class| !class.acts()));
+        conditions.sort_unstable();
+        for node in conditions {
+            let end = End { node, output: 0 };
+            let Some(point) = self.ends.get(&(end, RAIL)).copied() else {
                 continue;
             };
-            let end = End { node, output };
-            let goes_on = |user: &usize| !self.shown.contains(user) && !self.body.merged[*user];
-            if self
-                .body
-                .uses
-                .get(&end)
-                .is_some_and(|uses| uses.iter().any(goes_on))
-            {
-                self.hold(end);
+            if self.body.goes_on_from(end, &self.shown) && self.body.may_change(node) {
+                let tag = self.body.helper("decided", "BOOL", "what a condition decided");
+                self.series(point, [format!("( )( {tag} )")], node);
+                self.held.push((end, tag));
             }
         }
     }

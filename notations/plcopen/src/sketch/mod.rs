@@ -9,6 +9,7 @@ mod duration;
 mod initial;
 mod power;
 mod prepare;
+mod turns;
 mod units;
 
 use super::graph::{End, Kind};

@@ -158,11 +158,14 @@ impl Body<'_> {
     }
 
     /// A block is written in a network of its own.
-    fn execute(&mut self, node: usize) {
+    pub(super) fn execute(&mut self, node: usize) {
         self.flush();
+        if !self.executed[node] {
+            self.take_turns(node);
+        }
         // It may have stood in the network that is written now.
         if !self.executed[node] && !self.network(&[Target::Root(node)]) {
-            self.lose(node, "what feeds it is larger than what can be drawn");
+            self.in_pieces(Target::Root(node));
             self.executed[node] = true;
         }
     }
@@ -333,6 +336,7 @@ impl Body<'_> {
         if !is_power {
             return Err("several values are wired to one pin, or one is inverted".to_owned());
         }
+        self.take_turns(node);
         self.prepare_pin(node, pin, true, seen);
         let like = match &self.graph.nodes[node].kind {
             Kind::Block { name, instance, .. } => {

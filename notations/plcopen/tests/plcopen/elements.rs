@@ -32,8 +32,9 @@ fn contacts_and_coils() {
          rightPowerRail 99 from=3,5",
         expect![[r#"
             VAR
-                a : BOOL;
-                q : BOOL;
+                a    : BOOL;
+                q    : BOOL;
+                fell : BOOL;  # a contact sees that its tag falls #
             END_VAR
 
             +--[ ]( a )----------------------------------------------------------( )( q )--+
@@ -44,12 +45,13 @@ fn contacts_and_coils() {
 
             +--[/]( a )--[OSR]---------------------------------------------------(R)( q )--+
 
-            +--[ ]( a )--[N]( a )------------------------------------------------(P)( q )--+
+            +--[/]( a )--[OSR]------------------------------------------------( )( fell )--+
+
+            +--[ ]( a )--[ ]( fell )---------------------------------------------(P)( q )--+
 
             +--[ ]( SYS.ON )--[NOT]----------------------------------------------(P)( q )--+
 
             +--[/]( a )----------------------------------------------------------(/)( q )--+
-            approximated contact a, falling: the first scan with the tag low counts as a fall there, and not here
             approximated coil q, set, negated: it is negated, latched or of an edge at once: only the first of these counts
         "#]],
     );

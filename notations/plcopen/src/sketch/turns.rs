@@ -1,0 +1,279 @@
+//! Whose turn it is. A generator runs the blocks and the edge detectors that feed an element one after the other, each before
+//! what it feeds, and reads contacts only then; in a network they run where they stand. Where that is not the same, because
+//! something reads by name what a block in the same network writes, each stands in a network of its own, in their order.
+
+use super::blocks::{Class, power_pins};
+use super::body::Body;
+use super::draw::Target;
+use crate::graph::{Edge, End, Kind, Pin};
+use crate::model::Evaluation;
+use crate::standard::Gate;
+use std::collections::HashSet;
+
+/// What feeds an element, by whatever pins.
+#[derive(Default)]
+struct Before {
+    /// The blocks that act and the contacts that see edges, in the order in which a generator runs them.
+    turns: Vec<usize>,
+    /// The tags that are read by name, in small letters.
+    reads: HashSet<String>,
+    seen: HashSet<usize>,
+}
+
+impl Body<'_> {
+    /// What feeds an element and does not stand in a network above.
+    fn before(&self, root: usize) -> Before {
+        let mut before = Before::default();
+        // Each element is met when power is asked for there, and again when all that feeds it was met.
+        let mut waiting = vec![(root, false)];
+        while let Some((node, is_left)) = waiting.pop() {
+            if is_left {
+                before.turns.push(node);
+                continue;
+            }
+            if self.graph.nodes[node].kind == Kind::LeftRail || !before.seen.insert(node) {
+                continue;
+            }
+            before.reads.extend(self.reads(node));
+            match self.graph.nodes[node].kind {
+                Kind::Contact(_, modifier) if modifier.edge != Edge::None && !modifier.negated => {
+                    before.turns.push(node);
+                }
+                Kind::Block { .. } if node != root && self.class(node).is_some_and(Class::acts) => {
+                    waiting.push((node, true));
+                }
+                _ => {}
+            }
+            let pins = self.graph.nodes[node].inputs.iter();
+            let ends: Vec<&End> = pins.flat_map(|pin| &pin.from).collect();
+            let ends = ends.into_iter().rev().filter(|end| {
+                let is_above = self.executed[end.node] || self.results.contains_key(end);
+                !is_above && !self.graph.feedback.contains(&(node, **end))
+            });
+            waiting.extend(ends.map(|end| (end.node, false)));
+        }
+        before
+    }
+
+    /// Runs what feeds an element one by one, if it would run otherwise in one network.
+    pub(super) fn take_turns(&mut self, node: usize) -> bool {
+        let before = self.before(node);
+        self.work += before.seen.len();
+        let is_block = |node: &&usize| matches!(self.graph.nodes[**node].kind, Kind::Block { .. });
+        let mut blocks = before.turns.iter().filter(is_block);
+        if !blocks.any(|block| self.is_read_out_of_turn(*block, node, &before)) {
+            return false;
+        }
+        self.flush();
+        for turn in before.turns {
+            match self.graph.nodes[turn].kind {
+                Kind::Block { .. } => self.run_alone(turn),
+                _ => self.see_edge(turn),
+            }
+        }
+        true
+    }
+
+    /// Whether something would read what a block writes at another time than it does in the source: not what comes after it in
+    /// the wire, nor what leads to nothing but the block.
+    fn is_read_out_of_turn(&self, block: usize, root: usize, before: &Before) -> bool {
+        let written = self.writes(block);
+        if !written.iter().any(|tag| before.reads.contains(tag)) {
+            return false;
+        }
+        let reads = |node: &&usize| self.reads(**node).iter().any(|tag| written.contains(tag));
+        let users = |node: usize| {
+            let end = End { node, output: 0 };
+            let users = self.uses.get(&end).into_iter().flatten().copied();
+            users.filter(|user| before.seen.contains(user))
+        };
+        before.seen.iter().filter(reads).any(|reader| {
+            let comes_after = match self.graph.nodes[*reader].kind {
+                Kind::Value(..) => users(*reader).all(|user| self.comes_after(user, block)),
+                _ => self.comes_after(*reader, block),
+            };
+            let mut past = HashSet::new();
+            let mut waiting = vec![*reader];
+            while let Some(node) = waiting.pop() {
+                if node != block && past.insert(node) {
+                    waiting.extend(users(node));
+                }
+            }
+            !comes_after && past.contains(&root)
+        })
+    }
+
+    /// Whether an element is after a block in the wire. What comes to a later pin of an AND is in series after the pins before.
+    fn comes_after(&self, node: usize, block: usize) -> bool {
+        let mut node = node;
+        for _ in 0..self.graph.nodes.len() {
+            if self.is_fed_by(node, block) {
+                return true;
+            }
+            let users = self.uses.get(&End { node, output: 0 });
+            let Some(&[user]) = users.map(Vec::as_slice) else {
+                return false;
+            };
+            let Some(Class::Gate(gate)) = self.class(user) else {
+                return false;
+            };
+            let is_here = |pin: &&Pin| pin.from.iter().any(|end| end.node == node);
+            let earlier = self.graph.nodes[user].inputs.iter().take_while(|pin| !is_here(pin));
+            let is_after = |end: &End| end.node == block || self.is_fed_by(end.node, block);
+            if gate == Gate::And && earlier.flat_map(|pin| &pin.from).any(is_after) {
+                return true;
+            }
+            node = user;
+        }
+        false
+    }
+
+    /// Whether power or a value comes to an element from a block.
+    fn is_fed_by(&self, node: usize, block: usize) -> bool {
+        let mut met = HashSet::new();
+        let mut waiting = vec![node];
+        while let Some(node) = waiting.pop() {
+            let pins = self.graph.nodes[node].inputs.iter();
+            for end in pins.flat_map(|pin| &pin.from) {
+                if self.graph.feedback.contains(&(node, *end)) {
+                    continue;
+                }
+                if end.node == block {
+                    return true;
+                }
+                if met.insert(end.node) {
+                    waiting.push(end.node);
+                }
+            }
+        }
+        false
+    }
+
+    /// Runs the blocks that feed an element, each in a network of its own.
+    pub(super) fn run_blocks_before(&mut self, node: usize) {
+        for turn in self.before(node).turns {
+            if matches!(self.graph.nodes[turn].kind, Kind::Block { .. }) {
+                self.run_alone(turn);
+            }
+        }
+    }
+
+    fn run_alone(&mut self, block: usize) {
+        self.prepare(block);
+        self.execute(block);
+    }
+
+    /// A tag is high while a contact sees its edge.
+    fn see_edge(&mut self, contact: usize) {
+        let Kind::Contact(_, modifier) = self.graph.nodes[contact].kind else {
+            return;
+        };
+        if self.edges.contains_key(&contact) || self.is_refused(contact) {
+            return;
+        }
+        let (like, comment) = match modifier.edge {
+            Edge::Falling => ("fell", "a contact sees that its tag falls"),
+            _ => ("rose", "a contact sees that its tag rises"),
+        };
+        let tag = self.helper(like, "BOOL", comment);
+        if self.network(&[Target::Edge(contact, tag.clone())]) {
+            self.edges.insert(contact, tag);
+        }
+    }
+
+    /// The contacts of a network that see a fall somewhere in the wire, and not at its rail. There they would see none in the
+    /// first scan, as the standard has it, so that a network above does.
+    pub(super) fn falls_within(&self, root: usize, pin: Option<usize>) -> Vec<usize> {
+        let mut falls = Vec::new();
+        let mut met = HashSet::new();
+        let mut waiting = vec![(root, pin, true)];
+        while let Some((node, only, is_at_rail)) = waiting.pop() {
+            let drawn = &self.graph.nodes[node];
+            if drawn.kind == Kind::LeftRail || !met.insert((node, is_at_rail)) {
+                continue;
+            }
+            let is_first = is_at_rail
+                && matches!(drawn.inputs.first().map(|pin| &pin.from[..]), Some([end]) if self.graph.nodes[end.node].kind == Kind::LeftRail);
+            if self.falls(node) && !is_first && !falls.contains(&node) {
+                falls.push(node);
+            }
+            let class = self.class(node);
+            let pins = match (only, class) {
+                (Some(pin), _) => vec![pin],
+                (None, Some(class)) if class.acts() => power_pins(self, node),
+                (None, Some(Class::Compare(_))) => Vec::new(),
+                _ => (0..drawn.inputs.len()).collect(),
+            };
+            let is_series = only.is_none() && matches!(class, Some(class) if class.acts() || class == Class::Gate(Gate::And));
+            for (number, pin) in pins.into_iter().enumerate() {
+                let ends = drawn.inputs[pin].from.iter().filter(|end| {
+                    let is_above = self.executed[end.node] || self.results.contains_key(end);
+                    !is_above && !self.graph.feedback.contains(&(node, **end))
+                });
+                waiting.extend(ends.map(|end| (end.node, None, is_at_rail && !(is_series && number > 0))));
+            }
+        }
+        falls.sort_unstable();
+        falls
+    }
+
+    fn falls(&self, node: usize) -> bool {
+        let drawn = &self.graph.nodes[node];
+        matches!(drawn.kind, Kind::Contact(_, modifier) if modifier.edge == Edge::Falling && !modifier.negated)
+            && !self.edges.contains_key(&node)
+            && !self.results.contains_key(&End { node, output: 0 })
+    }
+
+    /// Networks above the next one for the falls in it; comes back with their contacts.
+    pub(super) fn see_falls(&mut self, targets: &[Target]) -> Vec<usize> {
+        let mut seen = Vec::new();
+        for target in targets {
+            let (root, pin) = match target {
+                Target::Root(node) => (*node, None),
+                Target::Pin(node, pin, _) => (*node, Some(*pin)),
+                Target::End(end, _) => (end.node, None),
+                Target::Value(..) | Target::Edge(..) => continue,
+            };
+            for contact in self.falls_within(root, pin) {
+                self.see_edge(contact);
+                seen.push(contact);
+            }
+        }
+        seen
+    }
+
+    /// Whether power that leaves an output comes to something that stands in no network yet, and not in this one.
+    pub(super) fn goes_on_from(&self, end: End, here: &HashSet<usize>) -> bool {
+        if self.evaluation == Evaluation::Once {
+            return false;
+        }
+        let mut met = HashSet::new();
+        let mut waiting = vec![end];
+        while let Some(end) = waiting.pop() {
+            for user in self.uses.get(&end).into_iter().flatten().copied() {
+                if !met.insert(user) || self.merged[user] {
+                    continue;
+                }
+                let is_root = match self.graph.nodes[user].kind {
+                    Kind::Coil(..) | Kind::Variable(..) | Kind::Jump(..) | Kind::Return(_) => true,
+                    Kind::Block { .. } => self.class(user).is_some_and(Class::acts),
+                    _ => false,
+                };
+                if is_root && !here.contains(&user) && !self.executed[user] && !self.seen[user] {
+                    return true;
+                }
+                // Power goes through coils and stops at blocks.
+                if !is_root || matches!(self.graph.nodes[user].kind, Kind::Coil(..)) {
+                    waiting.push(End { node: user, output: 0 });
+                }
+            }
+        }
+        false
+    }
+
+    /// Whether a condition that is decided once may change before it is asked for again.
+    pub(super) fn may_change(&self, node: usize) -> bool {
+        let before = self.before(node);
+        before.reads.iter().any(|tag| self.written.contains(tag))
+    }
+}
