@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use super::declare::type_text;
-use crate::graph::{Edge, End, Kind, Modifier, Node, Pin, Storage};
+use crate::graph::{Edge, End, Kind, Modifier, Node, Output, Pin, Storage};
 use crate::model::{Type, UnitKind};
 use crate::scope::Shared;
 use crate::standard::{self, Function, Gate, StandardBlock};
@@ -53,7 +53,7 @@ pub(super) fn class(body: &Body<'_>, node: usize) -> Option<Class> {
     let Some(function) = standard::function(name) else {
         return Some(Class::Unknown);
     };
-    let has_enable = drawn.inputs.iter().any(|pin| is_enable(&pin.name));
+    let has_enable = drawn.inputs.iter().any(|pin| is_enable(&pin.name)) && !only_decides(body, node);
     Some(match function {
         Function::Gate(gate) if is_bits(body, node) => {
             Class::Value(["AND", "OR", "XOR", "NOT"][gate as usize])
@@ -65,6 +65,24 @@ pub(super) fn class(body: &Body<'_>, node: usize) -> Option<Class> {
         Function::Value(mnemonic) => Class::Value(mnemonic),
         Function::Convert(_) => Class::Convert,
     })
+}
+
+/// Whether power goes on from a comparison with EN as one goes on from a contact: nothing takes ENO, and no variable the result,
+/// which would keep its value without EN.
+fn only_decides(body: &Body<'_>, node: usize) -> bool {
+    let drawn = &body.graph.nodes[node];
+    let is_compare = matches!(&drawn.kind, Kind::Block { name, .. } if matches!(standard::function(name), Some(Function::Compare(..))));
+    let takes = |output: usize| {
+        body.uses
+            .get(&End { node, output })
+            .map_or(&[][..], Vec::as_slice)
+    };
+    let is_variable = |user: &usize| matches!(body.graph.nodes[*user].kind, Kind::Variable(..));
+    let is_power = |(output, it): (usize, &Output)| match is_enable_out(&it.name) {
+        true => takes(output).is_empty(),
+        false => !takes(output).is_empty() && !takes(output).iter().any(is_variable),
+    };
+    is_compare && drawn.outputs.iter().enumerate().all(is_power)
 }
 
 /// Whether the inputs of a gate are words, and not power.
@@ -146,7 +164,7 @@ pub(super) fn power_output(body: &Body<'_>, node: usize) -> Option<usize> {
             let is_only = outputs.len() == 1;
             is_only.then_some(0)
         }),
-        Class::Gate(_) | Class::Compare(_) => Some(0),
+        Class::Gate(_) | Class::Compare(_) => result_output(&body.graph.nodes[node]),
         Class::Unknown => named("ENO").or(Some(0)),
         _ => named("ENO").or_else(|| {
             let mut outputs = outputs.iter();

@@ -51,6 +51,11 @@ pub(super) struct Body<'b> {
     pub(super) holders: HashMap<End, String>,
     /// What else is written where a block has power: the variables that take its result.
     pub(super) moves: HashMap<usize, Vec<String>>,
+    /// The power with which variables take a result that was made above.
+    pub(super) guards: HashMap<usize, End>,
+    /// All elements in the order of execution, and how many of them had their turn.
+    pub(super) order: Vec<usize>,
+    pub(super) turn: usize,
     /// The operands at pins.
     pub(super) operands: HashMap<(usize, usize), Operand>,
     /// The instances of blocks, as they are written here.
@@ -104,6 +109,9 @@ impl<'b> Body<'b> {
             edges: HashMap::new(),
             holders: HashMap::new(),
             moves: HashMap::new(),
+            guards: HashMap::new(),
+            order: graph.in_order(),
+            turn: 0,
             operands: HashMap::new(),
             instances: HashMap::new(),
             group: Vec::new(),
@@ -120,8 +128,9 @@ impl<'b> Body<'b> {
         };
         body.names();
         body.written = (0..count).flat_map(|node| body.writes(node)).collect();
-        for node in graph.in_order() {
+        while let Some(node) = body.order.get(body.turn).copied() {
             body.element(node);
+            body.turn += 1;
         }
         body.flush();
         body.lost();
@@ -314,8 +323,9 @@ impl<'b> Body<'b> {
             }
             let inputs = &self.graph.nodes[node].inputs;
             let pins = match self.class(node) {
-                Some(class) if class.acts() => blocks::power_pins(self, node),
-                Some(Class::Compare(_)) => Vec::new(),
+                Some(class) if class.acts() || matches!(class, Class::Compare(_)) => {
+                    blocks::power_pins(self, node)
+                }
                 _ => (0..inputs.len()).collect(),
             };
             let ends = pins.into_iter().flat_map(|pin| &inputs[pin].from);

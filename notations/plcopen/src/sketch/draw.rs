@@ -70,6 +70,8 @@ pub(super) struct Pencil<'d, 'b> {
     after: HashMap<usize, usize>,
     executed: Vec<usize>,
     pub(super) shown: HashSet<usize>,
+    /// What is done in it.
+    done: HashSet<usize>,
     held: Vec<(End, String)>,
 }
 
@@ -91,6 +93,7 @@ impl Drawn {
             after: HashMap::new(),
             executed: Vec::new(),
             shown: HashSet::new(),
+            done: HashSet::new(),
             held: Vec::new(),
         };
         for target in targets {
@@ -136,6 +139,7 @@ impl Pencil<'_, '_> {
         match target {
             Target::Root(node) => self.root(*node),
             Target::Pin(node, pin, tag) => {
+                self.done.insert(*node);
                 let before = self.pin(*node, *pin, RAIL)?;
                 self.last(before, format!("( )( {tag} )"), *node);
                 Ok(())
@@ -212,6 +216,7 @@ impl Pencil<'_, '_> {
     /// Something that is done.
     fn root(&mut self, node: usize) -> Result<(), Refused> {
         self.shown.insert(node);
+        self.done.insert(node);
         let kind = &self.body.graph.nodes[node].kind;
         if self.body.is_refused(node) && !matches!(kind, Kind::Block { .. } | Kind::Contact(..)) {
             let before = self.pin(node, 0, RAIL)?;
@@ -234,7 +239,11 @@ impl Pencil<'_, '_> {
                 let tag = self.tag(node, text)?;
                 if let Some(value) = self.body.operands.get(&(node, 0)).cloned() {
                     let text = self.body.moved(node, &tag, &value);
-                    self.series(RAIL, [text], node);
+                    let before = match self.body.guards.get(&node).copied() {
+                        Some(end) => self.end(end, RAIL)?,
+                        None => RAIL,
+                    };
+                    self.series(before, [text], node);
                 } else {
                     let before = self.pin(node, 0, RAIL)?;
                     let coil = if negated { "(/)" } else { "( )" };
@@ -499,6 +508,7 @@ impl Pencil<'_, '_> {
             self.series(point, texts, node)
         };
         self.executed.push(node);
+        self.done.insert(node);
         self.after.insert(node, point);
         let output = power_output(self.body, node);
         let end = output.map(|output| End { node, output });
@@ -534,7 +544,9 @@ impl Pencil<'_, '_> {
         for node in self.executed.clone() {
             if let Some(output) = power_output(self.body, node) {
                 let end = End { node, output };
-                if self.body.goes_on_from(end, &self.shown) {
+                let mut guards = self.body.guards.iter();
+                let is_guard = guards.any(|(user, guard)| *guard == end && !self.done.contains(user));
+                if is_guard || self.body.goes_on_from(end, &self.done) {
                     self.hold(end);
                 }
             }
@@ -543,11 +555,12 @@ impl Pencil<'_, '_> {
         conditions.retain(|node| self.body.class(*node).is_some_and(|class| !class.acts()));
         conditions.sort_unstable();
         for node in conditions {
-            let end = End { node, output: 0 };
+            let output = power_output(self.body, node).unwrap_or(0);
+            let end = End { node, output };
             let Some(point) = self.ends.get(&(end, RAIL)).copied() else {
                 continue;
             };
-            if self.body.goes_on_from(end, &self.shown) && self.body.may_change(node) {
+            if self.body.goes_on_from(end, &self.done) && self.body.may_change(node) {
                 let tag = self.body.helper("decided", "BOOL", "what a condition decided");
                 self.series(point, [format!("( )( {tag} )")], node);
                 self.held.push((end, tag));

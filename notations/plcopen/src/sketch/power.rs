@@ -1,6 +1,6 @@
 //! What power goes through: contacts, coils, values, gates and comparisons.
 
-use super::blocks::Class;
+use super::blocks::{Class, power_pins};
 use super::draw::{Pencil, RAIL, Refused};
 use crate::expression::{Form, Operand};
 use crate::graph::{Edge, End, Kind, Modifier, Storage};
@@ -179,7 +179,11 @@ impl Pencil<'_, '_> {
             }
             _ => {
                 let text = self.body.condition_text(node, class).map_err(|why| (node, why))?;
-                Ok(self.series(start, [text], node))
+                let mut point = start;
+                for pin in power_pins(self.body, node) {
+                    point = self.pin(node, pin, point)?;
+                }
+                Ok(self.series(point, [text], node))
             }
         }
     }

@@ -52,6 +52,9 @@ impl Body<'_> {
         let Some(first) = from.first().copied() else {
             return true;
         };
+        if self.guards.contains_key(&node) {
+            return false;
+        }
         self.is_power(first).unwrap_or_else(|| {
             let ty = self.operand(text).ok().and_then(|operand| operand.ty);
             matches!(ty, Some(Type::Named(name)) if name.eq_ignore_ascii_case("BOOL"))
@@ -63,7 +66,7 @@ impl Body<'_> {
         let is_and = self.class(node) == Some(Class::Gate(Gate::And));
         let is_compare = matches!(self.class(node), Some(Class::Compare(_)));
         for pin in 0..self.graph.nodes[node].inputs.len() {
-            if is_compare {
+            if is_compare && !is_enable(&self.graph.nodes[node].inputs[pin].name) {
                 if let Err(why) = self.direct(node, pin, seen) {
                     self.refuse(node, why);
                 }
@@ -73,8 +76,12 @@ impl Body<'_> {
                 self.prepare_inversion(node, pin, inline && !(is_and && pin > 0), seen);
             }
         }
-        let end = End { node, output: 0 };
-        let is_negated = self.graph.nodes[node].outputs[0].negated;
+        let output = power_output(self, node).unwrap_or(0);
+        let end = End { node, output };
+        let is_negated = self.graph.nodes[node]
+            .outputs
+            .get(output)
+            .is_some_and(|it| it.negated);
         if is_negated && !inline && !self.results.contains_key(&end) {
             let tag = self.helper("inverted", "BOOL", "what leaves a gate");
             self.flush();
@@ -246,11 +253,25 @@ impl Body<'_> {
                     _ => None,
                 })
                 .collect();
+            let (late, variables): (Vec<_>, Vec<_>) = variables
+                .into_iter()
+                .partition(|(user, operand)| self.is_written_later(node, *user, operand));
+            let taken = late.first().or(variables.first());
+            let taken = taken.and_then(|(_, operand)| operand.ty.clone());
+            let is_enabled = self.graph.nodes[node]
+                .inputs
+                .iter()
+                .any(|pin| is_enable(&pin.name));
+            if let (true, Some(output)) = (is_enabled, power_output(self, node)) {
+                let end = End { node, output };
+                self.guards.extend(late.into_iter().map(|(user, _)| (user, end)));
+            }
             let tag = if let ([(user, operand)], true) = (&variables[..], uses.len() == 1) {
                 self.merged[*user] = true;
                 operand.text.clone()
             } else {
-                let ty = self.out_type(end).ok_or("the type of its result is not known")?;
+                let ty = self.out_type(end).or(taken);
+                let ty = ty.ok_or("the type of its result is not known")?;
                 let ty = self.type_text(&ty)?;
                 let Kind::Block { name, .. } = &self.graph.nodes[node].kind else {
                     return Ok(());
@@ -258,11 +279,7 @@ impl Body<'_> {
                 let comment = format!("the result of {name}");
                 let tag = self.helper(&name.to_lowercase(), &ty, &comment);
                 // Without power at EN nothing is written.
-                if self.graph.nodes[node]
-                    .inputs
-                    .iter()
-                    .any(|pin| is_enable(&pin.name))
-                {
+                if is_enabled {
                     for (user, operand) in variables {
                         self.merged[user] = true;
                         let text = format!("[MOV]( {}, {tag} )", operand.text);

@@ -5,6 +5,7 @@
 use super::blocks::{Class, power_pins};
 use super::body::Body;
 use super::draw::Target;
+use crate::expression::Operand;
 use crate::graph::{Edge, End, Kind, Pin};
 use crate::model::Evaluation;
 use crate::standard::Gate;
@@ -82,11 +83,7 @@ impl Body<'_> {
             return false;
         }
         let reads = |node: &&usize| self.reads(**node).iter().any(|tag| written.contains(tag));
-        let users = |node: usize| {
-            let end = End { node, output: 0 };
-            let users = self.uses.get(&end).into_iter().flatten().copied();
-            users.filter(|user| before.seen.contains(user))
-        };
+        let users = |node: usize| self.users(node).filter(|user| before.seen.contains(user));
         before.seen.iter().filter(reads).any(|reader| {
             let comes_after = match self.graph.nodes[*reader].kind {
                 Kind::Value(..) => users(*reader).all(|user| self.comes_after(user, block)),
@@ -110,15 +107,18 @@ impl Body<'_> {
             if self.is_fed_by(node, block) {
                 return true;
             }
-            let users = self.uses.get(&End { node, output: 0 });
-            let Some(&[user]) = users.map(Vec::as_slice) else {
+            let mut users = self.users(node);
+            let (Some(user), None) = (users.next(), users.next()) else {
                 return false;
             };
             let Some(Class::Gate(gate)) = self.class(user) else {
                 return false;
             };
             let is_here = |pin: &&Pin| pin.from.iter().any(|end| end.node == node);
-            let earlier = self.graph.nodes[user].inputs.iter().take_while(|pin| !is_here(pin));
+            let earlier = self.graph.nodes[user]
+                .inputs
+                .iter()
+                .take_while(|pin| !is_here(pin));
             let is_after = |end: &End| end.node == block || self.is_fed_by(end.node, block);
             if gate == Gate::And && earlier.flat_map(|pin| &pin.from).any(is_after) {
                 return true;
@@ -200,11 +200,13 @@ impl Body<'_> {
             let class = self.class(node);
             let pins = match (only, class) {
                 (Some(pin), _) => vec![pin],
-                (None, Some(class)) if class.acts() => power_pins(self, node),
-                (None, Some(Class::Compare(_))) => Vec::new(),
+                (None, Some(class)) if class.acts() || matches!(class, Class::Compare(_)) => {
+                    power_pins(self, node)
+                }
                 _ => (0..drawn.inputs.len()).collect(),
             };
-            let is_series = only.is_none() && matches!(class, Some(class) if class.acts() || class == Class::Gate(Gate::And));
+            let is_series = only.is_none()
+                && matches!(class, Some(class) if class.acts() || class == Class::Gate(Gate::And));
             for (number, pin) in pins.into_iter().enumerate() {
                 let ends = drawn.inputs[pin].from.iter().filter(|end| {
                     let is_above = self.executed[end.node] || self.results.contains_key(end);
@@ -248,27 +250,62 @@ impl Body<'_> {
             return false;
         }
         let mut met = HashSet::new();
-        let mut waiting = vec![end];
-        while let Some(end) = waiting.pop() {
-            for user in self.uses.get(&end).into_iter().flatten().copied() {
-                if !met.insert(user) || self.merged[user] {
-                    continue;
-                }
-                let is_root = match self.graph.nodes[user].kind {
-                    Kind::Coil(..) | Kind::Variable(..) | Kind::Jump(..) | Kind::Return(_) => true,
-                    Kind::Block { .. } => self.class(user).is_some_and(Class::acts),
-                    _ => false,
-                };
-                if is_root && !here.contains(&user) && !self.executed[user] && !self.seen[user] {
-                    return true;
-                }
-                // Power goes through coils and stops at blocks.
-                if !is_root || matches!(self.graph.nodes[user].kind, Kind::Coil(..)) {
-                    waiting.push(End { node: user, output: 0 });
-                }
+        let mut waiting: Vec<usize> = self.uses.get(&end).cloned().unwrap_or_default();
+        while let Some(user) = waiting.pop() {
+            if !met.insert(user) || self.merged[user] {
+                continue;
+            }
+            let is_root = self.is_root(user);
+            if is_root && !here.contains(&user) && !self.executed[user] && !self.seen[user] {
+                return true;
+            }
+            // Power goes through coils and stops at blocks.
+            if !is_root || matches!(self.graph.nodes[user].kind, Kind::Coil(..)) {
+                waiting.extend(self.users(user));
             }
         }
         false
+    }
+
+    /// Whether a variable takes the result of a block later than the block makes it: something that has its turn between the two
+    /// reads or writes the same tag, and not only for the block.
+    pub(super) fn is_written_later(&self, block: usize, user: usize, tag: &Operand) -> bool {
+        let rest = &self.order[self.turn.min(self.order.len())..];
+        let between: HashSet<usize> = rest.iter().copied().take_while(|node| *node != user).collect();
+        let names_it = |tags: Vec<String>| tags.iter().any(|name| tag.reads.contains(name));
+        if between.iter().any(|node| names_it(self.writes(*node))) {
+            return true;
+        }
+        let mut met = HashSet::new();
+        let mut waiting: Vec<usize> = (0..self.graph.nodes.len())
+            .filter(|node| names_it(self.reads(*node)))
+            .collect();
+        while let Some(node) = waiting.pop() {
+            if node == block || node == user || !met.insert(node) {
+                continue;
+            }
+            if between.contains(&node) && self.is_root(node) {
+                return true;
+            }
+            waiting.extend(self.users(node));
+        }
+        false
+    }
+
+    /// What takes what leaves an element.
+    fn users(&self, node: usize) -> impl Iterator<Item = usize> {
+        let outputs = 0..self.graph.nodes[node].outputs.len();
+        let users = outputs.filter_map(move |output| self.uses.get(&End { node, output }));
+        users.flatten().copied()
+    }
+
+    /// Whether an element does something.
+    fn is_root(&self, node: usize) -> bool {
+        match self.graph.nodes[node].kind {
+            Kind::Coil(..) | Kind::Variable(..) | Kind::Jump(..) | Kind::Return(_) => true,
+            Kind::Block { .. } => self.class(node).is_some_and(Class::acts),
+            _ => false,
+        }
     }
 
     /// Whether a condition that is decided once may change before it is asked for again.
