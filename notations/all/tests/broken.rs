@@ -5,7 +5,7 @@ use ladder_notations::{LineColumn, NOTATIONS, Notation, Source, convert};
 use proptest::prelude::*;
 use proptest::sample::Index;
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// What can happen to a file.
 #[derive(Debug, Clone)]
@@ -110,22 +110,39 @@ type Sound = (&'static dyn Notation, Vec<u8>);
 
 /// The folder of real programs, where there is one.
 fn corpus() -> Option<PathBuf> {
-    let folder = std::env::var_os("LADDER_CORPUS").map(|folder| Path::new(&folder).join("ldmicro"));
+    let folder = std::env::var_os("LADDER_CORPUS").map(PathBuf::from);
     if folder.is_none() {
         eprintln!("skipped: LADDER_CORPUS names no folder of real programs");
     }
     folder
 }
 
-fn files(folder: &Path) -> Vec<PathBuf> {
+fn files(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).expect("the folder can be read");
     let mut files: Vec<PathBuf> = entries
         .map(|entry| entry.expect("an entry can be read").path())
         .collect();
-    files.retain(|file| file.extension().is_some_and(|extension| extension == "ld"));
+    files.retain(|file| {
+        let ending = file.extension().and_then(|ending| ending.to_str());
+        ending.is_some_and(|ending| endings.contains(&ending))
+    });
     files.sort();
     files
 }
+
+/// Folders with files of industrial systems, and how those end.
+const SYSTEMS: [(&str, &[&str]); 7] = [
+    ("plcopen-xml", &["xml"]),
+    ("codesys", &["xml"]),
+    ("openplc-json", &["ld"]),
+    ("rockwell", &["L5X"]),
+    ("rslogix500", &["txt"]),
+    ("simatic", &["s7dcl", "xml"]),
+    ("twincat", &["TcPOU"]),
+];
+
+/// Files of industrial systems that are not larger than this, in bytes.
+const LARGEST: usize = 40_000;
 
 /// All programs of the corpus.
 fn sound() -> &'static [Sound] {
@@ -133,11 +150,16 @@ fn sound() -> &'static [Sound] {
     SOUND.get_or_init(|| {
         let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/corpus");
         let mut folders = vec![own.join("ldmicro/elements")];
-        if let Some(corpus) = corpus() {
-            folders.push(corpus.join("programs"));
-        }
         let mut programs = Vec::new();
-        for file in folders.iter().flat_map(|folder| files(folder)) {
+        if let Some(corpus) = corpus() {
+            folders.push(corpus.join("ldmicro/programs"));
+            for (folder, endings) in SYSTEMS {
+                let files = files(&corpus.join(folder), endings);
+                let whole = files.iter().filter_map(|file| std::fs::read(file).ok());
+                programs.extend(whole.filter(|bytes| bytes.len() < LARGEST));
+            }
+        }
+        for file in folders.iter().flat_map(|folder| files(folder, &["ld"])) {
             programs.extend(std::fs::read(&file));
             programs.extend(std::fs::read(file.with_extension("export.txt")));
         }
@@ -209,8 +231,18 @@ fn holds(notation: &dyn Notation, bytes: &[u8]) {
         .iter()
         .for_each(|entry| lies_in(entry.place));
     converted.findings.iter().for_each(|found| lies_in(found.place));
-    // What is written back can be read, if it can be written.
     let analysis = ladder_analysis::analyze(&parse.into(), "test.clad");
+    // What has no errors runs.
+    if let Some(program) = analysis.program() {
+        let options = ladder_simulator::Options {
+            watchdog: 10_000,
+            ..ladder_simulator::Options::default()
+        };
+        if let Ok(mut simulation) = ladder_simulator::Simulation::new(Arc::clone(program), options) {
+            let _ = simulation.scan() && simulation.scan();
+        }
+    }
+    // What is written back can be read, if it can be written.
     if let Ok(writing) = notation.write(&analysis) {
         let source = Source::alone("test", &writing.bytes);
         if let Err(error) = convert(notation, &source, &options) {
@@ -220,11 +252,6 @@ fn holds(notation: &dyn Notation, bytes: &[u8]) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 150,
-        ..ProptestConfig::default()
-    })]
-
     #[test]
     fn broken_programs_are_read_or_refused(which: Index, mutations in prop::collection::vec(mutation(), 1..4)) {
         let (notation, bytes) = which.get(sound());

@@ -212,11 +212,6 @@ fn the_program_itself_holds() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 300,
-        ..ProptestConfig::default()
-    })]
-
     #[test]
     fn broken_programs_are_read_or_refused(mutations in prop::collection::vec(mutation(), 1..6)) {
         let mut text = SOUND.to_owned();

@@ -309,11 +309,6 @@ fn the_projects_themselves_hold() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 300,
-        ..ProptestConfig::default()
-    })]
-
     #[test]
     fn broken_projects_are_read_or_refused(which: Index, mutations in prop::collection::vec(mutation(), 1..6)) {
         let mut text = which.get(&sound()).clone();
