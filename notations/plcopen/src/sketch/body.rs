@@ -71,6 +71,9 @@ pub(super) struct Body<'b> {
     pub(super) characters: usize,
     /// The tags that something in the drawing writes, in small letters.
     pub(super) written: HashSet<String>,
+    /// Whether a contact sees falls, and whether something reads by name what a block writes.
+    pub(super) has_falls: bool,
+    pub(super) has_turns: bool,
     /// The elements that stand somewhere, or are operands.
     pub(super) seen: Vec<bool>,
     comments: Vec<String>,
@@ -121,13 +124,15 @@ impl<'b> Body<'b> {
             is_in_pieces: false,
             characters: 0,
             written: HashSet::new(),
+            has_falls: false,
+            has_turns: false,
             seen: vec![false; count],
             comments: Vec::new(),
             next: Vec::new(),
             types: HashMap::new(),
         };
         body.names();
-        body.written = (0..count).flat_map(|node| body.writes(node)).collect();
+        body.look_over();
         while let Some(node) = body.order.get(body.turn).copied() {
             body.element(node);
             body.turn += 1;

@@ -22,6 +22,22 @@ struct Before {
 }
 
 impl Body<'_> {
+    /// What there is to look out for in the drawing.
+    pub(super) fn look_over(&mut self) {
+        let nodes = 0..self.graph.nodes.len();
+        self.written = nodes.clone().flat_map(|node| self.writes(node)).collect();
+        self.has_falls = nodes.clone().any(|node| self.falls(node));
+        let is_block = |node: &usize| matches!(self.graph.nodes[*node].kind, Kind::Block { .. });
+        let states: HashSet<String> = nodes
+            .clone()
+            .filter(is_block)
+            .flat_map(|node| self.writes(node))
+            .collect();
+        self.has_turns = nodes
+            .into_iter()
+            .any(|node| self.reads(node).iter().any(|tag| states.contains(tag)));
+    }
+
     /// What feeds an element and does not stand in a network above.
     fn before(&self, root: usize) -> Before {
         let mut before = Before::default();
@@ -58,6 +74,9 @@ impl Body<'_> {
 
     /// Runs what feeds an element one by one, if it would run otherwise in one network.
     pub(super) fn take_turns(&mut self, node: usize) -> bool {
+        if !self.has_turns {
+            return false;
+        }
         let before = self.before(node);
         self.work += before.seen.len();
         let is_block = |node: &&usize| matches!(self.graph.nodes[**node].kind, Kind::Block { .. });
@@ -185,6 +204,9 @@ impl Body<'_> {
     /// first scan, as the standard has it, so that a network above does.
     pub(super) fn falls_within(&self, root: usize, pin: Option<usize>) -> Vec<usize> {
         let mut falls = Vec::new();
+        if !self.has_falls {
+            return falls;
+        }
         let mut met = HashSet::new();
         let mut waiting = vec![(root, pin, true)];
         while let Some((node, only, is_at_rail)) = waiting.pop() {
