@@ -48,6 +48,40 @@ fn import(bencher: Bencher<'_, '_>, name: &str) {
     });
 }
 
+/// Files as large as projects become: 10 MB of PLCopen XML in 40 programs, and a routine of 3,000 rungs for Logix.
+const PROJECTS: [Program; 2] = [("plcopen", || plcopen(40, 190)), ("l5x", || routine(3_000))];
+
+fn project(name: &str) -> String {
+    let (_, project) = PROJECTS
+        .iter()
+        .find(|(own, _)| *own == name)
+        .expect("it is there");
+    project()
+}
+
+/// A project, to ladder text.
+#[divan::bench(args = ["plcopen", "l5x"], sample_count = 10)]
+fn projects(bencher: Bencher<'_, '_>, name: &str) {
+    let text = project(name);
+    let notation = by_name(name).expect("the notation is registered");
+    let source = Source::alone("bench", text.as_bytes());
+    bencher.counter(BytesCount::of_str(&text)).bench(|| {
+        let converted = convert(notation, &source, &Options::default()).expect("it can be read");
+        assert_eq!(converted.report.remarks().count(), 0, "all of it is translated");
+        converted.written.text.len()
+    });
+}
+
+/// Its XML alone, as the reader's parser reads it.
+#[divan::bench(args = ["plcopen", "l5x"], sample_count = 10)]
+fn xml_of_projects(bencher: Bencher<'_, '_>, name: &str) {
+    let text = project(name);
+    bencher.counter(BytesCount::of_str(&text)).bench(|| {
+        let document = roxmltree::Document::parse(&text).expect("it is XML");
+        document.descendants().count()
+    });
+}
+
 /// Its lines, split into words.
 #[divan::bench(args = ["ldmicro", "ldmicro-text", "iot", "l5x", "textbook", "cplc-draft"])]
 fn words_of_lines(bencher: Bencher<'_, '_>, name: &str) {
@@ -61,8 +95,74 @@ fn words_of_lines(bencher: Bencher<'_, '_>, name: &str) {
 }
 
 fn l5x() -> String {
+    routine(RUNGS)
+}
+
+/// Programs of rungs, each with a branch, a timer, and a coil.
+fn plcopen(programs: usize, rungs: usize) -> String {
+    let place = |x: usize, y: usize| format!("<position x=\"{x}\" y=\"{y}\"/>");
+    let mut text =
+        "<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\"><types><dataTypes/><pous>\n".to_owned();
+    for program in 0..programs {
+        text.push_str(&format!(
+            "<pou name=\"P{program}\" pouType=\"program\"><interface><localVars>\n"
+        ));
+        for n in 0..rungs {
+            text.push_str(&format!(
+                "<variable name=\"a{n}\"><type><BOOL/></type></variable><variable name=\"q{n}\"><type><BOOL/></type></variable>\
+                 <variable name=\"t{n}\"><type><derived name=\"TON\"/></type></variable>\n"
+            ));
+        }
+        text.push_str("</localVars></interface><body><LD>\n");
+        for n in 0..rungs {
+            let (id, y) = (n * 10 + 1, n * 100);
+            let wired = |to: usize| {
+                format!(
+                    "<connectionPointIn><relPosition x=\"0\" y=\"15\"/><connection refLocalId=\"{to}\"/></connectionPointIn>"
+                )
+            };
+            let out = "<connectionPointOut><relPosition x=\"21\" y=\"15\"/></connectionPointOut>";
+            text.push_str(&format!(
+                "<leftPowerRail localId=\"{id}\" width=\"3\" height=\"40\">{}<connectionPointOut formalParameter=\"\"/></leftPowerRail>\n",
+                place(0, y)
+            ));
+            for (at, name) in [(1, format!("a{n}")), (2, format!("q{n}"))] {
+                text.push_str(&format!(
+                    "<contact localId=\"{}\" width=\"21\" height=\"15\" negated=\"false\">{}{}{out}<variable>{name}</variable></contact>\n",
+                    id + at,
+                    place(60, y + 40 * at),
+                    wired(id)
+                ));
+            }
+            text.push_str(&format!(
+                "<inVariable localId=\"{}\" width=\"40\" height=\"25\">{}<connectionPointOut/><expression>T#5s</expression></inVariable>\n\
+                 <block localId=\"{}\" typeName=\"TON\" instanceName=\"t{n}\" width=\"60\" height=\"60\">{}<inputVariables>\
+                 <variable formalParameter=\"IN\"><connectionPointIn><connection refLocalId=\"{}\"/><connection refLocalId=\"{}\"/>\
+                 </connectionPointIn></variable><variable formalParameter=\"PT\">{}</variable></inputVariables><inOutVariables/>\
+                 <outputVariables><variable formalParameter=\"Q\">{out}</variable><variable formalParameter=\"ET\">{out}</variable>\
+                 </outputVariables></block>\n<coil localId=\"{}\" width=\"21\" height=\"15\">{}<connectionPointIn><connection refLocalId=\"{}\" \
+                 formalParameter=\"Q\"/></connectionPointIn>{out}<variable>q{n}</variable></coil>\n",
+                id + 3,
+                place(80, y + 60),
+                id + 4,
+                place(120, y),
+                id + 1,
+                id + 2,
+                wired(id + 3),
+                id + 5,
+                place(300, y),
+                id + 4,
+            ));
+        }
+        text.push_str("</LD></body></pou>\n");
+    }
+    text + "</pous></types><instances><configurations/></instances></project>\n"
+}
+
+/// A routine for Logix.
+fn routine(rungs: usize) -> String {
     let mut text = "<RSLogix5000Content><Controller Name=\"C\"><Tags>\n".to_owned();
-    for n in 0..RUNGS {
+    for n in 0..rungs {
         text.push_str(&format!(
             "<Tag Name=\"a{n}\" TagType=\"Base\" DataType=\"BOOL\"/><Tag Name=\"t{n}\" TagType=\"Base\" \
              DataType=\"TIMER\"/>\n"
@@ -70,8 +170,8 @@ fn l5x() -> String {
     }
     text.push_str("</Tags><Programs><Program Name=\"P\" MainRoutineName=\"M\"><Routines><Routine Name=\"M\" Type=\"RLL\">");
     text.push_str("<RLLContent>\n");
-    for n in 0..RUNGS {
-        let other = (n + 1) % RUNGS;
+    for n in 0..rungs {
+        let other = (n + 1) % rungs;
         text.push_str(&format!(
             "<Rung Number=\"{n}\" Type=\"N\"><Text><![CDATA[[XIC(a{n}) ,XIC(a{other}) \
              ]XIO(t{other}.DN)TON(t{n},500,0)[GRT(t{n}.ACC,100) OTE(a{n}) ,ADD(t{other}.ACC,1,t{other}.PRE) \

@@ -515,7 +515,8 @@ impl<'b> Body<'b> {
         let mut stack = vec![(node, false)];
         while let Some((node, is_seen)) = stack.pop() {
             if is_seen {
-                out.push(End { node, output: 0 });
+                let output = blocks::power_output(self, node).unwrap_or(0);
+                out.push(End { node, output });
                 continue;
             }
             if !done.insert(node) {
