@@ -78,9 +78,13 @@ fn only_decides(body: &Body<'_>, node: usize) -> bool {
             .map_or(&[][..], Vec::as_slice)
     };
     let is_variable = |user: &usize| matches!(body.graph.nodes[*user].kind, Kind::Variable(..));
-    let is_power = |(output, it): (usize, &Output)| match is_enable_out(&it.name) {
-        true => takes(output).is_empty(),
-        false => !takes(output).is_empty() && !takes(output).iter().any(is_variable),
+    let is_power = |(output, it): (usize, &Output)| {
+        let is_taken = !takes(output).is_empty() && !takes(output).iter().any(is_variable);
+        if is_enable_out(&it.name) {
+            takes(output).is_empty()
+        } else {
+            is_taken
+        }
     };
     is_compare && drawn.outputs.iter().enumerate().all(is_power)
 }
