@@ -82,6 +82,20 @@ impl Drawn {
     ///
     /// If an element of it has no counterpart.
     pub(super) fn of(body: &mut Body<'_>, targets: &[Target]) -> Result<Option<Drawn>, Refused> {
+        let helpers = body.made.helpers.len();
+        if let Some(drawn) = Drawn::holding(body, targets, true)? {
+            return Ok(Some(drawn));
+        }
+        // What conditions decide may not be held where it stands: then they are asked again.
+        body.made.helpers.truncate(helpers);
+        Drawn::holding(body, targets, false)
+    }
+
+    fn holding(
+        body: &mut Body<'_>,
+        targets: &[Target],
+        with_conditions: bool,
+    ) -> Result<Option<Drawn>, Refused> {
         let mut pencil = Pencil {
             body,
             elements: Vec::new(),
@@ -100,6 +114,9 @@ impl Drawn {
             pencil.target(target)?;
         }
         pencil.hold_what_goes_on();
+        if with_conditions {
+            pencil.hold_what_was_decided();
+        }
         let Pencil {
             elements,
             wires,
@@ -538,8 +555,7 @@ impl Pencil<'_, '_> {
         self.held.push((end, tag));
     }
 
-    /// Coils on tags for power that leaves blocks of this network and goes on in others, and for what conditions decided that
-    /// are asked for again.
+    /// Coils on tags for power that leaves blocks of this network and goes on in others.
     fn hold_what_goes_on(&mut self) {
         for node in self.executed.clone() {
             if let Some(output) = power_output(self.body, node) {
@@ -551,6 +567,10 @@ impl Pencil<'_, '_> {
                 }
             }
         }
+    }
+
+    /// The same of what conditions decided that are asked for again.
+    fn hold_what_was_decided(&mut self) {
         let mut conditions: Vec<usize> = self.shown.iter().copied().collect();
         conditions.retain(|node| self.body.class(*node).is_some_and(|class| !class.acts()));
         conditions.sort_unstable();
