@@ -4,7 +4,7 @@ use crate::neighbour::{ScenarioFile, Which, Workspace};
 use ladder_analysis::context::Context;
 use ladder_analysis::{Analysis, Exported, analyze, analyze_in, exports};
 use ladder_simulator::Simulation;
-use ladder_simulator::scenario::{bind, run};
+use ladder_simulator::scenario::{Watched, bind, run};
 use ladder_syntax::{TextRange, TextSize, parse};
 use std::sync::Arc;
 
@@ -158,7 +158,7 @@ pub(crate) fn played(program: &str, scenarios: &str) -> String {
         shown.push_str(&format!("{}\n", error.message));
     }
     for case in &cases {
-        let passed = run(case, &mut simulation, Simulation::scan).passed();
+        let passed = run(case, &mut Watched::default(), &mut simulation, Simulation::scan).passed();
         shown.push_str(&format!(
             "{} {}\n",
             if passed { "ok" } else { "FAILED" },

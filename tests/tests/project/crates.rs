@@ -33,7 +33,15 @@ const RULES: [(&str, &[&str]); 17] = [
     ("workspace", &["simulator", "notation"]),
     (
         "service",
-        &["simulator", "prover", "review", "ide", "picture", "notations", "workspace"],
+        &[
+            "simulator",
+            "prover",
+            "review",
+            "ide",
+            "picture",
+            "notations",
+            "workspace",
+        ],
     ),
     ("server", &["service", "workspace"]),
     ("playground", &["service", "workspace"]),

@@ -56,7 +56,6 @@ fn check(text: &str, seed: u64) -> (usize, usize, usize) {
     let options = Options {
         time: Duration::from_secs(5),
         scans: 12,
-        ..Options::default()
     };
     let answers = prove(&mut simulation, &mut watched, options)
         .unwrap_or_else(|refuted| panic!("seed {seed}: {} does not happen\n{text}", refuted.name));

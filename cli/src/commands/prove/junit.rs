@@ -1,10 +1,10 @@
 //! Answers as XML in the form that JUnit began and build servers read.
 
 use super::file::{FileAnswers, PropertyAnswer};
-use ladder_prover::drawn;
 use crate::outcome::Outcome;
 use crate::xml::{attribute, escaped};
 use ladder_prover::Verdict;
+use ladder_prover::drawn;
 use std::io::{self, Write};
 
 pub(super) fn write(
