@@ -177,12 +177,7 @@ impl Two {
         world.states = (states.filter(|(_, number)| number.is_some()))
             .map(|(state, _)| *state)
             .collect();
-        let ages = std::mem::take(&mut world.ages).into_iter().zip(&world.timers);
-        let ages = ages.filter_map(|(ages, timer)| {
-            let ages: Option<Vec<usize>> = ages.iter().map(|number| numbers[*number]).collect();
-            Some((ages?, *timer))
-        });
-        (world.ages, world.timers) = ages.unzip();
+        world.renumber(&numbers);
         let apart = self.apart.iter();
         let pairs = apart.filter_map(|(old, new)| numbers[*old].zip(numbers[*new]));
         let pairs = pairs.collect();

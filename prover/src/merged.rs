@@ -68,20 +68,12 @@ pub(crate) fn merge(model: &Model, pairs: &[(usize, usize)]) -> Merged {
             });
         }
     }
-    let ages = world.ages.iter().zip(&world.timers);
-    let ages = ages.filter_map(|(ages, timer)| {
-        let ages: Option<Vec<usize>> = ages.iter().map(|number| numbers[*number]).collect();
-        Some((ages?, *timer))
-    });
-    let (ages, timers) = ages.unzip();
-    let left = |bits: &Vec<usize>| bits.iter().map(|number| numbers[*number]).collect();
-    let numbers = world.numbers.iter().filter_map(left).collect();
     let inputs = world.inputs.iter().map(|input| Input {
         tag: input.tag.clone(),
         bits: input.bits.iter().map(|bit| lit(*bit)).collect(),
     });
     let open = world.open.iter();
-    let model = Model {
+    let mut model = Model {
         assumed: model.assumed.iter().map(|assumed| lit(*assumed)).collect(),
         properties: Vec::new(),
         lemmas: Vec::new(),
@@ -90,14 +82,15 @@ pub(crate) fn merge(model: &Model, pairs: &[(usize, usize)]) -> Merged {
             states,
             open: open.map(|(node, gap)| (of[*node].node(), *gap)).collect(),
             gaps: world.gaps.clone(),
-            numbers,
+            numbers: world.numbers.clone(),
             constants: world.constants.clone(),
-            ages,
-            timers,
+            ages: world.ages.clone(),
+            timers: world.timers.clone(),
             graph,
             ..World::default()
         },
     };
+    model.world.renumber(&numbers);
     Merged { model, of }
 }
 

@@ -24,6 +24,7 @@ mod reader;
 pub mod report;
 pub mod verdict;
 pub mod whole;
+pub mod words;
 
 pub use comparison::{Change, Comparison, compare};
 pub use ladder_prover::{Limits, Meaning};

@@ -3,8 +3,8 @@
 use crate::comparison::{Change, Comparison};
 use crate::meaning::number;
 use crate::outline::Kind;
-use crate::report::{heading, reason};
 use crate::verdict::Verdict;
+use crate::words::{heading, reason};
 use ladder_prover::{
     Compared, Divergence, Limits, Meaning, Which, compare_programs, outputs_of_one, rows_of,
 };

@@ -159,6 +159,20 @@ impl World {
             .unzip()
     }
 
+    /// States have other numbers, or none any more: ages and words of which one is gone are no longer known as such.
+    pub(crate) fn renumber(&mut self, numbers: &[Option<usize>]) {
+        let left = |bits: &Vec<usize>| {
+            bits.iter()
+                .map(|number| numbers[*number])
+                .collect::<Option<Vec<usize>>>()
+        };
+        let ages = self.ages.iter().zip(&self.timers);
+        (self.ages, self.timers) = ages
+            .filter_map(|(bits, timer)| Some((left(bits)?, *timer)))
+            .unzip();
+        self.numbers = self.numbers.iter().filter_map(left).collect();
+    }
+
     /// A value that goes in by its name.
     pub(crate) fn shared(&mut self, tag: &InputTag) -> Number {
         let name = tag.name.to_ascii_lowercase();

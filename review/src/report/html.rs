@@ -2,11 +2,12 @@
 //!
 //! The page holds all that it needs and asks nobody for anything. Nothing of a program is markup or script in it.
 
-use super::{Compared, heading, of_whole, reason, summary};
+use super::{Compared, of_whole, summary};
 use crate::comparison::{Change, Comparison};
 use crate::drawing::{Drawn, changed_parts, draw, draw_both};
 use crate::outline::{Entry, Kind, Outline};
 use crate::verdict::Verdict;
+use crate::words::{heading, reason};
 use ladder_picture::excerpt::{Excerpts, style_sheet};
 use ladder_picture::{Options, Theme, scene};
 use ladder_syntax::xml::Escaped;

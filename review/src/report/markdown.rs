@@ -1,6 +1,7 @@
 //! A comparison for a pull request.
 
-use super::{Compared, heading, of_whole, reason, summary, text};
+use super::{Compared, of_whole, summary, text};
+use crate::words::{heading, reason};
 
 /// The report of some files.
 pub fn report(files: &[Compared<'_>]) -> String {

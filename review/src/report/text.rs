@@ -1,9 +1,10 @@
 //! A comparison for a terminal: what changed is drawn, in the old form and the new, what did not is a line.
 
-use super::{Compared, heading, of_whole, reason, summary};
+use super::{Compared, of_whole, summary};
 use crate::comparison::{Change, Comparison};
 use crate::drawing::{Drawn, DrawnLine, draw, draw_both};
 use crate::verdict::Verdict;
+use crate::words::{heading, reason};
 use std::ops::Range;
 
 /// A drawing has this width, so that it fits into 80 columns next to its signs.

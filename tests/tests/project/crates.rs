@@ -27,7 +27,7 @@ const RULES: [(&str, &[&str]); 17] = [
     ("simulator", &[]),
     ("prover", &["simulator"]),
     ("picture", &[]),
-    ("review", &["picture", "prover"]),
+    ("review", &["simulator", "picture", "prover"]),
     ("notation", &[]),
     ("ide", &["simulator"]),
     ("workspace", &["simulator", "notation"]),

@@ -71,7 +71,7 @@ fn declarations() {
             USINT          type
             UINT           type
             UDINT          type
-            ... 47 in all
+            ... 48 in all
         "#]],
     );
     check(
@@ -97,7 +97,7 @@ fn declarations() {
             USINT          type
             UINT           type
             UDINT          type
-            ... 46 in all
+            ... 47 in all
         "#]],
     );
     check(
