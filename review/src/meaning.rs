@@ -1,6 +1,6 @@
 //! What edited networks do, next to what they did.
 
-use crate::comparison::Comparison;
+use crate::comparison::{Change, Comparison};
 use crate::outline::{Entry, Kind, Outline};
 use crate::verdict::Verdict;
 use ladder_analysis::program::Program;
@@ -21,9 +21,8 @@ impl Comparison<'_> {
     /// The same while it is wanted: that is asked before each network.
     pub fn decide_while(&mut self, time: Duration, wanted: &dyn Fn() -> bool) {
         let end = Instant::now() + time;
-        let is_asked = |change: &crate::Change<'_>| {
-            change.verdict == Verdict::Edited && change.entry().kind == Kind::Network
-        };
+        let is_asked =
+            |change: &Change<'_>| change.verdict == Verdict::Edited && change.entry().kind == Kind::Network;
         if !self.changes.iter().any(is_asked) {
             return;
         }

@@ -2,6 +2,7 @@
 
 use crate::comparison::{Change, Comparison};
 use crate::outline::{Entry, Kind};
+use crate::verdict::Verdict;
 use ladder_prover::Meaning;
 
 /// What happened to an entry and where, on one line: `edited network, line 12 (was line 10), writes run`.
@@ -9,7 +10,7 @@ pub fn heading(comparison: &Comparison<'_>, change: &Change<'_>) -> String {
     let entry = change.entry();
     let mut heading = String::new();
     match (change.moved, change.verdict) {
-        (true, crate::Verdict::Same) => heading.push_str("moved"),
+        (true, Verdict::Same) => heading.push_str("moved"),
         (true, verdict) => heading.push_str(&format!("moved, {}", verdict.text())),
         (false, verdict) => heading.push_str(verdict.text()),
     }
