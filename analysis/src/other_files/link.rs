@@ -68,7 +68,7 @@ pub fn link(
     link_files(own, analysis).map(|linked| linked.program)
 }
 
-/// The program of a file, with the files that it is made of. `analysis` gives the analysis of another file of the workspace by its name.
+/// The program of a file, with the files that it is made of. `analysis` returns the analysis of another file of the workspace by its name.
 ///
 /// # Errors
 /// The file, or one that it uses, has errors or cannot be had.

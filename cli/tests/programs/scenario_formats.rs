@@ -120,8 +120,8 @@ fn json() {
           ],
           "files": [
             {
+              "errors": [],
               "file": "fails.ladder-test",
-              "mistakes": [],
               "program": "motor.clad",
               "scenarios": [
                 {
@@ -170,8 +170,7 @@ fn json() {
               "seconds":T
             },
             {
-              "file": "wrong.ladder-test",
-              "mistakes": [
+              "errors": [
                 {
                   "column": 1,
                   "end_column": 1,
@@ -184,6 +183,7 @@ fn json() {
                   "severity": "error"
                 }
               ],
+              "file": "wrong.ladder-test",
               "program": "motor.clad",
               "scenarios": [],
               "seconds":T

@@ -77,7 +77,7 @@ fn machines_are_told_of_violated_properties() {
         exit status 1
         -- stdout
         {"files": [
-        {"file":"motor.ladder-test","program":"motor.clad","seconds":T,"mistakes":[],"scenarios":[{"name":"the seal-in holds","line":13,"column":10,"passed":false,"steps":5,"scans":10,"seconds":T,"differences":[],"violations":[{"property":"who lets go of start stops the motor","line":6,"column":10,"scan":4,"steps":[2,3],"message":"the property \"who lets go of start stops the motor\" is violated in scan 4 (step 2, at 40ms); 4 scans violate it"}],"faults":[],"diagram":"start  _-___\nstop   ____-\nrun    _---_\n         ^^\nthe property \"who lets go of start stops the motor\" is violated in scan 4 (step 2, at 40ms); 4 scans violate it"},{"name":"it is pushed all the time","line":18,"column":10,"passed":false,"steps":3,"scans":6,"seconds":T,"differences":[],"violations":[{"property":"within 30ms of rises(start): falls(start)","line":9,"column":1,"scan":5,"steps":[2],"message":"the property \"within 30ms of rises(start): falls(start)\" is violated in scan 5 (step 2, at 50ms)"}],"faults":[],"diagram":"start  _--\n         ^\nthe property \"within 30ms of rises(start): falls(start)\" is violated in scan 5 (step 2, at 50ms)"}]}
+        {"file":"motor.ladder-test","program":"motor.clad","seconds":T,"errors":[],"scenarios":[{"name":"the seal-in holds","line":13,"column":10,"passed":false,"steps":5,"scans":10,"seconds":T,"differences":[],"violations":[{"property":"who lets go of start stops the motor","line":6,"column":10,"scan":4,"steps":[2,3],"message":"the property \"who lets go of start stops the motor\" is violated in scan 4 (step 2, at 40ms); 4 scans violate it"}],"faults":[],"diagram":"start  _-___\nstop   ____-\nrun    _---_\n         ^^\nthe property \"who lets go of start stops the motor\" is violated in scan 4 (step 2, at 40ms); 4 scans violate it"},{"name":"it is pushed all the time","line":18,"column":10,"passed":false,"steps":3,"scans":6,"seconds":T,"differences":[],"violations":[{"property":"within 30ms of rises(start): falls(start)","line":9,"column":1,"scan":5,"steps":[2],"message":"the property \"within 30ms of rises(start): falls(start)\" is violated in scan 5 (step 2, at 50ms)"}],"faults":[],"diagram":"start  _--\n         ^\nthe property \"within 30ms of rises(start): falls(start)\" is violated in scan 5 (step 2, at 50ms)"}]}
         ],
         "summary": {"files":1,"passed":0,"failed":2,"not_run":0,"seconds":T}}
     "#]],
@@ -144,7 +144,7 @@ fn what_is_outside_of_what_is_assumed_is_said_and_not_watched() {
         exit status 0
         -- stdout
         {"files": [
-        {"file":"motor.ladder-test","program":"motor.clad","seconds":T,"mistakes":[],"scenarios":[{"name":"both at once, and then another thing that is not promised","line":7,"column":10,"passed":true,"steps":4,"scans":4,"seconds":T,"differences":[],"outside":"outside of what is assumed from scan 2 (at 20ms) on, where `not (start and stop)` does not hold: the properties are not watched from there","faults":[]}]}
+        {"file":"motor.ladder-test","program":"motor.clad","seconds":T,"errors":[],"scenarios":[{"name":"both at once, and then another thing that is not promised","line":7,"column":10,"passed":true,"steps":4,"scans":4,"seconds":T,"differences":[],"outside":"outside of what is assumed from scan 2 (at 20ms) on, where `not (start and stop)` does not hold: the properties are not watched from there","faults":[]}]}
         ],
         "summary": {"files":1,"passed":1,"failed":0,"not_run":0,"seconds":T}}
     "#]],

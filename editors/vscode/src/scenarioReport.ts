@@ -10,11 +10,11 @@ export function report(
     run: vscode.TestRun,
     item: vscode.TestItem,
     scenario: ScenarioResult | undefined,
-    { mistakes }: FileResult,
+    { errors }: FileResult,
     lines: readonly string[],
 ): void {
     if (!scenario) {
-        const messages = mistakes.map(({ file, line, column, message }) => {
+        const messages = errors.map(({ file, line, column, message }) => {
             const shown = new vscode.TestMessage(message);
             shown.location = new vscode.Location(vscode.Uri.file(whole(file)), new vscode.Position(line - 1, column - 1));
             return shown;

@@ -8,7 +8,7 @@ export interface Results {
 export interface FileResult {
     readonly file: string;
     readonly program: string | null;
-    readonly mistakes: readonly { readonly file: string; readonly line: number; readonly column: number; readonly message: string }[];
+    readonly errors: readonly { readonly file: string; readonly line: number; readonly column: number; readonly message: string }[];
     readonly scenarios: readonly ScenarioResult[];
 }
 

@@ -43,7 +43,7 @@ class Tasks implements vscode.TaskProvider {
         const execution = new vscode.ProcessExecution(program, args, { cwd: homedir() });
         // What the check finds the server has found before, in closed files, too: under Problems each would be twice.
         const ofCheck = this.#server.isRunning() ? [] : ['$ladder'];
-        const matchers = { check: ofCheck, test: ['$ladder-test', '$ladder-mistake'], format: [] }[definition.command];
+        const matchers = { check: ofCheck, test: ['$ladder-test', '$ladder-scenario-error'], format: [] }[definition.command];
         const task = new vscode.Task(definition, folder, TITLES[definition.command], TYPE, execution, matchers);
         if (definition.command === 'test') {
             task.group = vscode.TaskGroup.Test;

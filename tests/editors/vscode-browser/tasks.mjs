@@ -62,9 +62,9 @@ await step('the task that tests: scenarios that fail, and those with errors, hav
     assert.deepEqual(more, []);
     assert.deepEqual([failed.file, failed.line, failed.column], [join(project, 'motor.ladder-test'), '10', '12']);
     assert.match(failed.message, /^run is FALSE in step 3 /);
-    const [mistake] = found('$ladder-mistake', lines);
-    assert.deepEqual([mistake.file, mistake.line, mistake.column], [join(project, 'slips.ladder-test'), '3', '1']);
-    assert.deepEqual([mistake.severity, mistake.code], ['error', 'bad-scenario']);
+    const [error] = found('$ladder-scenario-error', lines);
+    assert.deepEqual([error.file, error.line, error.column], [join(project, 'slips.ladder-test'), '3', '1']);
+    assert.deepEqual([error.severity, error.code], ['error', 'bad-scenario']);
 });
 await step('the task that aligns, of one file of the folder', () => {
     const crooked = join(project, 'crooked.clad');

@@ -22,7 +22,6 @@ struct Suite<'a> {
     seconds: f64,
     interval_ns: i64,
     /// With the members of the findings of `ladder check`.
-    #[serde(rename = "mistakes")]
     errors: &'a [Problem],
     properties: Vec<Property<'a>>,
 }

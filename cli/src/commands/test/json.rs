@@ -63,7 +63,6 @@ struct Suite<'a> {
     program: Option<&'a str>,
     seconds: f64,
     /// With the members of the findings of `ladder check`.
-    #[serde(rename = "mistakes")]
     errors: &'a [Problem],
     scenarios: Vec<Scenario<'a>>,
 }

@@ -9,7 +9,7 @@ use ladder_workspace::shown;
 use std::collections::HashMap;
 use std::path::Path;
 
-/// What a table gives to a program.
+/// What a table says of a program.
 pub(super) struct Given {
     /// The tags that it has, with their values.
     pub(super) values: Vec<(Point, Value)>,

@@ -12,8 +12,8 @@ function M.entries(report, folder)
     table.insert(entries, { filename = path, lnum = place.line, col = place.column, type = 'E', text = text })
   end
   for _, file in ipairs(report.files) do
-    for _, mistake in ipairs(file.mistakes) do
-      add(mistake.file, mistake, mistake.message)
+    for _, found in ipairs(file.errors) do
+      add(found.file, found, found.message)
     end
     for _, scenario in ipairs(file.scenarios) do
       for _, difference in ipairs(scenario.differences) do
