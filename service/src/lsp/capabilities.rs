@@ -18,7 +18,7 @@ use crate::document::position::Encoding;
 use crate::lsp::documents::{file_operations, pull, typed};
 use crate::lsp::features::{
     code_action::KINDS, comment, completion, cross_reference, diagram, diagram_text, edit, fence,
-    library_block, notations, preview, prove, rule_page, run_scenarios, semantic_tokens, signature,
+    library_block, notations, preview, rule_page, run_scenarios, semantic_tokens, signature,
 };
 use crate::lsp::session::agreed::Agreed;
 use crate::simulation::COMMANDS;
@@ -101,10 +101,9 @@ pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {
                     comment::COMMENT,
                     rule_page::RULE_PAGE,
                     run_scenarios::RUN_SCENARIOS,
-                    prove::PROVE_PROPERTIES,
                     library_block::LIBRARY_BLOCK,
                 ])
-                .chain(COMPARING)
+                .chain(IF_BUILT_IN)
                 .map(ToString::to_string)
                 .collect(),
             ..ExecuteCommandOptions::default()
@@ -113,8 +112,10 @@ pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {
     }
 }
 
-/// What compares programs, where that is built in.
-const COMPARING: &[&str] = &[
+/// What needs the prover, where that is built in.
+const IF_BUILT_IN: &[&str] = &[
+    #[cfg(feature = "prove")]
+    crate::lsp::features::prove::PROVE_PROPERTIES,
     #[cfg(feature = "review")]
     crate::lsp::features::compare::COMPARE,
 ];
