@@ -2,21 +2,13 @@
 
 use super::answers;
 use expect_test::{Expect, expect};
-use ladder_prover::Verdict;
 use std::fmt::Write;
 
 /// The verdicts, and what was left open.
 fn check(program: &str, properties: &str, expected: Expect) {
     let mut text = String::new();
     for (name, answer) in answers(program, properties).expect("it has no errors") {
-        let verdict = match answer.verdict {
-            Verdict::Proved(_) => "proved",
-            Verdict::Violated(_) => "violated",
-            Verdict::Possible(_) => "possible",
-            Verdict::Impossible(_) => "impossible",
-            Verdict::Unknown(_) => "unknown",
-            Verdict::Vacuous => "vacuous",
-        };
+        let verdict = answer.verdict.word();
         let open: Vec<&str> = answer.open.iter().map(|(what, _)| what.as_str()).collect();
         writeln!(text, "{name}: {verdict} {}", open.join("; ")).expect("it can be written");
     }

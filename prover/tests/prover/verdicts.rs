@@ -1,20 +1,8 @@
 //! The programs of the corpus, whose verdicts were known before they were asked for.
 
 use super::answers;
-use ladder_prover::Verdict;
 use std::fs;
 use std::path::Path;
-
-fn word(verdict: &Verdict) -> &'static str {
-    match verdict {
-        Verdict::Proved(_) => "proved",
-        Verdict::Violated(_) => "violated",
-        Verdict::Possible(_) => "possible",
-        Verdict::Impossible(_) => "impossible",
-        Verdict::Unknown(_) => "unknown",
-        Verdict::Vacuous => "vacuous",
-    }
-}
 
 #[test]
 fn the_corpus_has_its_verdicts() {
@@ -35,7 +23,7 @@ fn the_corpus_has_its_verdicts() {
         let found = answers(&read("program.clad"), &read("properties.txt"));
         let found: Vec<&str> = match &found {
             None => vec!["refused"],
-            Some(answers) => answers.iter().map(|(_, answer)| word(&answer.verdict)).collect(),
+            Some(answers) => answers.iter().map(|(_, answer)| answer.verdict.word()).collect(),
         };
         asked += found.len();
         if found != expected {
