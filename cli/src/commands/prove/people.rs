@@ -1,6 +1,7 @@
 //! Answers for people: a line for each property, and below it the run that was found, or why nothing is known.
 
 use super::file::FileAnswers;
+use crate::findings::FileRange;
 use anstyle::{AnsiColor, Style};
 use ladder_prover::{Verdict, drawn};
 use ladder_syntax::numeral::counted;
@@ -74,16 +75,20 @@ pub(super) fn file(answers: &FileAnswers, colours: bool, out: &mut dyn Write) ->
             Verdict::Unknown(_) => "not decided",
             _ => "left open",
         };
-        for (open, place) in &property.open {
-            let place = place
-                .as_ref()
-                .map(|place| format!(" ({}:{})", shown::line(&place.file), place.line));
-            writeln!(
-                out,
-                "{INDENT}{what}: {}{}",
+        let line = |(open, place): &(String, Option<FileRange>)| match place {
+            Some(place) => format!(
+                "{} ({}:{})",
                 shown::line(open),
-                place.unwrap_or_default()
-            )?;
+                shown::line(&place.file),
+                place.line
+            ),
+            None => shown::line(open).into_owned(),
+        };
+        let mut lines: Vec<String> = property.open.iter().map(line).collect();
+        // A formula has many operations.
+        lines.dedup();
+        for line in lines {
+            writeln!(out, "{INDENT}{what}: {line}")?;
         }
         if let Some(scenario) = &property.scenario {
             for row in drawn(scenario).lines() {
