@@ -49,9 +49,14 @@ pub(crate) fn project(text: &str) -> Result<Project, ReadError> {
             .unwrap_or_default()
             .clone_into(&mut unit.name);
     }
-    unit.body = match node.child("Implementation") {
-        Some(implementation) => body(&xml, implementation, &mut project),
-        None => Body::Empty,
+    let implementation = node.child("Implementation");
+    unit.body = match implementation.and_then(|implementation| implementation.elements().next()) {
+        Some(language) => body(&xml, language, &mut project),
+        None => {
+            let why = "there is none: what the unit declares is read";
+            project.report.refused(xml.place(node), "body", why);
+            Body::Empty
+        }
     };
     for part in node.elements() {
         let what = Element::name(&part);
@@ -93,10 +98,7 @@ fn without_pragmas(text: &str) -> String {
     text.chars().map(blank).collect()
 }
 
-fn body(xml: &Xml<'_>, implementation: Node<'_, '_>, project: &mut Project) -> Body {
-    let Some(language) = implementation.elements().next() else {
-        return Body::Empty;
-    };
+fn body(xml: &Xml<'_>, language: Node<'_, '_>, project: &mut Project) -> Body {
     let place: LineColumn = xml.place(language);
     match Element::name(&language) {
         "NWL" => {

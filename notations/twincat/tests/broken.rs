@@ -139,6 +139,14 @@ fn holds(text: &str) {
         {
             continue;
         }
+        // What came to stand in another network is a part of that.
+        if network
+            .ancestors()
+            .skip(1)
+            .any(|around| has(around, "NetworkItems"))
+        {
+            continue;
+        }
         let place = lines.place(text, network.range().start);
         let end = lines.place(text, network.range().end);
         let mut own = converted

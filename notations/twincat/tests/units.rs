@@ -337,6 +337,17 @@ fn other_bodies_and_files() {
         "#]],
     );
     check(
+        &body(""),
+        expect![[r#"
+        FUNCTION_BLOCK [$F]
+        VAR_INPUT
+            a : BOOL := FALSE;
+        END_VAR
+        END_FUNCTION_BLOCK
+        refused body: there is none: what the unit declares is read
+    "#]],
+    );
+    check(
         "<TcPlcObject><GVL Name=\"G\"/></TcPlcObject>",
         expect![[r#"
         1:1: only units (`<POU>`) are read, and this file has `<GVL>`
