@@ -2,7 +2,6 @@
 
 use crate::decide::Run;
 use crate::encode::Input;
-use crate::limits::End;
 use crate::replay::value;
 use crate::shown_tags::{Shared, Watched};
 use ladder_analysis::program::Role;
@@ -68,6 +67,8 @@ pub(crate) struct Stage<'s> {
     pub(crate) shared: &'s Shared,
     /// What is assumed of the runs, as the old program has it.
     pub(crate) assumed: &'s mut Assumed,
+    /// How many blocks have run.
+    pub(crate) blocks: u64,
 }
 
 /// A tag that goes in: where it does, and what it holds if nothing is given.
@@ -82,12 +83,13 @@ struct Given {
 }
 
 impl Stage<'_> {
-    /// Plays a run that was found. None: both programs do the same in it.
-    pub(crate) fn play(&mut self, run: &Run, inputs: &[Input], end: End) -> Option<Divergence> {
+    /// Plays a run that was found, and makes it readable with about so many `blocks`. None: both programs do the same in it.
+    pub(crate) fn play(&mut self, run: &Run, inputs: &[Input], blocks: u64) -> Option<Divergence> {
         let mut given = self.given(run, inputs);
         let mut scans = self.first_difference(&given, run.scans)?;
-        self.shorten(&mut given, &mut scans, end);
-        self.calm(&mut given, &mut scans, end);
+        let most = self.blocks.saturating_add(blocks);
+        self.shorten(&mut given, &mut scans, most);
+        self.calm(&mut given, &mut scans, most);
         given.retain(|given| {
             given.is_shown || given.values[..scans].iter().any(|value| *value != given.initial)
         });
@@ -151,9 +153,11 @@ impl Stage<'_> {
                 let Some(point) = &given.points[n] else { continue };
                 simulation.set(point, given.values[scan].clone()).ok()?;
             }
+            let before = simulation.work();
             if simulation.status() != Status::Ready || !simulation.scan() {
                 return None;
             }
+            self.blocks += simulation.work().saturating_sub(before);
         }
         if self.assumed.broken_assumption(self.old).is_some() {
             return None;
@@ -172,12 +176,12 @@ impl Stage<'_> {
     }
 
     /// Leaves out scans.
-    fn shorten(&mut self, given: &mut [Given], scans: &mut usize, end: End) {
+    fn shorten(&mut self, given: &mut [Given], scans: &mut usize, most: u64) {
         let mut size = *scans / 2;
         while size > 0 {
             let mut at = 0;
             while at + size <= *scans && *scans > 1 {
-                if end.is_over() {
+                if self.blocks >= most {
                     return;
                 }
                 let removed: Vec<Vec<Value>> = (given.iter_mut())
@@ -198,13 +202,13 @@ impl Stage<'_> {
     }
 
     /// Lets inputs stay what they were, one after the other.
-    fn calm(&mut self, given: &mut [Given], scans: &mut usize, end: End) {
+    fn calm(&mut self, given: &mut [Given], scans: &mut usize, most: u64) {
         for n in 0..given.len() {
             let mut size = *scans;
             while size > 0 {
                 let mut at = 0;
                 while at < *scans {
-                    if end.is_over() {
+                    if self.blocks >= most {
                         return;
                     }
                     let to = (at + size).min(*scans);

@@ -28,17 +28,17 @@ pub struct Limits {
     pub time: Duration,
     /// How many scans from the cold start the solver searches.
     pub scans: usize,
-    /// To make a run readable that was found.
-    pub readable: Duration,
+    /// To make a run readable that was found: so many blocks are run. It is not a time, so that a run comes out the same everywhere.
+    pub readable: u64,
 }
 
 impl Default for Limits {
-    /// 5 seconds and 200 scans, and a second more.
+    /// 5 seconds and 200 scans, and ten million blocks more.
     fn default() -> Limits {
         Limits {
             time: Duration::from_secs(5),
             scans: 200,
-            readable: Duration::from_secs(1),
+            readable: 10_000_000,
         }
     }
 }
@@ -111,6 +111,7 @@ pub fn compare_programs_assuming(
         new,
         shared: &shared,
         assumed,
+        blocks: 0,
     };
     let whole = Search {
         stage,
@@ -202,8 +203,7 @@ impl Search<'_> {
         wanted: &[Lit],
         run: &Run,
     ) -> Result<Option<Divergence>, NotReproduced> {
-        let readable = End::from(Instant::now() + self.limits.readable);
-        if let Some(found) = self.stage.play(run, &model.world.inputs, readable) {
+        if let Some(found) = self.stage.play(run, &model.world.inputs, self.limits.readable) {
             return Ok(Some(found));
         }
         let open = open(model, wanted).ok_or(NotReproduced)?;

@@ -25,7 +25,7 @@ fn said(old: &str, new: &str) -> Option<Whole> {
     let limits = Limits {
         time: Duration::from_millis(1_500),
         scans: 10,
-        readable: Duration::from_millis(100),
+        readable: 1_000_000,
     };
     let said = compare_programs(&mut was, &mut is, limits);
     Some(said.unwrap_or_else(|_| panic!("a run was found that does not happen\n{old}\n{new}")))
