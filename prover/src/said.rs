@@ -1,7 +1,6 @@
 //! Answers in words.
 
 use crate::answer::{Answer, Times, Verdict};
-use ladder_simulator::scenario;
 use ladder_simulator::value_text::duration;
 use ladder_syntax::numeral::counted;
 
@@ -56,12 +55,7 @@ impl Answer {
     }
 }
 
-/// The rows of a run, in columns.
+/// The rows of a [run](crate::found_scenario), without its name.
 pub fn drawn(scenario: &str) -> String {
-    let file = scenario::layout(&format!("program p\n\n{scenario}"));
-    let rows = file
-        .lines()
-        .skip_while(|line| !line.starts_with("scenario"))
-        .skip(1);
-    rows.collect::<Vec<&str>>().join("\n")
+    scenario.lines().skip(1).collect::<Vec<&str>>().join("\n")
 }

@@ -30,10 +30,7 @@ fn scenario_of(name: &str, shown: &Shown, interval: i64, is_about_faults: bool) 
         .map(|(point, values)| row((&point.name, point.ty), values, false))
         .collect();
     if is_about_faults {
-        for row in &mut rows {
-            row.cells.extend(row.cells.last().cloned());
-        }
-        // It shows the fault one scan later.
+        add_scan(&mut rows);
         let mut cells = vec![RunCell::Nothing; shown.scans()];
         cells.push(RunCell::New("TRUE".to_owned()));
         rows.push(level_expected("SYS.FAULT", cells));
@@ -52,6 +49,13 @@ fn scenario_of(name: &str, shown: &Shown, interval: i64, is_about_faults: bool) 
         }
     }
     run_text(rows, interval, &name)
+}
+
+/// A scan more, in which all stays as it is: SYS.FAULT shows a fault one scan later.
+fn add_scan(rows: &mut [RunRow]) {
+    for row in rows {
+        row.cells.extend(row.cells.last().cloned());
+    }
 }
 
 fn level_expected(tag: &str, cells: Vec<RunCell>) -> RunRow {
@@ -98,10 +102,7 @@ pub fn scenario_of_difference(name: &str, run: &Divergence, which: Which) -> Opt
         if run.faults[0] == run.faults[1] {
             return None;
         }
-        // SYS.FAULT shows a fault one scan later.
-        for row in &mut rows {
-            row.cells.extend(row.cells.last().cloned());
-        }
+        add_scan(&mut rows);
         let faults = std::iter::once(&false).chain(&run.faults[number]);
         let values: Vec<Value> = faults.map(|faulted| Value::Bool(*faulted)).collect();
         rows.push(row(("SYS.FAULT", Scalar::Bool), &values, true));
@@ -139,7 +140,8 @@ pub fn rows_of(run: &Divergence) -> Vec<String> {
 
 /// A scenario file of these scenarios, in its layout. `interval` is in nanoseconds.
 pub fn scenario_file(program: &str, interval: i64, scenarios: &[String]) -> String {
-    let mut text = format!("program {program}\ninterval {}\n", value_text::duration(interval));
+    let interval = value_text::duration(interval);
+    let mut text = format!("{}interval {interval}\n", scenario::program_line(program));
     for scenario in scenarios {
         text.push('\n');
         text.push_str(scenario);

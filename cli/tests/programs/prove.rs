@@ -369,6 +369,15 @@ fn the_runs_are_scenarios_that_pass() {
 }
 
 #[test]
+fn the_name_of_the_program_may_need_quotes() {
+    let text = "program \"line [2] #1.clad\"\nnever run\n";
+    let folder = Folder::with(&[("line [2] #1.clad", MOTOR), ("line.ladder-test", text)]);
+    folder.ladder(&["prove", "line.ladder-test", "--write", "found.ladder-test"]);
+    let tested = folder.ladder(&["test", "found.ladder-test"]).to_string();
+    assert!(tested.contains("1 passed"), "{tested}");
+}
+
+#[test]
 fn a_long_run_has_a_column_for_each_stretch_in_which_nothing_changes() {
     let text = "program motor.clad\ninterval 10ms\nproperty \"never warm\"\nnever ready and not was(stop)\n";
     let folder = Folder::with(&[("motor.clad", MOTOR), ("motor.ladder-test", text)]);

@@ -2,7 +2,7 @@
 
 use super::layout::layout;
 use super::record::written;
-use super::run_text::{Lengths, RunCell, RunRow, scenario};
+use super::run_text::{self, Lengths, RunCell, RunRow, scenario};
 use crate::simulation::Simulation;
 use crate::tags::Point;
 use ladder_analysis::values::types::Scalar;
@@ -57,11 +57,7 @@ pub fn scenario_of_inputs(
     }
     let begins: Vec<usize> = begins.into_iter().collect();
     let ends: Vec<usize> = begins.iter().copied().skip(1).chain([scans]).collect();
-    let columns: Vec<u64> = begins
-        .iter()
-        .zip(&ends)
-        .map(|(begin, end)| (end - begin) as u64)
-        .collect();
+    let columns = run_text::columns(&begins, scans);
     let mut rows = Vec::new();
     for (point, values) in given {
         let mut cells = Vec::new();
@@ -87,12 +83,7 @@ pub fn scenario_of_inputs(
         interval: simulation.options().interval,
     };
     // Laid out alone, so that the rest of its file stays as it is.
-    let text = layout(&format!("program p\n\n{}", scenario(&rows, lengths, name, step)));
-    Some(
-        text.trim_start_matches("program p\n")
-            .trim_start_matches('\n')
-            .to_owned(),
-    )
+    Some(layout(&scenario(&rows, lengths, name, step)))
 }
 
 fn row(point: &Point, is_expected: bool, cells: Vec<RunCell>) -> RunRow {

@@ -42,7 +42,7 @@ pub use monitor::{Monitor, Watched, bind_properties};
 pub use parse::{Cell, Direction, HEADINGS, Row, Scenario, Suite, TIME, TimeRow, parse};
 pub use play::Unmet;
 pub use property::{FORMS, Form, PROPERTY, Property, Span, Written};
-pub use record::{Recordable, Recorded, Wanted, passes, record, recordable, recorded_file};
+pub use record::{Recordable, Recorded, Wanted, passes, program_line, record, recordable, recorded_file};
 pub use run::{Difference, Ran, run, run_within};
 pub use run_text::{RunCell, RunRow, run_text};
 pub use tolerance::Tolerance;

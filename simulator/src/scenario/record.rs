@@ -176,8 +176,8 @@ pub fn record(session: &Session, wanted: Wanted<'_>) -> Result<Recorded, String>
     };
     Ok(Recorded {
         text: format!(
-            "program {}\n{}",
-            quoted(wanted.program),
+            "{}{}",
+            program_line(wanted.program),
             run_text::text(&all, lengths, wanted.name)
         ),
         expected: played
@@ -376,13 +376,14 @@ pub(super) fn written(value: &Value, ty: Scalar) -> Option<String> {
     (value_text::parse(&text, ty).as_ref() == Ok(value)).then_some(text)
 }
 
-/// A file's name, in quotes where it holds what would end it.
-fn quoted(name: &str) -> String {
-    if name.contains(['#', '\'', '[', '=']) {
-        format!("\"{name}\"")
+/// The line of a file of scenarios that names its program: in quotes where the name holds what would end it.
+pub fn program_line(name: &str) -> String {
+    let quote = if name.contains(['#', '\'', '[', '=']) {
+        "\""
     } else {
-        name.to_owned()
-    }
+        ""
+    };
+    format!("program {quote}{name}{quote}\n")
 }
 
 #[cfg(test)]

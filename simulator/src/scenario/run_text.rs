@@ -92,12 +92,7 @@ pub fn run_text(mut rows: Vec<RunRow>, interval: i64, name: &str) -> String {
         *scan == 0 || rows.iter().any(|row| text(row, *scan) != text(row, *scan - 1))
     };
     let begins: Vec<usize> = (0..scans).filter(changes).collect();
-    let ends = begins.iter().skip(1).copied().chain([scans]);
-    let columns: Vec<u64> = begins
-        .iter()
-        .zip(ends)
-        .map(|(begin, end)| (end - begin) as u64)
-        .collect();
+    let columns = columns(&begins, scans);
     for row in &mut rows {
         row.cells = begins.iter().map(|begin| row.cells[*begin].clone()).collect();
     }
@@ -106,6 +101,16 @@ pub fn run_text(mut rows: Vec<RunRow>, interval: i64, name: &str) -> String {
         interval,
     };
     layout(&(heading + &by_change(&rows, lengths, 1)))
+}
+
+/// How long the columns are that begin with these scans.
+pub(super) fn columns(begins: &[usize], scans: usize) -> Vec<u64> {
+    let ends = begins.iter().skip(1).chain([&scans]);
+    begins
+        .iter()
+        .zip(ends)
+        .map(|(begin, end)| (end - begin) as u64)
+        .collect()
 }
 
 fn heading(name: &str) -> String {

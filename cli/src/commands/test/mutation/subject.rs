@@ -107,16 +107,11 @@ impl Subject {
 
 /// What a file of scenarios begins with.
 fn heading(program: &str, step: Option<i64>, options: Options) -> String {
-    let quote = if program.contains(['#', '\'', '[', '=']) {
-        "\""
-    } else {
-        ""
-    };
     let step = step.map_or_else(String::new, |step| {
         format!("step {}\n", value_text::duration(step))
     });
     let interval = value_text::duration(options.interval);
-    format!("program {quote}{program}{quote}\n{step}interval {interval}\n")
+    format!("{}{step}interval {interval}\n", scenario::program_line(program))
 }
 
 impl Tested {
