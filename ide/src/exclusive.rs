@@ -47,8 +47,6 @@ pub struct Exclusive {
     pub one: String,
     /// The other.
     pub other: String,
-    /// Where the two are named.
-    pub places: Vec<TextRange>,
 }
 
 impl Exclusive {
@@ -89,30 +87,31 @@ impl Exclusive {
     }
 }
 
-/// An output with the networks that write it by a coil, and those with a closed contact of it.
+/// An output with the words of its name, the networks that write it by a coil, and those with a closed contact of it.
 struct Output<'c> {
     tag: &'c TagFacts,
+    words: Vec<String>,
+    is_touched: bool,
     coils: BTreeSet<usize>,
     closed: BTreeSet<usize>,
 }
 
-/// The pairs of a program's outputs that exclude each other.
-pub fn exclusive_outputs(context: &Context) -> Vec<Exclusive> {
-    let outputs: Vec<Output<'_>> = outputs(context);
+/// The pairs of a program's outputs that exclude each other. With `touched` only those of which one is named in this range: it is asked
+/// wherever the cursor goes.
+pub fn exclusive_outputs(context: &Context, touched: Option<TextRange>) -> Vec<Exclusive> {
+    let outputs: Vec<Output<'_>> = outputs(context, touched);
     let mut found = Vec::new();
     for (at, one) in outputs.iter().enumerate() {
-        for other in &outputs[at + 1..] {
+        for other in outputs[at + 1..]
+            .iter()
+            .filter(|other| one.is_touched || other.is_touched)
+        {
             let locks = |one: &Output<'_>, other: &Output<'_>| !one.closed.is_disjoint(&other.coils);
             let locked = locks(one, other) && locks(other, one);
-            if locked || are_opposites(&one.tag.name, &other.tag.name) {
-                let places = [one, other].into_iter().flat_map(|output| {
-                    let declared = context.place_of(output.tag);
-                    std::iter::once(declared).chain(context.uses(output.tag).map(|it| it.range))
-                });
+            if locked || are_opposites(&one.words, &other.words) {
                 found.push(Exclusive {
                     one: one.tag.name.to_string(),
                     other: other.tag.name.to_string(),
-                    places: places.collect(),
                 });
             }
         }
@@ -120,7 +119,7 @@ pub fn exclusive_outputs(context: &Context) -> Vec<Exclusive> {
     found
 }
 
-fn outputs(context: &Context) -> Vec<Output<'_>> {
+fn outputs(context: &Context, touched: Option<TextRange>) -> Vec<Output<'_>> {
     let Some(scope) = context.scopes.first() else {
         return Vec::new();
     };
@@ -130,6 +129,16 @@ fn outputs(context: &Context) -> Vec<Output<'_>> {
         let may_be = shared.role == Role::Output || shared.origin == Origin::Undeclared;
         may_be && shared.ty == Some(Type::Scalar(Scalar::Bool)) && !tag.name.starts_with('%')
     };
+    let is_touched = |tag: &TagFacts| {
+        touched.is_none_or(|touched| {
+            let mut places =
+                std::iter::once(context.place_of(tag)).chain(context.uses(tag).map(|it| it.range));
+            places.any(|place| place.intersect(touched).is_some())
+        })
+    };
+    if !scope.tags.iter().any(|tag| output(tag) && is_touched(tag)) {
+        return Vec::new();
+    }
     let of = |tag| {
         let (mut coils, mut closed) = (BTreeSet::new(), BTreeSet::new());
         for place in context.uses(tag).filter(|place| place.whole) {
@@ -144,7 +153,13 @@ fn outputs(context: &Context) -> Vec<Output<'_>> {
                 _ => false,
             };
         }
-        Output { tag, coils, closed }
+        Output {
+            tag,
+            words: words(&tag.name),
+            is_touched: is_touched(tag),
+            coils,
+            closed,
+        }
     };
     let outputs = scope.tags.iter().filter(|tag| output(tag)).map(of);
     let mut outputs: Vec<Output<'_>> = outputs
@@ -156,12 +171,11 @@ fn outputs(context: &Context) -> Vec<Output<'_>> {
 }
 
 /// Whether two names differ in one word, and that by its opposite.
-fn are_opposites(one: &str, other: &str) -> bool {
-    let (one, other) = (words(one), words(other));
+fn are_opposites(one: &[String], other: &[String]) -> bool {
     if one.len() != other.len() {
         return false;
     }
-    let mut differ = one.iter().zip(&other).filter(|(a, b)| a != b);
+    let mut differ = one.iter().zip(other).filter(|(a, b)| a != b);
     let (Some((a, b)), None) = (differ.next(), differ.next()) else {
         return false;
     };
@@ -222,7 +236,7 @@ mod tests {
 
     fn pairs(text: &str) -> Vec<String> {
         let fixture = Fixture::new(text);
-        let found = exclusive_outputs(&fixture.files[0].0.context);
+        let found = exclusive_outputs(&fixture.files[0].0.context, None);
         found.iter().map(Exclusive::name).collect()
     }
 
@@ -264,7 +278,7 @@ mod tests {
     #[test]
     fn what_is_stated_is_not_proposed() {
         let fixture = Fixture::new("+--[ ]( a )--( )( up )--+\n+--[ ]( b )--( )( down )--+\n");
-        let found = exclusive_outputs(&fixture.files[0].0.context);
+        let found = exclusive_outputs(&fixture.files[0].0.context, None);
         let is_stated = |form: &str| found[0].is_stated(&parse(&format!("program p.clad\n{form}\n")));
         assert!(is_stated("never up and down"));
         assert!(is_stated("never (Down & up)"));

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use ladder_analysis::context::Context;
-use ladder_ide::{exclusive_outputs, place_of_new_property};
+use ladder_ide::{Exclusive, exclusive_outputs, place_of_new_property};
 use ladder_simulator::scenario::{self, Suite};
 use ladder_simulator::value_text;
 use ladder_syntax::{TextRange, TextSize};
@@ -105,8 +105,7 @@ fn appended(text: &str, suite: &Suite, property: &PropertyProved) -> Option<Stri
     let name = std::iter::once(found.name.clone())
         .chain(numbered)
         .find(|name| !is_taken(name))?;
-    let laid_out = scenario::layout(&format!("program p\n\nscenario \"{name}\"{rows}"));
-    let scenario = laid_out.split_once("\n\n")?.1;
+    let scenario = scenario::layout(&format!("scenario \"{name}\"{rows}"));
     let between = match text {
         text if text.ends_with("\n\n") => "",
         text if text.ends_with('\n') => "\n",
@@ -155,7 +154,7 @@ fn proposed_here(
         version: Some(asked.revision.version),
         text: Some(scenarios.text.to_owned()),
     };
-    proposed(shared.agreed(), program, &file, "", None)
+    proposed(shared.agreed(), exclusive_outputs(program, None), &file, "")
 }
 
 /// What is proposed for the outputs of a program that a range touches.
@@ -165,7 +164,8 @@ pub(super) fn of_program(
     context: &Context,
     touched: TextRange,
 ) -> Vec<CodeAction> {
-    let Some(place) = revision.place() else {
+    let found = exclusive_outputs(context, Some(touched));
+    let Some(place) = revision.place().filter(|_| !found.is_empty()) else {
         return Vec::new();
     };
     let path = place.path.with_extension(ladder_workspace::SCENARIO_EXTENSION);
@@ -180,7 +180,7 @@ pub(super) fn of_program(
         uri,
     };
     let name = place.path.file_name().unwrap_or_default().to_string_lossy();
-    proposed(shared.agreed(), context, &file, &name, Some(touched))
+    proposed(shared.agreed(), found, &file, &name)
 }
 
 /// A file of scenarios, which may have to be made.
@@ -190,28 +190,18 @@ struct Target {
     text: Option<String>,
 }
 
-fn proposed(
-    agreed: Agreed,
-    context: &Context,
-    file: &Target,
-    program: &str,
-    touched: Option<TextRange>,
-) -> Vec<CodeAction> {
+fn proposed(agreed: Agreed, found: Vec<Exclusive>, file: &Target, program: &str) -> Vec<CodeAction> {
     if file.text.is_none() && !agreed.creates_files {
         return Vec::new();
     }
     let text = file.text.clone().unwrap_or_default();
     let suite = scenario::parse(&text);
-    let is_meant = |places: &[TextRange]| {
-        touched.is_none_or(|touched| places.iter().any(|place| place.intersect(touched).is_some()))
-    };
-    let found = exclusive_outputs(context).into_iter();
-    let found = found.filter(|pair| is_meant(&pair.places) && !pair.is_stated(&suite));
-    let action = |pair: ladder_ide::Exclusive| {
+    let found = found.into_iter().filter(|pair| !pair.is_stated(&suite));
+    let action = |pair: Exclusive| {
         let (at, before, after) = place_of_new_property(&text, &suite);
         let head = match file.text {
             Some(_) => String::new(),
-            None => format!("program {program}\n"),
+            None => scenario::program_line(program),
         };
         let before = if head.is_empty() { before } else { "\n" };
         let edit = TextEdit {
