@@ -27,7 +27,7 @@ pub fn while_wanted<T>(is_wanted: impl Fn() -> bool + 'static, job: impl FnOnce(
 }
 
 /// Whether anybody waits for what this thread does.
-pub(crate) fn is_wanted() -> bool {
+pub fn is_wanted() -> bool {
     let ask = |wanted: &Option<IsWanted>| wanted.as_ref().is_none_or(|wanted| wanted());
     WANTED.with_borrow(ask)
 }

@@ -5,7 +5,7 @@ use crate::outline::{Entry, Kind, Outline};
 use crate::verdict::Verdict;
 use ladder_analysis::program::Program;
 use ladder_analysis::{RuleSettings, analyze_context};
-use ladder_prover::{Compared, Meaning};
+use ladder_prover::{Compared, Meaning, is_wanted};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -13,13 +13,9 @@ use std::time::{Duration, Instant};
 const TIME: Duration = Duration::from_secs(2);
 
 impl Comparison<'_> {
-    /// Asks of each edited network whether it does the same, for no longer than `time` in all.
+    /// Asks of each edited network whether it does the same, for no longer than `time` in all, and as long as it is
+    /// [wanted](ladder_prover::while_wanted).
     pub fn decide(&mut self, time: Duration) {
-        self.decide_while(time, &|| true);
-    }
-
-    /// The same while it is wanted: that is asked before each network.
-    pub fn decide_while(&mut self, time: Duration, wanted: &dyn Fn() -> bool) {
         let end = Instant::now() + time;
         let is_asked =
             |change: &Change<'_>| change.verdict == Verdict::Edited && change.entry().kind == Kind::Network;
@@ -29,7 +25,7 @@ impl Comparison<'_> {
         let mut changes = std::mem::take(&mut self.changes);
         let compared = self.compared();
         let asked = changes.iter_mut().filter(|change| is_asked(change));
-        for change in asked.take_while(|_| wanted()) {
+        for change in asked.take_while(|_| is_wanted()) {
             let numbers = [change.old, change.new].map(|entry| entry.and_then(number));
             let [Some(old), Some(new)] = numbers else { continue };
             let left = end.saturating_duration_since(Instant::now());

@@ -10,7 +10,7 @@ use ladder_picture::Theme;
 use ladder_review::outline::Entry;
 use ladder_review::report::{html, summary};
 use ladder_review::words::{heading, names, reason, word};
-use ladder_review::{Change, Comparison, Outline, compare};
+use ladder_review::{Change, Comparison, Outline, compare, is_wanted};
 use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES};
 use ladder_workspace::shown;
 use serde::{Deserialize, Serialize};
@@ -96,12 +96,8 @@ pub struct Changed {
     pub drawing: Option<String>,
 }
 
-/// Compares, while that is wanted. None: one of the texts is too large. For a blocking thread.
-pub(crate) fn compare_with(
-    revision: &Revision,
-    asked: &Compare,
-    wanted: &dyn Fn() -> bool,
-) -> Option<ComparedTexts> {
+/// Compares, as long as that is [wanted](ladder_review::while_wanted). None: one of the texts is too large. For a blocking thread.
+pub(crate) fn compare_with(revision: &Revision, asked: &Compare) -> Option<ComparedTexts> {
     let base = &asked.base;
     let base_fits = base.len() <= MAX_OPEN_BYTES && base.lines().count() <= MAX_OPEN_LINES;
     if !base_fits || !revision.fits() {
@@ -114,8 +110,8 @@ pub(crate) fn compare_with(
     };
     let (old, new) = (outline(base), outline(&revision.text()));
     let mut comparison = compare(&old, &new);
-    comparison.decide_while(TIME, wanted);
-    let drawings = asked.drawings.filter(|_| wanted());
+    comparison.decide(TIME);
+    let drawings = asked.drawings.filter(|_| is_wanted());
     let drawn = drawings.map(|_| html::sections(&comparison));
     let mut drawn = drawn.into_iter().flatten();
     let mut changes = Vec::new();

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use ladder_review::while_wanted;
 use tower_lsp::jsonrpc::{Error, Result};
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
@@ -21,7 +22,9 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
     let revision = revision.ok_or_else(|| failed(format!("{} is not open in the editor", asked.uri)))?;
     let (of, documents) = (revision.clone(), Arc::clone(&shared.documents));
     let compared = blocking(&*shared.host, move |cancel| {
-        compare_with(&of, &asked, &|| !cancel.is_cancelled() && documents.shows(&of))
+        let (cancel, shown) = (cancel.clone(), of.clone());
+        let is_wanted = move || !cancel.is_cancelled() && documents.shows(&shown);
+        while_wanted(is_wanted, || compare_with(&of, &asked))
     })
     .await?;
     // What it says is about lines of that text.
