@@ -1,34 +1,13 @@
 // *Compare with HEAD*: both forms of what changed in a program, next to each other and next to its text.
-import { randomBytes } from 'node:crypto';
-
 import * as vscode from 'vscode';
 
 import type { FromPage, ToPage } from '../../../../panels/compare/messages.ts';
 import { reasonOf } from '../../../../panels/reason.ts';
-import { folderOf } from '../diagram/page.ts';
+import { folderOf, pageOf } from '../webviewPage.ts';
 import type { Comparisons } from './comparisons.ts';
 
 /** The protocol's code for an answer about a text that has moved on. */
 const CONTENT_MODIFIED = -32801;
-
-function pageOf(webview: vscode.Webview, extension: vscode.Uri): string {
-    const address = (name: string) => webview.asWebviewUri(vscode.Uri.joinPath(folderOf(extension), name)).toString();
-    const nonce = randomBytes(16).toString('hex');
-    return `<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src ${webview.cspSource}; script-src 'nonce-${nonce}'">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<link rel="stylesheet" href="${address('compare.style.css')}">
-<title>Compare with HEAD</title>
-</head>
-<body>
-<script nonce="${nonce}" src="${address('compare.js')}"></script>
-</body>
-</html>
-`;
-}
 
 function theme(): 'light' | 'dark' {
     const { kind } = vscode.window.activeColorTheme;
@@ -109,7 +88,7 @@ export class ComparePanels implements vscode.Disposable {
             this.#panels.delete(document);
             subscriptions.dispose();
         });
-        panel.webview.html = pageOf(panel.webview, this.#extension);
+        panel.webview.html = pageOf(panel.webview, this.#extension, { name: 'compare', title: 'Compare with HEAD' });
     }
 
     dispose(): void {

@@ -4,7 +4,7 @@ import * as vscode from 'vscode';
 import { breakpointsAt } from '../breakpoints.ts';
 import type { Server } from '../server.ts';
 import type { Simulation } from '../simulation.ts';
-import { folderOf, pageOf } from './page.ts';
+import { folderOf, pageOf } from '../webviewPage.ts';
 import { DiagramPanel } from './panel.ts';
 
 /** As package.json declares it. */
@@ -32,7 +32,11 @@ export class DiagramEditors implements vscode.CustomTextEditorProvider, vscode.D
             this.#panels.delete(webview);
             panel.dispose();
         });
-        webview.webview.html = pageOf(webview.webview, this.#extension);
+        webview.webview.html = pageOf(webview.webview, this.#extension, {
+            name: 'diagram',
+            title: 'Diagram',
+            context: { preventDefaultContextMenuItems: true },
+        });
     }
 
     /** Opens the diagram of a program next to its text, or brings it to the front. */
