@@ -32,19 +32,15 @@ pub(super) fn print(compared: &[Compared<'_>], settings: &[SettingsDiff]) -> io:
             .iter()
             .map(|diff| format!("{}: other settings", diff.name())),
     );
-    let (answer, reasons) = match (others.is_empty(), open.is_empty()) {
-        (true, true) => ("the same", others),
-        (true, false) => ("not decided", open),
-        (false, _) => ("not the same", others),
+    let (answer, outcome, reasons) = match (others.is_empty(), open.is_empty()) {
+        (true, true) => ("the same", Outcome::Fine, others),
+        (true, false) => ("not decided", Outcome::Findings, open),
+        (false, _) => ("not the same", Outcome::Findings, others),
     };
     let mut out = io::stdout().lock();
     writeln!(out, "{answer}")?;
     for reason in &reasons {
         writeln!(out, "  {}", shown::line(reason))?;
     }
-    Ok(if answer == "the same" {
-        Outcome::Fine
-    } else {
-        Outcome::Findings
-    })
+    Ok(outcome)
 }
