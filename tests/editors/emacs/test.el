@@ -48,6 +48,11 @@
       (apply #'eglot--connect (eglot--guess-contact)))
     (eventually "the language server to attach" (and (eglot-managed-p) (eglot-current-server)))))
 
+(defun ask (method)
+  "What the server says of the place of the cursor to METHOD."
+  (eglot--signal-textDocument/didChange)
+  (jsonrpc-request (eglot-current-server) method (eglot--TextDocumentPositionParams)))
+
 (defun faced (face)
   "The text of the buffer, where what is not in FACE is blank; lines without blanks at their ends."
   (let ((shown ""))
@@ -244,6 +249,75 @@
       (press)
       (row "^\\+ table ")))
   (ladder-stop))
+
+;; Scenarios and properties have no code of their own in Emacs: this is what Eglot makes of them.
+(defvar shutter "VAR_INPUT go_up, go_down : BOOL; END_VAR\nVAR_OUTPUT up, down : BOOL; END_VAR
++--[ ]( go_up )----[/]( down )--( )( up )--+\n\n+--[ ]( go_down )--[/]( up )----( )( down )--+\n")
+
+(defun open-properties (text)
+  "Open TEXT as the file of properties of a program."
+  (open "shutter.clad" shutter)
+  (let ((folder default-directory))
+    (write-region text nil (expand-file-name "shutter.ladder-test" folder) nil 'quiet)
+    (find-file (expand-file-name "shutter.ladder-test" folder))
+    (eventually "the language server to attach" (and (eglot-managed-p) (eglot-current-server)))))
+
+(step "what is wrong in a property is marked at its place"
+  (open-properties "program shutter.clad\n\nproperty \"not both\"\nnever up and dwn\n")
+  (same "the mode" 'ladder-test-mode major-mode)
+  (flymake-mode 1)
+  (flymake-start)
+  (let ((found (car (eventually "a finding" (flymake-diagnostics)))))
+    (unless (string-search "dwn" (flymake-diagnostic-text found))
+      (error "%S" (flymake-diagnostic-text found)))
+    (same "the line" 4 (line-number-at-pos (flymake-diagnostic-beg found)))))
+
+(step "completion proposes the forms of properties, and the tags of their program"
+  (open-properties "program shutter.clad\n\nnever up and do\nwi\n")
+  (cl-flet ((proposed ()
+              (eglot--signal-textDocument/didChange)
+              (all-completions "" (nth 2 (eglot-completion-at-point)))))
+    (goto-char (point-min))
+    (search-forward "and do")
+    (unless (member "down" (mapcar #'string-trim (proposed)))
+      (error "%S" (proposed)))
+    (search-forward "wi")
+    (unless (seq-find (lambda (name) (string-prefix-p "within" (string-trim name))) (proposed))
+      (error "%S" (proposed)))))
+
+(step "a property is explained"
+  (open-properties "program shutter.clad\n\nnever up and down\n")
+  (goto-char (point-min))
+  (search-forward "nev")
+  (let ((of-form (format "%S" (ask :textDocument/hover))))
+    (search-forward "and do")
+    (let ((of-tag (format "%S" (ask :textDocument/hover))))
+      (unless (and (string-search "Violated in a scan after which the condition is TRUE" of-form) (string-search "BOOL" of-tag))
+        (error "%s %s" of-form of-tag)))))
+
+(step "a tag that is renamed in a property is renamed in the program"
+  (open-properties "program shutter.clad\n\nnever up and down\n")
+  (goto-char (point-min))
+  (search-forward "and do")
+  (let ((eglot-confirm-server-initiated-edits nil) (inhibit-message t))
+    (eglot-rename "lowers"))
+  (same "the property" "never up and lowers" (buffer-substring-no-properties (line-beginning-position) (line-end-position)))
+  (with-current-buffer (find-buffer-visiting (expand-file-name "shutter.clad"))
+    (unless (string-search "( )( lowers )" (buffer-string))
+      (error "%s" (buffer-string)))))
+
+;; Eglot makes no files: there must be one for the property.
+(step "two outputs that lock each other propose a property"
+  (open-properties "program shutter.clad\n")
+  (find-file (expand-file-name "shutter.clad"))
+  (goto-char (point-min))
+  (search-forward "( )( u")
+  (let* ((here (eglot--pos-to-lsp-position))
+         (params (list :textDocument (eglot--TextDocumentIdentifier) :range (list :start here :end here)
+                       :context (list :diagnostics [])))
+         (offered (jsonrpc-request (eglot-current-server) :textDocument/codeAction params)))
+    (unless (seq-find (lambda (one) (string-search "never up and down" (plist-get one :title))) offered)
+      (error "%S" (mapcar (lambda (one) (plist-get one :title)) offered)))))
 
 (kill-emacs (if (= failed 0) 0 1))
 ;;; test.el ends here
