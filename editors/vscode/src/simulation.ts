@@ -17,10 +17,14 @@ const MARGIN = 5;
 const FRAME = 33;
 /** In milliseconds. */
 const LONGEST_REST = 250;
+/** So many states are kept of sessions that are only just starting: the server sends each of them one, and waits. */
+const MOST_EARLY = 4;
 
 export class Simulation implements vscode.Disposable {
     readonly #sessions = new Map<string, Session>();
     readonly #context = new Map<string, boolean>();
+    /** States of sessions that are not known here, the last of them. */
+    #early: readonly State[] = [];
     readonly #shownElsewhere = new Set<(document: vscode.TextDocument) => Lines | undefined>();
     readonly #server: Server;
     readonly #changed = new vscode.EventEmitter<vscode.TextDocument>();
@@ -105,6 +109,9 @@ export class Simulation implements vscode.Disposable {
                 editor.revealRange(range, vscode.TextEditorRevealType.InCenter);
             }
         }
+        const early = this.#early.filter((state) => state.session === session.id);
+        this.#early = this.#early.filter((state) => state.session !== session.id);
+        early.forEach((state) => this.#receive(state));
     }
 
     /**
@@ -335,18 +342,20 @@ export class Simulation implements vscode.Disposable {
     }
 
     #receive(state: State): void {
-        for (const session of this.#sessions.values()) {
-            if (session.id === state.session) {
-                try {
-                    session.seen = state.commands ?? 0;
-                    this.#show(session, state);
-                } finally {
-                    void this.#hasShown(session);
-                    if (state.delta !== true) {
-                        // Other lines of the new text may be in sight.
-                        this.look();
-                    }
-                }
+        const session = [...this.#sessions.values()].find(({ id }) => id === state.session);
+        if (!session) {
+            // Of one that is only just starting: the server waits until it is shown.
+            this.#early = [...this.#early.slice(1 - MOST_EARLY), state];
+            return;
+        }
+        try {
+            session.seen = state.commands ?? 0;
+            this.#show(session, state);
+        } finally {
+            void this.#hasShown(session);
+            if (state.delta !== true) {
+                // Other lines of the new text may be in sight.
+                this.look();
             }
         }
     }
