@@ -1,7 +1,7 @@
 // What scenarios exercise, drawn next to the networks.
 import * as vscode from 'vscode';
 
-import { missing, unitsBefore, type Covered } from './scenarioResults.ts';
+import { unitsBefore, waysOf, type Covered } from './scenarioResults.ts';
 import { textOf } from './diskText.ts';
 
 /** Coverage with what it was made of. */
@@ -10,17 +10,17 @@ export class CoveredFile extends vscode.FileCoverage {
 
     constructor(uri: vscode.Uri, covered: Covered) {
         const reached = covered.rungs.filter(({ scans }) => scans > 0).length;
-        const ways = covered.parts.map(missing);
+        const ways = covered.parts.flatMap(waysOf);
         super(
             uri,
             new vscode.TestCoverageCount(reached, covered.rungs.length),
-            new vscode.TestCoverageCount(2 * ways.length - ways.flat().length, 2 * ways.length),
+            new vscode.TestCoverageCount(ways.filter(({ isSeen }) => isSeen).length, ways.length),
         );
         this.covered = covered;
     }
 }
 
-/** What was reached, line by line, with the contacts and coils that were not seen both ways. */
+/** What was reached, line by line, with the contacts and coils that were not seen both ways or are not shown to matter. */
 export async function details({ uri, covered }: CoveredFile): Promise<vscode.StatementCoverage[]> {
     const lines = (await textOf(uri)).split(/\r\n|\n|\r/);
     return covered.rungs.map(({ line, scans }) => {
@@ -28,9 +28,7 @@ export async function details({ uri, covered }: CoveredFile): Promise<vscode.Sta
         const parts = covered.parts.filter((part) => part.line === line);
         const branches = parts.flatMap((part) => {
             const start = new vscode.Position(line - 1, unitsBefore(text, part.column));
-            const ways = part.kind === 'coil' ? ['on', 'off'] : ['closed', 'open'];
-            const gone = missing(part);
-            return ways.map((way) => new vscode.BranchCoverage(!gone.includes(way), start, `${part.kind} ${way}`));
+            return waysOf(part).map(({ name, isSeen }) => new vscode.BranchCoverage(isSeen, start, `${part.kind} ${name}`));
         });
         return new vscode.StatementCoverage(scans, new vscode.Range(line - 1, 0, line - 1, text.length), branches);
     });

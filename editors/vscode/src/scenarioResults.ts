@@ -3,6 +3,7 @@
 export interface Results {
     readonly files: readonly FileResult[];
     readonly coverage?: readonly Covered[];
+    readonly mutation?: readonly Mutated[];
 }
 
 export interface FileResult {
@@ -50,6 +51,23 @@ export interface Covered {
         readonly column: number;
         readonly on: boolean;
         readonly off: boolean;
+        /** Whether a scenario shows that it matters, where changes were tried. */
+        readonly matters?: boolean;
+    }[];
+}
+
+/** A change of a program, and whether a scenario notices it. */
+export interface Mutated {
+    readonly program: string;
+    readonly caught: number;
+    readonly missed: number;
+    readonly changes: readonly {
+        readonly line: number;
+        readonly change: string;
+        readonly before: string;
+        readonly fate: string;
+        /** A scenario that would notice it. */
+        readonly scenario?: string;
     }[];
 }
 
@@ -73,8 +91,20 @@ export function failingStretches(lines: readonly string[], { places }: Differenc
     });
 }
 
-/** What is missing of a contact, comparison or coil to have been seen both ways. */
-export function missing({ kind, on, off }: Covered['parts'][number]): string[] {
-    const [isOn, isOff] = kind === 'coil' ? ['on', 'off'] : ['closed', 'open'];
-    return [...(on ? [] : [isOn]), ...(off ? [] : [isOff])];
+/** The ways in which a contact, comparison or coil is to be seen. */
+export function waysOf({ kind, on, off, matters }: Covered['parts'][number]): { name: string; isSeen: boolean }[] {
+    const [isOn, isOff] = kind === 'coil' ? (['on', 'off'] as const) : (['closed', 'open'] as const);
+    const shown = matters === undefined ? [] : [{ name: 'shown to matter', isSeen: matters }];
+    return [{ name: isOn, isSeen: on }, { name: isOff, isSeen: off }, ...shown];
+}
+
+/** The changes that no scenario notices, for the output of a run. */
+export function missedLines({ program, caught, missed, changes }: Mutated): string[] {
+    const lines = changes
+        .filter(({ fate }) => fate === 'missed')
+        .flatMap(({ line, change, before, scenario }) => [
+            `${program}:${line}: no scenario notices: ${change}, ${before}`,
+            ...(scenario === undefined ? [] : ['this one would:', ...scenario.trimEnd().split('\n').map((row) => `    ${row}`)]),
+        ]);
+    return [`${program}: of ${caught + missed} changes the scenarios notice ${caught}`, ...lines];
 }

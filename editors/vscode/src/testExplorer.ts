@@ -4,7 +4,7 @@ import { homedir } from 'node:os';
 
 import * as vscode from 'vscode';
 
-import { failingStretches, type FileResult, type Results, type Stretch } from './scenarioResults.ts';
+import { failingStretches, missedLines, type FileResult, type Results, type Stretch } from './scenarioResults.ts';
 import { textOf, whole } from './diskText.ts';
 import { CoveredFile, details } from './scenarioCoverage.ts';
 import { debugProperty, isProperty, propertyId, proveAll } from './propertyProofs.ts';
@@ -33,12 +33,17 @@ export class TestExplorer implements vscode.Disposable {
     constructor(server: Server) {
         this.#server = server;
         const { Run, Debug, Coverage } = vscode.TestRunProfileKind;
-        const run = this.#controller.createRunProfile('Run', Run, (request, token) => this.#requested(request, token, false), true);
-        run.supportsContinuousRun = true;
+        const profile = (name: string, kind: vscode.TestRunProfileKind, options: readonly string[], isDefault: boolean) => {
+            const run = (request: vscode.TestRunRequest, token: vscode.CancellationToken) => this.#requested(request, token, options);
+            const made = this.#controller.createRunProfile(name, kind, run, isDefault);
+            made.supportsContinuousRun = isDefault;
+            made.loadDetailedCoverage = async (_, covered) => (covered instanceof CoveredFile ? details(covered) : []);
+        };
+        profile('Run', Run, [], true);
         this.#controller.createRunProfile('Debug', Debug, (request, token) => this.#debug(request, token), true);
-        const coverage = this.#controller.createRunProfile('Coverage', Coverage, (request, token) => this.#requested(request, token, true), true);
-        coverage.supportsContinuousRun = true;
-        coverage.loadDetailedCoverage = async (_, covered) => (covered instanceof CoveredFile ? details(covered) : []);
+        profile('Coverage', Coverage, ['--coverage'], true);
+        // This takes a run of all scenarios for each contact.
+        profile('Coverage and What Matters', Coverage, ['--coverage', '--mutate'], false);
         this.#controller.resolveHandler = async (item) => (item ? this.#read(item) : this.#search());
         this.#controller.refreshHandler = () => this.#search();
         const watcher = vscode.workspace.createFileSystemWatcher(PATTERN);
@@ -58,7 +63,7 @@ export class TestExplorer implements vscode.Disposable {
         const document = uri === undefined ? vscode.window.activeTextEditor?.document : await vscode.workspace.openTextDocument(vscode.Uri.parse(uri));
         if (document?.languageId === 'ladder-test') {
             await document.save();
-            await this.#run(new vscode.TestRunRequest([this.#item(document.uri)]), false);
+            await this.#run(new vscode.TestRunRequest([this.#item(document.uri)]), []);
         }
     }
 
@@ -75,7 +80,7 @@ export class TestExplorer implements vscode.Disposable {
             void vscode.window.showInformationMessage('Ladder: there is no property in this file; write one, as in: never up and down');
             return;
         }
-        await this.#run(new vscode.TestRunRequest(asked), false);
+        await this.#run(new vscode.TestRunRequest(asked), []);
     }
 
     dispose(): void {
@@ -154,9 +159,9 @@ export class TestExplorer implements vscode.Disposable {
     }
 
     /** Runs what is asked for; with `continuous` again whenever a file is saved that may matter. */
-    async #requested(request: vscode.TestRunRequest, token: vscode.CancellationToken, coverage: boolean): Promise<void> {
+    async #requested(request: vscode.TestRunRequest, token: vscode.CancellationToken, options: readonly string[]): Promise<void> {
         if (!request.continuous) {
-            await this.#run(request, coverage);
+            await this.#run(request, options);
             return;
         }
         const watcher = vscode.workspace.createFileSystemWatcher(WATCHED);
@@ -164,7 +169,7 @@ export class TestExplorer implements vscode.Disposable {
         let last: Promise<unknown> = Promise.resolve();
         // One after the other: what an earlier text gave must not be shown after what a later one did.
         const next = () => {
-            last = last.catch(() => undefined).then(() => (token.isCancellationRequested ? undefined : this.#run(request, coverage)));
+            last = last.catch(() => undefined).then(() => (token.isCancellationRequested ? undefined : this.#run(request, options)));
         };
         // Several files are saved at once.
         const again = () => {
@@ -204,7 +209,7 @@ export class TestExplorer implements vscode.Disposable {
         return new Map([...chosen].map(([file, items]) => [file, [...items]]));
     }
 
-    async #run(request: vscode.TestRunRequest, coverage: boolean): Promise<void> {
+    async #run(request: vscode.TestRunRequest, options: readonly string[]): Promise<void> {
         const run = this.#controller.createTestRun(request);
         const { token } = run;
         try {
@@ -220,7 +225,7 @@ export class TestExplorer implements vscode.Disposable {
                 }
                 const [properties, scenarios] = [items.filter(isProperty), items.filter((item) => !isProperty(item))];
                 if (scenarios.length > 0) {
-                    await this.#runFile(run, program, file, scenarios, coverage, token);
+                    await this.#runFile(run, program, file, scenarios, options, token);
                 }
                 await proveAll(this.#server, run, file, properties, token);
             }
@@ -234,7 +239,7 @@ export class TestExplorer implements vscode.Disposable {
         program: string | undefined,
         file: vscode.TestItem,
         items: readonly vscode.TestItem[],
-        coverage: boolean,
+        options: readonly string[],
         token: vscode.CancellationToken,
     ): Promise<void> {
         items.forEach((item) => run.started(item));
@@ -245,7 +250,7 @@ export class TestExplorer implements vscode.Disposable {
             items.forEach((item) => run.errored(item, new vscode.TestMessage(why)));
             return;
         }
-        const said = await execute(program, ['test', '--format', 'json', ...(coverage ? ['--coverage'] : []), '--', file.uri.fsPath], token);
+        const said = await execute(program, ['test', '--format', 'json', ...options, '--', file.uri.fsPath], token);
         let results: Results | undefined;
         try {
             results = JSON.parse(said.stdout) as Results;
@@ -263,6 +268,10 @@ export class TestExplorer implements vscode.Disposable {
         for (const item of items) {
             const scenario = result.scenarios.find(({ name }) => name === item.id);
             report(run, item, scenario, result, lines);
+        }
+        for (const mutated of results?.mutation ?? []) {
+            const program = vscode.workspace.asRelativePath(whole(mutated.program));
+            missedLines({ ...mutated, program }).forEach((line) => run.appendOutput(`${line}\r\n`));
         }
         for (const covered of results?.coverage ?? []) {
             run.addCoverage(new CoveredFile(vscode.Uri.file(whole(covered.file)), covered));

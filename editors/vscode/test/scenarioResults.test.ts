@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { failingStretches, missing, unitsBefore } from '../src/scenarioResults.ts';
+import { failingStretches, missedLines, unitsBefore, waysOf } from '../src/scenarioResults.ts';
 import { scenariosOf } from '../src/scenarioFile.ts';
 
 test('the scenarios of a file, and where they end', () => {
@@ -31,8 +31,24 @@ test('columns count characters', () => {
     assert.equal(unitsBefore('abc', 1), 0);
 });
 
-test('what was never seen', () => {
-    assert.deepEqual(missing({ kind: 'contact', line: 1, column: 1, on: true, off: false }), ['open']);
-    assert.deepEqual(missing({ kind: 'coil', line: 1, column: 1, on: false, off: false }), ['on', 'off']);
-    assert.deepEqual(missing({ kind: 'comparison', line: 1, column: 1, on: true, off: true }), []);
+test('what was never seen, or is not shown to matter', () => {
+    const missing = (part: Parameters<typeof waysOf>[0]) => waysOf(part).filter(({ isSeen }) => !isSeen).map(({ name }) => name);
+    const place = { line: 1, column: 1 };
+    assert.deepEqual(missing({ kind: 'contact', ...place, on: true, off: false }), ['open']);
+    assert.deepEqual(missing({ kind: 'coil', ...place, on: false, off: false }), ['on', 'off']);
+    assert.deepEqual(missing({ kind: 'comparison', ...place, on: true, off: true }), []);
+    assert.deepEqual(missing({ kind: 'contact', ...place, on: true, off: true, matters: false }), ['shown to matter']);
+    assert.equal(waysOf({ kind: 'contact', ...place, on: true, off: true, matters: true }).length, 3);
+});
+
+test('changes that no scenario notices are told with one that would', () => {
+    const bridged = { line: 8, change: 'contact bridged', before: '[ ]( guard )', fate: 'missed', scenario: 'scenario "line 8"\npedal -\n' };
+    const changes = [bridged, { line: 9, change: 'coil inverted', before: '( )( press )', fate: 'same' }];
+    assert.deepEqual(missedLines({ program: 'press.clad', caught: 4, missed: 1, changes }), [
+        'press.clad: of 5 changes the scenarios notice 4',
+        'press.clad:8: no scenario notices: contact bridged, [ ]( guard )',
+        'this one would:',
+        '    scenario "line 8"',
+        '    pedal -',
+    ]);
 });
