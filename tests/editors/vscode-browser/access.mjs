@@ -160,7 +160,7 @@ export async function access(page, { step, until, weights, row, screenshot, useT
     let trace;
     /** The page of the trace: the one with its table. */
     const traceOf = async () => {
-        await until('the trace', 20, async () => {
+        await until('the trace', async () => {
             for (const frame of page.frames()) {
                 if (await frame.evaluate(() => document.querySelector('#rows .line') !== null).catch(() => false)) {
                     trace = frame;
@@ -177,23 +177,23 @@ export async function access(page, { step, until, weights, row, screenshot, useT
         await command(page, 'Ladder: Open Diagram to the Side');
         diagram = await diagramOf(page, until);
         await diagram.locator('button.start').click();
-        await page.getByText('Ladder: paused, scan 0').waitFor({ timeout: 10_000 });
+        await page.getByText('Ladder: paused, scan 0').waitFor();
         await page.keyboard.press('Control+1');
         for (const column of [9, 20]) {
             await cursorTo(page, 4, column);
             await page.keyboard.press('F4');
         }
-        await row(page, 'hold').getByText('1', { exact: true }).waitFor({ timeout: 10_000 });
+        await row(page, 'hold').getByText('1', { exact: true }).waitFor();
         await cursorTo(page, 6, 14);
         await command(page, 'Ladder: Force Tag...');
-        await page.locator('.quick-input-title', { hasText: 'Force level' }).waitFor({ timeout: 10_000 });
+        await page.locator('.quick-input-title', { hasText: 'Force level' }).waitFor();
         await page.keyboard.type('60');
         await page.keyboard.press('Enter');
-        await page.getByText('1 forced').first().waitFor({ timeout: 10_000 });
+        await page.getByText('1 forced').first().waitFor();
         await cursorTo(page, 1, 1);
         for (let scan = 1; scan <= 3; scan += 1) {
             await page.keyboard.press('F10');
-            await page.getByText(`Ladder: paused, scan ${scan},`).waitFor({ timeout: 10_000 });
+            await page.getByText(`Ladder: paused, scan ${scan},`).waitFor();
         }
         await row(page, 'warm.ET').hover();
         await row(page, 'warm.ET').locator('.codicon-pulse').click();
@@ -202,8 +202,8 @@ export async function access(page, { step, until, weights, row, screenshot, useT
         for (const key of ['Home', 'b', 'ArrowRight']) {
             await page.keyboard.press(key);
         }
-        await trace.locator('line.cursor.B').first().waitFor({ state: 'attached', timeout: 10_000 });
-        await diagram.locator('.value', { hasText: '60' }).waitFor({ timeout: 10_000 });
+        await trace.locator('line.cursor.B').first().waitFor({ state: 'attached' });
+        await diagram.locator('.value', { hasText: '60' }).waitFor();
         await screenshot(page, 'access');
     });
     await step('a value that the text and a diagram show is in the text once', async () => {
@@ -228,7 +228,7 @@ export async function access(page, { step, until, weights, row, screenshot, useT
     });
     await step('Tab reaches all that can be pressed in the diagram, and all of it has a name', async () => {
         await diagram.locator('g.element', { has: diagram.locator('text', { hasText: /^level$/ }) }).first().focus();
-        await diagram.locator('.inspector input[type="range"]').waitFor({ timeout: 10_000 });
+        await diagram.locator('.inspector input[type="range"]').waitFor();
         const [there, found] = [await controls(diagram), await reached(page, diagram)];
         assert.deepEqual(found.map(({ name }) => name), there);
         assert.deepEqual(found.filter(({ name }) => name === ''), []);
@@ -251,19 +251,19 @@ export async function access(page, { step, until, weights, row, screenshot, useT
     await step('a slider sets a number, and what sets it is in sight', async () => {
         const slider = diagram.locator('.inspector input[type="range"]');
         await diagram.locator('g.element', { has: diagram.locator('text', { hasText: /^level$/ }) }).first().focus();
-        await slider.waitFor({ timeout: 10_000 });
+        await slider.waitFor();
         const [needed, there] = await diagram.locator('.inspector').evaluate((strip) => [strip.scrollWidth, strip.clientWidth]);
         assert.ok(needed <= there, `it needs ${needed} pixels, and has ${there}`);
         await slider.focus();
         for (let times = 0; times < 5; times += 1) {
             await page.keyboard.press('ArrowRight');
         }
-        await diagram.locator('.value', { hasText: /65/ }).waitFor({ timeout: 10_000 });
-        await row(page, 'level').getByText('65', { exact: false }).first().waitFor({ timeout: 10_000 });
+        await diagram.locator('.value', { hasText: /65/ }).waitFor();
+        await row(page, 'level').getByText('65', { exact: false }).first().waitFor();
         for (let times = 0; times < 5; times += 1) {
             await page.keyboard.press('ArrowLeft');
         }
-        await diagram.locator('.value', { hasText: /60/ }).waitFor({ timeout: 10_000 });
+        await diagram.locator('.value', { hasText: /60/ }).waitFor();
     });
     for (const theme of THEMES) {
         await step(`all is clear against its background in ${theme}`, async () => {
@@ -271,7 +271,7 @@ export async function access(page, { step, until, weights, row, screenshot, useT
             await diagram.locator('g.element', { has: diagram.locator('text', { hasText: /^level$/ }) }).first().focus();
             const ground = () => diagram.evaluate(() => getComputedStyle(document.body).backgroundColor);
             const wanted = { 'Default Dark Modern': 'rgb(31, 31, 31)', 'Default High Contrast': 'rgb(0, 0, 0)' }[theme] ?? 'rgb(255, 255, 255)';
-            await until('the theme in the diagram', 10, async () => (await ground()) === wanted);
+            await until('the theme in the diagram', async () => (await ground()) === wanted);
             let found;
             // The editor fades its colours in.
             const settled = async () => {
@@ -286,7 +286,7 @@ export async function access(page, { step, until, weights, row, screenshot, useT
                 ];
                 return found.length === 0;
             };
-            await until('it', 5, settled).catch(() => assert.deepEqual(found, []));
+            await until('it', settled).catch(() => assert.deepEqual(found, []));
             await screenshot(page, `access-${theme.replaceAll(' ', '-')}`);
         });
     }
@@ -300,7 +300,7 @@ export async function access(page, { step, until, weights, row, screenshot, useT
         const shown = page.locator('.keybindings-editor .monaco-list-row').first();
         for (const { command: name, key } of keys) {
             await search.fill(`@command:${name}`);
-            await until(`${key} for ${name}`, 10, async () => {
+            await until(`${key} for ${name}`, async () => {
                 const [text, keycaps] = [await shown.textContent().catch(() => ''), await shown.locator('.monaco-keybinding-key').allTextContents()];
                 return text.includes('Ladder: ') && keycaps.join('+').toLowerCase() === key;
             });

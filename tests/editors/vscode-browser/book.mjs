@@ -62,9 +62,9 @@ export async function book(page, { step, until, project }) {
                 await open(page, file);
                 await page.locator('.editor-group-container.active .monaco-editor .view-lines').click();
                 await page.keyboard.type(lines.join('\n'), { delay: KEY });
-                await until(`no error in ${where}`, 5, async () => (await errors.count()) === 0);
+                await until(`no error in ${where}`, async () => (await errors.count()) === 0);
                 await page.keyboard.press('Control+S');
-                await until(`${file} to be saved`, 5, () => statSync(join(project, file)).size > 0);
+                await until(`${file} to be saved`, () => statSync(join(project, file)).size > 0);
                 await page.waitForTimeout(100);
                 assert.equal(aligned(readFileSync(join(project, file), 'utf8')), aligned(`${lines.join('\n')}\n`), where);
                 await page.keyboard.press('Control+W');

@@ -19,8 +19,8 @@ export async function changing(page, { step, until, weights, row, screenshot }) 
     const status = async () => (await page.locator('.statusbar-item', { hasText: 'Ladder: ' }).first().textContent()).trim();
     const scan = async () => Number(/scan (\d+)/.exec(await status())?.[1]);
     const bold = async (start) => (await weights(page, start)).filter((part) => part.bold).map(({ text }) => text).join('').replace(/\s/g, '');
-    const is = (tag, value) => row(page, tag).getByText(value, { exact: true }).waitFor({ timeout: 10_000 });
-    const at = (number) => page.getByText(`Ladder: paused, scan ${number},`).waitFor({ timeout: 10_000 });
+    const is = (tag, value) => row(page, tag).getByText(value, { exact: true }).waitFor();
+    const at = (number) => page.getByText(`Ladder: paused, scan ${number},`).waitFor();
     const steps = async (key, ...scans) => {
         for (const number of scans) {
             await page.keyboard.press(key);
@@ -31,7 +31,7 @@ export async function changing(page, { step, until, weights, row, screenshot }) 
         await open(page, CHANGING);
         await page.locator('.monaco-editor .view-line', { hasText: 'VAR_INPUT' }).first().click();
         await command(page, 'Ladder: Start Simulation');
-        await page.getByText('Ladder: paused, scan 0').waitFor({ timeout: 10_000 });
+        await page.getByText('Ladder: paused, scan 0').waitFor();
         await cursorTo(page, 4, 9);
         await page.keyboard.press('F4');
         await is('go', '1');
@@ -41,10 +41,10 @@ export async function changing(page, { step, until, weights, row, screenshot }) 
         await page.keyboard.type('F');
         // A list of proposals would take keys.
         await page.keyboard.press('Escape');
-        await page.locator('.notification-list-item', { hasText: 'warm was a TON and is a TOF now' }).first().waitFor({ timeout: 10_000 });
+        await page.locator('.notification-list-item', { hasText: 'warm was a TON and is a TOF now' }).first().waitFor();
         await screenshot(page, 'lost');
         await steps('F10', 4);
-        await until('the lamp', 10, async () => (await bold(LAMP)).endsWith('(lamp)--+'));
+        await until('the lamp', async () => (await bold(LAMP)).endsWith('(lamp)--+'));
     });
     await step('stepping back goes across the change, and forward again', async () => {
         await steps('Alt+F10', 3, 2);
@@ -54,11 +54,11 @@ export async function changing(page, { step, until, weights, row, screenshot }) 
         assert.match(await bold('+--\\--[ ]( go )'), /\(runs\)--\+$/);
         await steps('F10', 3, 4);
         await is('lamp', '1');
-        await until('the lamp', 10, async () => (await bold(LAMP)).endsWith('(lamp)--+'));
+        await until('the lamp', async () => (await bold(LAMP)).endsWith('(lamp)--+'));
     });
     await step('another letter in a comment changes nothing that is seen, at any moment', async () => {
         await page.keyboard.press('F5');
-        await until('the run', 10, async () => (await scan()) > 10);
+        await until('the run', async () => (await scan()) > 10);
         await cursorTo(page, 1, 3);
         const before = [await bold(LAMP), await scan()];
         assert.match(before[0], /\(lamp\)--\+$/);
@@ -76,7 +76,7 @@ export async function changing(page, { step, until, weights, row, screenshot }) 
         await command(page, 'Ladder: Show Trace');
         const view = page.frameLocator('iframe.webview.ready').frameLocator('#active-frame');
         const traced = (name) => view.locator('#rows tr', { has: page.locator(`th span:text-is("${name}")`) });
-        await traced('runs').waitFor({ timeout: 10_000 });
+        await traced('runs').waitFor();
         await cursorTo(page, 4, 9);
         await page.keyboard.press('F4');
         await is('go', '0');
@@ -86,13 +86,13 @@ export async function changing(page, { step, until, weights, row, screenshot }) 
         await page.locator('.rename-box input').waitFor();
         await page.locator('.rename-box input').fill('turns');
         await page.keyboard.press('Enter');
-        await row(page, 'turns').waitFor({ timeout: 10_000 });
-        await until('more scans', 10, async () => (await scan()) > before + 20);
+        await row(page, 'turns').waitFor();
+        await until('more scans', async () => (await scan()) > before + 20);
         await is('turns', '1');
-        await until('its name in the trace', 10, async () => (await traced('turns').count()) === 1 && (await traced('runs').count()) === 0);
+        await until('its name in the trace', async () => (await traced('turns').count()) === 1 && (await traced('runs').count()) === 0);
         const begin = async (name) => /^M[\d.]+/.exec(await traced(name).locator('.line').getAttribute('d'))?.[0];
-        await until('what it was before', 10, async () => (await begin('turns')) === (await begin('go')));
-        await until('its power', 10, async () => (await bold('+--[ ]( turns )')).startsWith('+--[](turns)--'));
+        await until('what it was before', async () => (await begin('turns')) === (await begin('go')));
+        await until('its power', async () => (await bold('+--[ ]( turns )')).startsWith('+--[](turns)--'));
         assert.match(await status(), /^Ladder: running/);
         await page.keyboard.press('Shift+F5');
         // The other parts find nothing that is not saved.

@@ -21,8 +21,11 @@ export const QUIET = {
     'terminal.integrated.gpuAcceleration': 'off',
 };
 
+/** How long anything is waited for, in seconds: much longer than it takes, for a busy machine is no fault. */
+const PATIENCE = 60;
+
 /** Waits until something holds. */
-export async function until(what, seconds, holds) {
+export async function until(what, holds, seconds = PATIENCE) {
     const limit = Date.now() + seconds * 1000;
     while (!(await holds())) {
         if (Date.now() > limit) {
@@ -72,7 +75,7 @@ export async function serve(scratch, { extensions, settings, env, trust = true }
             address ??= /HTTP server listening on (\S+)/.exec(output)?.[1];
         });
     }
-    await until('code-server to listen', 20, () => address);
+    await until('code-server to listen', () => address);
     return { server, address };
 }
 
@@ -83,8 +86,8 @@ export async function openBrowser(scratch, address, options = {}) {
         args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking'],
     });
     const page = await browser.newPage({ viewport: { width: 1400, height: 860 }, ...options });
-    page.setDefaultTimeout(10_000);
-    await page.goto(new URL(`/?folder=${join(scratch, 'project')}`, address).href, { timeout: 60_000 });
+    page.setDefaultTimeout(PATIENCE * 1000);
+    await page.goto(new URL(`/?folder=${join(scratch, 'project')}`, address).href);
     return { browser, page };
 }
 

@@ -50,7 +50,7 @@ const [SAME, OTHER, NEW] = ['M5 6h6M5 10h6', 'M4.5 6h7M4.5 10h7M10.5 3l-5 10', '
 /** The page of the comparison: a frame in a frame. */
 async function comparison(page, until) {
     let found;
-    await until('the comparison', 20, async () => {
+    await until('the comparison', async () => {
         for (const frame of page.frames()) {
             if ((await frame.locator('.change').count().catch(() => 0)) > 0) {
                 found = frame;
@@ -65,7 +65,7 @@ async function comparison(page, until) {
 export async function comparing(page, { step, until, screenshot }) {
     const marked = async (wanted) => {
         let found;
-        await until(`marks, ${wanted.length} of them`, 20, async () => {
+        await until(`marks, ${wanted.length} of them`, async () => {
             found = await marks(page);
             return found.length === wanted.length;
         }).catch((error) => {
@@ -83,7 +83,7 @@ export async function comparing(page, { step, until, screenshot }) {
     await step('the pointer on a mark\'s rung is told the reason', async () => {
         const rail = page.locator('.monaco-editor .view-line', { hasText: 'y' }).first();
         await rail.hover({ position: { x: 8, y: 8 } });
-        await page.locator('.monaco-hover', { hasText: 'with a off, y goes off in the old and on in the new program' }).first().waitFor({ timeout: 10_000 });
+        await page.locator('.monaco-hover', { hasText: 'with a off, y goes off in the old and on in the new program' }).first().waitFor();
         await page.mouse.move(0, 0);
     });
     await step('both forms are side by side, with what differs marked', async () => {
@@ -106,17 +106,17 @@ export async function comparing(page, { step, until, screenshot }) {
         await frame.locator('body').click({ position: { x: 2, y: 2 } });
         await frame.locator('body').press('n');
         await frame.locator('body').press('n');
-        await frame.locator('.change:focus h3', { hasText: 'line 3' }).waitFor({ timeout: 5000 });
+        await frame.locator('.change:focus h3', { hasText: 'line 3' }).waitFor();
         await frame.locator('.change:focus').press('Enter');
-        await page.getByText('Ln 3, Col 1').waitFor({ timeout: 5000 });
+        await page.getByText('Ln 3, Col 1').waitFor();
     });
     await step('both follow what is typed', async () => {
         await cursorTo(page, 5, 13);
         await page.keyboard.type('[/]( e )--');
         await marked([SAME, OTHER, OTHER, NEW]);
-        await until('the change in the comparison', 10, async () => (await headings()).some((heading) => heading.includes('line 5, writes z')));
+        await until('the change in the comparison', async () => (await headings()).some((heading) => heading.includes('line 5, writes z')));
         await frame.locator('.change', { hasText: 'line 5' }).click();
-        await page.getByText('Ln 5, Col 1').waitFor({ timeout: 5000 });
+        await page.getByText('Ln 5, Col 1').waitFor();
     });
     await step('the page runs no script but its own', async () => {
         const ran = await frame.evaluate(() => {

@@ -121,7 +121,7 @@ const CASES = [
 export async function drawing(page, { step, until }) {
     // To the last line: what an undo leaves behind may be an empty one.
     const shown = async () => (await lines(page)).join('\n');
-    const isShown = (what, wanted) => until(`${what}\n${wanted}`, 5, async () => (await shown()) === wanted);
+    const isShown = (what, wanted) => until(`${what}\n${wanted}`, async () => (await shown()) === wanted);
     const text = (rungs) => `${rungs.join('\n')}\n`;
     /** What another step has left behind is not this one's. */
     const begin = async (line, column) => {

@@ -25,15 +25,15 @@ export async function live(page, { step, until, weights, labels, operandBox, row
         await open(page, LIVE);
         await page.locator('.monaco-editor .view-line', { hasText: 'VAR_INPUT' }).first().click();
         await command(page, 'Ladder: Start Simulation');
-        await page.getByText('Ladder: paused, scan 0').waitFor({ timeout: 10_000 });
+        await page.getByText('Ladder: paused, scan 0').waitFor();
         await cursorTo(page, 5, 5);
         await page.keyboard.press('F4');
-        await row(page, 'go').getByText('1', { exact: true }).waitFor({ timeout: 10_000 });
+        await row(page, 'go').getByText('1', { exact: true }).waitFor();
         for (let scan = 1; scan <= 3; scan += 1) {
             await page.keyboard.press('F10');
-            await page.getByText(`Ladder: paused, scan ${scan}`).waitFor({ timeout: 10_000 });
+            await page.getByText(`Ladder: paused, scan ${scan}`).waitFor();
         }
-        await until('the value', 10, async () => (await labels(page, '20ms')).length === 1);
+        await until('the value', async () => (await labels(page, '20ms')).length === 1);
         const [box] = await labels(page, '20ms');
         const { visibleTo } = await operandBox(page, 'hold');
         assert.ok(box.left + box.width < visibleTo, 'it lies under the minimap');
@@ -43,12 +43,12 @@ export async function live(page, { step, until, weights, labels, operandBox, row
         let messages = 0;
         inspector.on('Network.webSocketFrameReceived', () => (messages += 1));
         await page.keyboard.press('F5');
-        await page.getByText('Ladder: running').waitFor({ timeout: 10_000 });
+        await page.getByText('Ladder: running').waitFor();
         await inspector.send('Network.enable');
         await new Promise((resolve) => setTimeout(resolve, 4000));
         await inspector.detach();
         await page.keyboard.press('F6');
-        await page.getByText('Ladder: paused').waitFor({ timeout: 10_000 });
+        await page.getByText('Ladder: paused').waitFor();
         // Values, the status bar and the view of tags come some five times a second; states come thirty times.
         assert.ok(messages >= 8 && messages < 80, `${messages} messages in 4 s`);
     });
@@ -56,14 +56,14 @@ export async function live(page, { step, until, weights, labels, operandBox, row
         await row(page, 'LIMIT').hover();
         assert.equal(await row(page, 'LIMIT').locator('.codicon-lock, .codicon-edit').count(), 0);
         await row(page, 'seconds.ET').hover();
-        await row(page, 'seconds.ET').locator('.codicon-lock').waitFor({ timeout: 5000 });
+        await row(page, 'seconds.ET').locator('.codicon-lock').waitFor();
     });
     await step('a contact that holds up the power is neither as one that lets it through nor as one without', async () => {
         await cursorTo(page, 5, 16);
         await page.keyboard.press('F4');
-        await row(page, 'hold').getByText('1', { exact: true }).waitFor({ timeout: 10_000 });
+        await row(page, 'hold').getByText('1', { exact: true }).waitFor();
         await page.keyboard.press('F10');
-        await until('no power after the contact', 10, async () => (await bold()) === '+--[](go)--');
+        await until('no power after the contact', async () => (await bold()) === '+--[](go)--');
         const parts = (await rung()).map(({ text, bold, line, color }) => {
             const look = bold ? 'power' : color === ORANGE ? 'blocks' : color === GREY ? 'none' : 'passes';
             return `${text.trim()} ${look}${line.includes('underline') ? ' underlined' : ''}`;

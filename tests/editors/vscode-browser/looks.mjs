@@ -57,28 +57,28 @@ async function scenarioFile(page) {
     const label = page.locator('.suggest-widget.visible .monaco-list-row');
     await step('a scenario file has an icon of its own', async () => {
         // The list of files is made when the folder is read.
-        await page.locator('.explorer-folders-view').getByText('motor.ladder-test').dblclick({ timeout: 20000 });
+        await page.locator('.explorer-folders-view').getByText('motor.ladder-test').dblclick();
         await page.locator('.tab.active', { hasText: 'motor.ladder-test' }).waitFor();
         const icon = page.locator('.tab.active .ladder-test-lang-file-icon, .tab.active .monaco-icon-label').first();
         await icon.waitFor();
-        await page.locator('.breadcrumbs-below-tabs, .monaco-breadcrumbs').getByText('…').first().waitFor({ timeout: 20000 });
-        await until('the icon', 15, async () => /ladder-test-lang-file-icon/.test(await icon.getAttribute('class')));
+        await page.locator('.breadcrumbs-below-tabs, .monaco-breadcrumbs').getByText('…').first().waitFor();
+        await until('the icon', async () => /ladder-test-lang-file-icon/.test(await icon.getAttribute('class')));
     });
     await step('a tag is proposed at the beginning of a row, and levels after it', async () => {
         await page.locator('.editor-instance .view-line').last().click();
         await page.keyboard.press('Control+End');
         await page.keyboard.type('sto');
-        await label.filter({ hasText: 'stop' }).first().waitFor({ timeout: 15000 });
+        await label.filter({ hasText: 'stop' }).first().waitFor();
         await screenshot(page, 'completion');
         await page.keyboard.press('Tab');
         await page.keyboard.press('Control+Space');
         await label.filter({ hasText: '___' }).first().waitFor();
         await label.filter({ hasText: '___' }).first().click();
-        await until('the row', 5, async () => (await lines(page)).some((line) => /^stop +___$/.test(line)));
+        await until('the row', async () => (await lines(page)).some((line) => /^stop +___$/.test(line)));
     });
     await step('Enter aligns the scenario', async () => {
         await page.keyboard.press('Enter');
-        await until('columns', 5, async () => {
+        await until('columns', async () => {
             const shown = await lines(page);
             return shown.includes('start    _-_') && shown.includes('run   => _--') && shown.includes('stop     ___');
         });
@@ -95,7 +95,7 @@ async function scenarioFile(page) {
         await page.keyboard.press('Enter');
         await page.keyboard.type('runn => ___');
         await page.keyboard.press('Escape');
-        await page.locator('.editor-instance .squiggly-error').first().waitFor({ timeout: 15000 });
+        await page.locator('.editor-instance .squiggly-error').first().waitFor();
         await page.keyboard.press('Home');
         await page.keyboard.press('Shift+End');
         await page.keyboard.press('Delete');
@@ -103,15 +103,15 @@ async function scenarioFile(page) {
     });
     await step('a name follows into the program', async () => {
         await page.keyboard.press('Control+s');
-        await until('the file', 5, () => readFileSync(project('motor.ladder-test'), 'utf8').includes('run   => _--'));
+        await until('the file', () => readFileSync(project('motor.ladder-test'), 'utf8').includes('run   => _--'));
         await page.locator('.editor-instance .view-line', { hasText: 'run' }).first().getByText('run', { exact: false }).first().click({ position: { x: 6, y: 8 } });
         await page.keyboard.press('F2');
         await page.locator('.rename-box input').waitFor();
         await page.locator('.rename-box input').fill('motor_runs');
         await page.keyboard.press('Enter');
-        await until('the row', 10, async () => (await lines(page)).some((line) => /^motor_runs +=> _--$/.test(line)));
+        await until('the row', async () => (await lines(page)).some((line) => /^motor_runs +=> _--$/.test(line)));
         await command(page, 'File: Save All Files');
-        await until('the program', 10, () => readFileSync(project('motor.clad'), 'utf8').includes('motor_runs : BOOL'));
+        await until('the program', () => readFileSync(project('motor.clad'), 'utf8').includes('motor_runs : BOOL'));
         writeFileSync(project('motor.clad'), PROGRAM);
         writeFileSync(project('motor.ladder-test'), SCENARIOS);
     });
@@ -142,7 +142,7 @@ async function colours(page, theme, name) {
         });
         let found;
         try {
-            await until('six colours', 10, async () => {
+            await until('six colours', async () => {
                 found = await looked();
                 return Object.values(found).every(Boolean) && new Set(Object.values(found)).size === 6;
             });
@@ -158,7 +158,7 @@ async function preview(page) {
         await open(page, 'notes.md');
         await command(page, 'Markdown: Open Preview to the Side');
         const frame = page.frameLocator('iframe.webview.ready').last().frameLocator('#active-frame');
-        await frame.locator('img.ladder-picture').first().waitFor({ state: 'attached', timeout: 20000 });
+        await frame.locator('img.ladder-picture').first().waitFor({ state: 'attached' });
         const shown = await frame.locator('img.ladder-picture').evaluateAll((images) => images.map((it) => [it.className, getComputedStyle(it).display, it.naturalWidth]));
         const visible = shown.filter(([, display]) => display !== 'none');
         assert.equal(visible.length, 1, JSON.stringify(shown));
@@ -176,7 +176,7 @@ async function walkthrough(page) {
         await page.keyboard.type('Ladder diagrams as text');
         await page.locator('.quick-input-list .monaco-list-row', { hasText: 'Ladder diagrams as text' }).first().click();
         await page.locator('.gettingStartedContainer', { hasText: 'Open an example' }).waitFor();
-        await page.locator('.gettingStartedContainer .getting-started-media img, .gettingStartedContainer .step-list-container + * img').first().waitFor({ timeout: 10000 }).catch(() => {});
+        await page.locator('.gettingStartedContainer .getting-started-media img, .gettingStartedContainer .step-list-container + * img').first().waitFor().catch(() => {});
         await screenshot(page, 'walkthrough');
         await page.getByRole('button', { name: 'Open the Example' }).first().click();
         await page.locator('.editor-instance .view-line', { hasText: 'A motor starter' }).first().waitFor();
@@ -208,7 +208,7 @@ try {
     const opened = await openBrowser(scratch, address);
     browser = opened.browser;
     const { page } = opened;
-    await page.locator('.monaco-workbench').waitFor({ timeout: 30000 });
+    await page.locator('.monaco-workbench').waitFor();
     await scenarioFile(page);
     await preview(page);
     await walkthrough(page);

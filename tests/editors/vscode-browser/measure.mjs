@@ -59,7 +59,7 @@ async function timeUntil(frame, act, pattern) {
     const began = Date.now();
     await act();
     let shown;
-    await until(`${pattern} on the page`, 60, async () => {
+    await until(`${pattern} on the page`, async () => {
         const texts = await frame.evaluate((since) => window.shownTexts.filter(([at]) => at >= since), began);
         shown = texts.find(([, text]) => pattern.test(text));
         return shown;
@@ -105,7 +105,7 @@ async function measure(page, processes, name) {
     const row = { program: name };
     await open(page, `${name}.clad`);
     const lens = page.locator('.codelens-decoration a', { hasText: 'Start simulation' }).first();
-    await lens.waitFor({ timeout: 60_000 });
+    await lens.waitFor();
     // What is asked when a file is opened comes first.
     await new Promise((resolve) => setTimeout(resolve, 3000));
     row.rest = await lookAtRun(processes);
@@ -118,7 +118,7 @@ async function measure(page, processes, name) {
         const began = Date.now();
         await cursorTo(page, '2:9');
         await page.keyboard.press('F4');
-        await until('the start', 30, () => notesSince(tap, began).some(({ what }) => what === 'set'));
+        await until('the start', () => notesSince(tap, began).some(({ what }) => what === 'set'));
     }
     const key = async (name, pattern, times = TIMES) => {
         const taken = [];
@@ -152,7 +152,7 @@ async function measure(page, processes, name) {
             await cursorTo(page, `${2 * rungs - 2}:55`);
             const count = () => notesSince(tap, began).filter(({ what }) => what === 'why').length;
             await page.keyboard.press('Shift+F4');
-            await until('the reason', 30, () => count() > time);
+            await until('the reason', () => count() > time);
             await new Promise((resolve) => setTimeout(resolve, 1500));
         }
         row.why = notesSince(tap, began).filter(({ what }) => what === 'why').map(({ ms }) => ms);
@@ -165,7 +165,7 @@ async function measure(page, processes, name) {
     // The text, not its first line: that may be above what is in sight.
     await page.keyboard.press('Control+1');
     await page.keyboard.press('F5');
-    await until('the run in the diagram', 30, () => diagram.evaluate(() => /running/.test(document.querySelector('.standing').textContent)));
+    await until('the run in the diagram', () => diagram.evaluate(() => /running/.test(document.querySelector('.standing').textContent)));
     await new Promise((resolve) => setTimeout(resolve, 2000));
     row.diagram = await lookAtRun(processes);
     row.pauseInDiagram = await pauses(diagram);
@@ -216,9 +216,9 @@ async function main() {
             const { processInfo } = await chromium.send('SystemInfo.getProcessInfo');
             ids = processInfo.filter(({ type }) => type === 'renderer').map(({ id }) => id);
         };
-        await page.locator('.monaco-workbench').waitFor({ timeout: 30_000 });
+        await page.locator('.monaco-workbench').waitFor();
         // A list that is opened before the editor is at rest finds no file.
-        await page.getByText('Activating Extensions').waitFor({ state: 'detached', timeout: 60_000 });
+        await page.getByText('Activating Extensions').waitFor({ state: 'detached' });
         await watch(page, '.part.statusbar');
         const rows = [];
         for (const name of programs) {

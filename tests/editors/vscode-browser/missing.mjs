@@ -43,7 +43,7 @@ async function session(extension, check, trust = true) {
     const { server, address } = await serve(scratch, { extensions: [join(LADDER_PACKAGES, extension)], settings: {}, env: bare(scratch), trust });
     const { browser, page } = await openBrowser(scratch, address);
     try {
-        await page.locator('.monaco-workbench .explorer-folders-view').waitFor({ timeout: 60_000 });
+        await page.locator('.monaco-workbench .explorer-folders-view').waitFor();
         await check(page, scratch);
     } catch (error) {
         if (LADDER_SCREENSHOTS) {
@@ -64,7 +64,7 @@ await session('ladder.vsix', async (page, scratch) => {
     const missing = message(page, 'The language server was not found');
     await step('a missing server is said, with what can be done', async () => {
         await open(page, 'unpaired.clad');
-        await missing.waitFor({ timeout: 30_000 });
+        await missing.waitFor();
         for (const action of ['Install...', 'Choose File...', 'Open Setting', 'Show Log']) {
             assert.equal(await missing.getByRole('button', { name: action }).count(), 1, action);
         }
@@ -89,12 +89,12 @@ await session('ladder.vsix', async (page, scratch) => {
         await missing.getByRole('button', { name: 'Install...' }).click();
         const folder = page.locator('.quick-input-widget input').first();
         // The dialog begins with the folder that is open, and would put that in front of what comes before it.
-        await until('the dialog', 10, async () => (await folder.inputValue()) === `${join(scratch, 'project')}/`);
+        await until('the dialog', async () => (await folder.inputValue()) === `${join(scratch, 'project')}/`);
         await folder.fill(`${LADDER_ROOT}/`);
         // The button does nothing while the dialog reads the folder.
-        await page.locator('.quick-input-list .monaco-list-row', { hasText: 'analysis' }).first().waitFor({ timeout: 10_000 });
+        await page.locator('.quick-input-list .monaco-list-row', { hasText: 'analysis' }).first().waitFor();
         await page.locator('.quick-input-widget').getByRole('button', { name: 'Build and Install' }).click();
-        await squiggle(page).waitFor({ timeout: 30_000 });
+        await squiggle(page).waitFor();
         assert.equal(readFileSync(join(scratch, 'asked'), 'utf8'), `install --locked --path ${LADDER_ROOT}/cli\n`);
     });
     await step('the program that the folder names is not run', async () => {
@@ -105,15 +105,15 @@ await session('ladder.vsix', async (page, scratch) => {
         writeFileSync(other, '#!/bin/sh\necho snakes 1.0\n');
         chmodSync(other, 0o755);
         writeFileSync(join(scratch, 'data/Machine/settings.json'), JSON.stringify({ 'ladder.server.path': other }));
-        await message(page, 'is not the language server: asked for its version it says "snakes 1.0"').waitFor({ timeout: 20_000 });
+        await message(page, 'is not the language server: asked for its version it says "snakes 1.0"').waitFor();
     });
 });
 
 await session('old.vsix', async (page) => {
     await step('a server that comes with the extension is used, and another version is said', async () => {
         await open(page, 'unpaired.clad');
-        await message(page, 'has version 0.0.9, this extension 0.1.0').waitFor({ timeout: 30_000 });
-        await squiggle(page).waitFor({ timeout: 20_000 });
+        await message(page, 'has version 0.0.9, this extension 0.1.0').waitFor();
+        await squiggle(page).waitFor();
     });
 });
 
@@ -131,7 +131,7 @@ await session(
             assert.equal(await squiggle(page).count(), 0);
             await trust.click();
             await page.keyboard.press('Escape');
-            await squiggle(page).waitFor({ timeout: 20_000 });
+            await squiggle(page).waitFor();
             assert.ok(!existsSync(join(scratch, 'was-run')));
         });
     },

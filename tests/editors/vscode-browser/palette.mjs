@@ -20,13 +20,13 @@ async function pick(page, key, text, name) {
     // Letters that come too soon after the opening would be lost.
     await (await list(page, key)).fill(text);
     // Not the first row: the list has its own opinion of what is meant.
-    await page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first().click({ timeout: 30_000 });
+    await page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first().click();
 }
 
 /** Opens a file of the project. */
 export async function open(page, name) {
     await pick(page, 'Control+P', name, name);
-    await page.locator('.tab.active', { hasText: name }).waitFor({ timeout: 10_000 });
+    await page.locator('.tab.active', { hasText: name }).waitFor();
 }
 
 /** Runs a command. */
@@ -39,7 +39,7 @@ export async function cursorTo(page, line, column) {
     await (await list(page, 'Control+G')).fill(`:${line}:${column}`);
     await page.keyboard.press('Enter');
     // A key that comes while the list closes is lost, and one that comes before the text has the focus again.
-    await page.locator('.quick-input-widget').waitFor({ state: 'hidden', timeout: 10_000 });
-    await page.locator('.editor-group-container.active .monaco-editor.focused').first().waitFor({ timeout: 10_000 });
-    await page.getByText(`Ln ${line}, Col ${column}`).waitFor({ timeout: 10_000 });
+    await page.locator('.quick-input-widget').waitFor({ state: 'hidden' });
+    await page.locator('.editor-group-container.active .monaco-editor.focused').first().waitFor();
+    await page.getByText(`Ln ${line}, Col ${column}`).waitFor();
 }

@@ -6,11 +6,13 @@ import { command, cursorTo, open } from './palette.mjs';
 /** The scenarios that are run, one of which fails. */
 export const FILE = 'motor.ladder-test';
 
-/** Files besides: a program that calls another, and its scenarios. */
+/** Files besides: a program that calls another, and one with a contact that no scenario shows to matter, with their scenarios. */
 export const files = {
     'counted.clad': '+--<CALL>( count_up )--+\n',
     'library.clad': 'VAR\n    total : DINT;\n    warm : TON;\nEND_VAR\n+--<FUN>( count_up )--[INC]( total )--[TON]( warm, 5s )--<RET>--+\n',
     'counted.ladder-test': 'program counted.clad\n\nscenario "it counts"\n',
+    'press.clad': '+--[ ]( guard )--[ ]( pedal )--( )( press )--+\n',
+    'press.ladder-test': 'program press.clad\n\nscenario "it presses"\nguard    -_---\npedal    ___-_\npress => ___-_\n',
 };
 
 /**
@@ -22,31 +24,44 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
     const terminal = page.locator('.xterm-rows > div');
     await step('the scenarios of a file are tests, with marks next to them', async () => {
         await open(page, FILE);
-        await editor.locator('.testing-run-glyph').nth(1).waitFor({ timeout: 15000 });
+        await editor.locator('.testing-run-glyph').nth(1).waitFor();
         await command(page, 'Test: Run Tests in Current File');
-        await editor.locator('.codicon-testing-failed-icon').first().waitFor({ timeout: 15000 });
-        await editor.locator('.codicon-testing-passed-icon').first().waitFor({ timeout: 5000 });
+        await editor.locator('.codicon-testing-failed-icon').first().waitFor();
+        await editor.locator('.codicon-testing-passed-icon').first().waitFor();
     });
     await step('the message has both waveforms, and the columns that differ are marked', async () => {
         const message = page.locator('.part.panel').getByText('expected', { exact: false }).first();
-        await message.waitFor({ timeout: 5000 });
+        await message.waitFor();
         assert.match(await page.locator('.part.panel').textContent(), /got\s*_--___/);
-        await editor.getByText('run is FALSE in step 3').first().waitFor({ timeout: 5000 });
+        await editor.getByText('run is FALSE in step 3').first().waitFor();
         await screenshot(page, 'tests');
-        await editor.locator('.squiggly-error').first().waitFor({ timeout: 5000 });
+        await editor.locator('.squiggly-error').first().waitFor();
     });
     await step('what the scenarios exercise is drawn next to the program', async () => {
         await command(page, 'Test: Run Tests with Coverage in Current File');
         await open(page, 'motor.clad');
-        await editor.locator('.coverage-deco-gutter').first().waitFor({ timeout: 15000 });
+        await editor.locator('.coverage-deco-gutter').first().waitFor();
         await screenshot(page, 'coverage');
+    });
+    await step('a contact that no scenario shows to matter is not covered, and a scenario that would is in the output', async () => {
+        await open(page, 'press.ladder-test');
+        await editor.locator('.testing-run-glyph').first().waitFor();
+        await command(page, 'View: Show Testing');
+        await page.locator('.test-explorer-tree .monaco-list-row', { hasText: 'press.ladder-test' }).first().click({ button: 'right' });
+        await page.getByRole('menuitem', { name: 'Execute Using Profile...' }).click();
+        await page.locator('.quick-input-list .monaco-list-row', { hasText: 'Coverage and What Matters' }).click();
+        await open(page, 'press.clad');
+        await editor.locator('.coverage-deco-gutter').first().hover();
+        await editor.locator('.coverage-deco-miss').first().waitFor();
+        await page.locator('.part.panel').getByText('no scenario notices: contact bridged').first().waitFor();
+        await screenshot(page, 'matters');
     });
     await step('the lens above a program runs its scenarios in the Test Explorer', async () => {
         await command(page, 'Test: Clear All Results');
         await open(page, 'motor.clad');
         await page.locator('.codelens-decoration a', { hasText: 'Run scenarios' }).click();
         await open(page, FILE);
-        await editor.locator('.codicon-testing-failed-icon').first().waitFor({ timeout: 15000 });
+        await editor.locator('.codicon-testing-failed-icon').first().waitFor();
         assert.equal(await terminal.filter({ hasText: 'Executing task' }).count(), 0);
     });
     await step('the tasks run in a terminal, and what they find is under Problems once, in closed files, too', async () => {
@@ -55,7 +70,7 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
             const filter = page.locator('.pane-composite-part.panel .viewpane-filter input, .part.panel .viewpane-filter input').first();
             await filter.fill(name);
             let found = [];
-            await until(`"${name}" under Problems`, 10, async () => {
+            await until(`"${name}" under Problems`, async () => {
                 // The list is drawn again a moment later.
                 await page.waitForTimeout(1000);
                 const rows = await page.locator('.markers-panel .monaco-list-row').allTextContents();
@@ -68,7 +83,7 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
         const run = async (kind, name, last) => {
             await command(page, kind);
             await page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first().click();
-            await terminal.filter({ hasText: last }).last().waitFor({ timeout: 20000 });
+            await terminal.filter({ hasText: last }).last().waitFor();
         };
         // What the check finds comes from the server already.
         const unpairedOnce = async (when) => {
@@ -81,7 +96,7 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
         await screenshot(page, 'task-check');
         await unpairedOnce('after the check');
         await open(page, 'unpaired.clad');
-        await editor.locator('.squiggly-error').first().waitFor({ timeout: 10000 });
+        await editor.locator('.squiggly-error').first().waitFor();
         await unpairedOnce('while it is open');
         await page.keyboard.press('Control+W');
         await unpairedOnce('when it is closed again');
@@ -94,15 +109,15 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
     await step('a scenario that fails is debugged up to where it does', async () => {
         await open(page, FILE);
         await command(page, 'Test: Debug Tests in Current File');
-        await page.locator('.debug-toolbar').waitFor({ timeout: 15000 });
+        await page.locator('.debug-toolbar').waitFor();
         await page.keyboard.press('Control+Shift+D');
-        await page.locator('.debug-call-stack').getByText('scenario "stop does nothing", step 3').waitFor({ timeout: 15000 });
+        await page.locator('.debug-call-stack').getByText('scenario "stop does nothing", step 3').waitFor();
         await screenshot(page, 'debug-scenario');
         await page.keyboard.press('Shift+F5');
-        await page.locator('.debug-toolbar').waitFor({ state: 'hidden', timeout: 5000 });
+        await page.locator('.debug-toolbar').waitFor({ state: 'hidden' });
         // Ended by hand it has not passed.
         await open(page, FILE);
-        await editor.locator('.codicon-testing-failed-icon').first().waitFor({ timeout: 5000 });
+        await editor.locator('.codicon-testing-failed-icon').first().waitFor();
     });
     const tree = page.locator('.test-explorer-tree');
     const result = (name) => tree.locator('.monaco-list-row', { hasText: FILE }).locator(`.codicon-testing-${name}-icon`);
@@ -125,17 +140,17 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
         await profiles.getByRole('button', { name: 'OK' }).click();
         await open(page, 'motor.clad');
         await fix();
-        await result('passed').waitFor({ timeout: 15000 });
+        await result('passed').waitFor();
         await undo();
-        await result('failed').waitFor({ timeout: 15000 });
+        await result('failed').waitFor();
         await screenshot(page, 'continuous');
     });
     await step('of two changes in quick succession the later one is shown, also where the earlier one takes longer', async () => {
         const held = holdTest();
         await fix();
-        await until('the run of the first change', 10, held.hasBegun);
+        await until('the run of the first change', held.hasBegun);
         await undo();
-        await until('both runs to end', 20, () => held.ended() === 2);
+        await until('both runs to end', () => held.ended() === 2);
         // What has ended is shown a moment later.
         await page.waitForTimeout(1000);
         await screenshot(page, 'succession');
@@ -148,7 +163,7 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
         await page.keyboard.type('library.w', { delay: 40 });
         await page.locator('.suggest-widget .monaco-list-row', { hasText: 'library.warm.ET' }).first().click();
         const written = page.locator('.editor-group-container.active .view-line').nth(3);
-        await until('the row', 5, async () => /^library.warm.ET => ?$/.test((await written.textContent()).replace(/\u00a0/g, ' ')));
+        await until('the row', async () => /^library.warm.ET => ?$/.test((await written.textContent()).replace(/\u00a0/g, ' ')));
         await page.keyboard.type('100ms');
         await page.keyboard.press('Control+S');
     });

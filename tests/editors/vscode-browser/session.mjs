@@ -112,7 +112,7 @@ function operandBox(page, name) {
 
 async function look(page) {
     await step('what has power is bold', async () => {
-        await until('bold characters', 5, async () => (await weights(page, '+--\\')).some(({ bold }) => bold));
+        await until('bold characters', async () => (await weights(page, '+--\\')).some(({ bold }) => bold));
         const rung = (await weights(page, '+--\\')).filter(({ text }) => text.trim() !== '');
         const thin = rung.filter(({ bold }) => !bold).map(({ text }) => text);
         assert.deepEqual(thin, [], `these parts of the rung are not bold: ${thin.join(' ')}`);
@@ -137,16 +137,16 @@ async function look(page) {
         assert.ok(rails.every(({ bold, color }) => !bold && color === 'rgb(139, 139, 139)'), JSON.stringify(rails));
     });
     await step('the status bar tells the scan', async () => {
-        await page.getByText('Ladder: paused, scan 3, 30ms').waitFor({ timeout: 5000 });
+        await page.getByText('Ladder: paused, scan 3, 30ms').waitFor();
     });
     await step('the view lists the tags', async () => {
-        await page.locator('.monaco-list-row', { hasText: 'warmup.ET' }).waitFor({ timeout: 5000 });
+        await page.locator('.monaco-list-row', { hasText: 'warmup.ET' }).waitFor();
     });
 }
 
 /** Waits until something is asked for, and answers. */
 async function answer(page, title, text) {
-    await page.locator('.quick-input-title', { hasText: title }).waitFor({ timeout: 5000 });
+    await page.locator('.quick-input-title', { hasText: title }).waitFor();
     await page.keyboard.type(text);
     await page.keyboard.press('Enter');
 }
@@ -160,15 +160,15 @@ async function operate(page) {
         await command(page, 'Ladder: Force Tag...');
         await answer(page, 'Force Tag', 'lamp');
         await answer(page, 'Force lamp', '0');
-        await page.getByText('Ladder: paused, scan 3, 30ms, 1 forced').waitFor({ timeout: 5000 });
-        await row(page, 'lamp0').getByText('forced').waitFor({ timeout: 5000 });
+        await page.getByText('Ladder: paused, scan 3, 30ms, 1 forced').waitFor();
+        await row(page, 'lamp0').getByText('forced').waitFor();
         await command(page, 'Ladder: Release Force...');
         await answer(page, 'Release Force', '');
-        await page.getByText('Ladder: paused, scan 3, 30ms', { exact: true }).waitFor({ timeout: 5000 });
+        await page.getByText('Ladder: paused, scan 3, 30ms', { exact: true }).waitFor();
     });
     await step('an internal tag has a pencil, a group has no buttons', async () => {
         await row(page, 'warmup.ET').hover();
-        await row(page, 'warmup.ET').locator('.codicon-edit').waitFor({ timeout: 5000 });
+        await row(page, 'warmup.ET').locator('.codicon-edit').waitFor();
         const group = page.locator('.monaco-list-row', { hasText: 'Internal' }).first();
         await group.hover();
         assert.equal(await group.locator('.action-item').count(), 0);
@@ -178,55 +178,55 @@ async function operate(page) {
         assert.equal(await watched.count(), 0);
         await row(page, 'warmup.ET').hover();
         await row(page, 'warmup.ET').locator('.codicon-eye').click();
-        await watched.waitFor({ timeout: 5000 });
-        await until('both rows of the tag', 5, async () => (await page.locator('.monaco-list-row', { hasText: 'warmup.ET' }).count()) === 2);
+        await watched.waitFor();
+        await until('both rows of the tag', async () => (await page.locator('.monaco-list-row', { hasText: 'warmup.ET' }).count()) === 2);
         await screenshot(page, 'watched');
         await row(page, 'warmup.ET').hover();
         await row(page, 'warmup.ET').locator('.codicon-eye-closed').click();
-        await watched.waitFor({ state: 'detached', timeout: 5000 });
+        await watched.waitFor({ state: 'detached' });
     });
     await step('why is a tree with places', async () => {
         await command(page, 'Ladder: Step One Scan');
-        await page.getByText('Ladder: paused, scan 4').waitFor({ timeout: 5000 });
+        await page.getByText('Ladder: paused, scan 4').waitFor();
         await row(page, 'lamp').hover();
         await row(page, 'lamp').locator('.codicon-question').click();
         const reason = page.locator('.monaco-list-row', { hasText: '[ ]( run ) (line 6' }).first();
-        await reason.waitFor({ timeout: 5000 });
+        await reason.waitFor();
         await reason.click();
-        await page.getByText('Ln 6, Col 14').waitFor({ timeout: 5000 });
+        await page.getByText('Ln 6, Col 14').waitFor();
         await screenshot(page, 'why');
     });
     await step('the view shows values while the program runs', async () => {
         // Something changes in every scan: a view that is drawn again with each would never be drawn.
         await open(page, 'watch.clad');
         await command(page, 'Ladder: Start Simulation');
-        await page.getByText('Ladder: paused, scan 0').waitFor({ timeout: 5000 });
-        await row(page, 'clock.ET').waitFor({ timeout: 5000 });
+        await page.getByText('Ladder: paused, scan 0').waitFor();
+        await row(page, 'clock.ET').waitFor();
         await page.locator('.monaco-editor .view-line').first().click();
         await page.keyboard.press('F5');
-        await page.getByText('Ladder: running').waitFor({ timeout: 5000 });
+        await page.getByText('Ladder: running').waitFor();
         const values = new Set();
-        await until('three values of the timer in the view', 10, async () => {
+        await until('three values of the timer in the view', async () => {
             values.add(await row(page, 'clock.ET').textContent());
             return values.size > 2;
         });
-        await page.getByText('Ladder: running').waitFor({ timeout: 5000 });
+        await page.getByText('Ladder: running').waitFor();
         await page.keyboard.press('F6');
-        await page.getByText('Ladder: paused').waitFor({ timeout: 5000 });
+        await page.getByText('Ladder: paused').waitFor();
         // The lens that starts a program ends it while it is there.
         const lens = (title) => page.locator('.codelens-decoration a', { hasText: title });
         await lens('Stop simulation').click();
-        await lens('Start simulation').waitFor({ timeout: 5000 });
+        await lens('Start simulation').waitFor();
         await page.locator('.tab', { hasText: 'motor.clad' }).first().click();
-        await page.getByText('Ladder: paused, scan 4').waitFor({ timeout: 5000 });
+        await page.getByText('Ladder: paused, scan 4').waitFor();
     });
     await step('the speed is in sight', async () => {
         await command(page, 'Ladder: Set Speed of the Simulation...');
         await answer(page, 'Speed of the Simulation', '0.01x');
-        await page.getByText('0.01x speed').waitFor({ timeout: 5000 });
+        await page.getByText('0.01x speed').waitFor();
         await command(page, 'Ladder: Set Speed of the Simulation...');
         await answer(page, 'Speed of the Simulation', '1x');
-        await page.getByText('0.01x speed').waitFor({ state: 'detached', timeout: 5000 });
+        await page.getByText('0.01x speed').waitFor({ state: 'detached' });
     });
 }
 
@@ -244,14 +244,14 @@ async function traceTags(page) {
     const traceRow = (name) => view.locator('#rows tr', { has: page.locator(`th span:text-is("${name}")`) });
     await step('the trace shows inputs and outputs while the program runs', async () => {
         await command(page, 'Ladder: Show Trace');
-        await traceRow('start').waitFor({ timeout: 10000 });
+        await traceRow('start').waitFor();
         await page.locator('.monaco-editor .view-line').first().click();
         await page.keyboard.press('F5');
-        await until('thirty scans in the trace', 20, async () => Number(/scan (\d+)/.exec(await view.locator('#place').textContent())?.[1]) > 34);
+        await until('thirty scans in the trace', async () => Number(/scan (\d+)/.exec(await view.locator('#place').textContent())?.[1]) > 34);
         await page.keyboard.press('F6');
-        await page.getByText('Ladder: paused').waitFor({ timeout: 5000 });
+        await page.getByText('Ladder: paused').waitFor();
         const last = await scanShown(page);
-        await until('the last scan in the trace', 5, async () => (await view.locator('#place').textContent()).startsWith(`scan ${last},`));
+        await until('the last scan in the trace', async () => (await view.locator('#place').textContent()).startsWith(`scan ${last},`));
         for (const name of ['start', 'stop', 'lamp']) {
             assert.match(await traceRow(name).locator('.line').getAttribute('d'), /^M[\d.]+ [\d.]+H/, name);
         }
@@ -264,26 +264,26 @@ async function traceTags(page) {
             window.before = path.getAttribute('d');
         });
         await page.keyboard.press('F10');
-        await until('another drawing', 5, () => line.evaluate((path) => path.getAttribute('d') !== window.before));
+        await until('another drawing', () => line.evaluate((path) => path.getAttribute('d') !== window.before));
         assert.ok(await line.evaluate((path) => path.isKept === true), 'it was drawn again');
     });
     await step('a tag is added from the Tags view, and drawn over a scale', async () => {
         await row(page, 'warmup.ET').hover();
         await row(page, 'warmup.ET').locator('.codicon-pulse').click();
-        await traceRow('warmup.ET').locator('.line').waitFor({ state: 'attached', timeout: 5000 });
-        await traceRow('warmup.ET').getByText('20 ms').first().waitFor({ timeout: 5000 });
+        await traceRow('warmup.ET').locator('.line').waitFor({ state: 'attached' });
+        await traceRow('warmup.ET').getByText('20 ms').first().waitFor();
     });
     await step('two cursors, and the difference between them', async () => {
         await view.locator('#trace').focus();
         await page.keyboard.press('0');
-        await until('everything', 5, async () => (await view.locator('#follow').getAttribute('aria-pressed')) === 'true');
+        await until('everything', async () => (await view.locator('#follow').getAttribute('aria-pressed')) === 'true');
         await page.keyboard.press('Home');
         await page.keyboard.press('b');
         for (let times = 0; times < 3; times += 1) {
             await page.keyboard.press('ArrowRight');
         }
         // A step is a column: more than one scan, if the run took long.
-        await until('the difference', 5, async () => /B − A \+\d*[1-9]0ms/.test(await view.locator('#measure').textContent()));
+        await until('the difference', async () => /B − A \+\d*[1-9]0ms/.test(await view.locator('#measure').textContent()));
         assert.equal(await traceRow('warmup.ET').locator('td.difference').textContent(), '+20ms');
         await screenshot(page, 'trace');
     });
@@ -292,19 +292,19 @@ async function traceTags(page) {
         await page.keyboard.press('0');
         const whole = await ticks();
         await page.keyboard.press('+');
-        await until('other ticks', 5, async () => (await ticks()) !== whole);
+        await until('other ticks', async () => (await ticks()) !== whole);
         await page.keyboard.press('0');
-        await until('the ticks of everything', 5, async () => (await ticks()) === whole);
+        await until('the ticks of everything', async () => (await ticks()) === whole);
     });
     await step('a click in the trace shows the program as it was', async () => {
         const picture = traceRow('start').locator('svg');
         const last = await scanShown(page);
         const box = await picture.boundingBox();
         await picture.click({ position: { x: box.width / 2, y: box.height / 2 } });
-        await until('an earlier scan', 5, async () => (await scanShown(page)) < last);
+        await until('an earlier scan', async () => (await scanShown(page)) < last);
         const there = await scanShown(page);
         assert.ok(Math.abs(there - last / 2) < last / 8 + 2, `scan ${there} of ${last}`);
-        await until('the rest as what was stepped back from', 5, async () => (await picture.locator('.ahead').count()) === 1);
+        await until('the rest as what was stepped back from', async () => (await picture.locator('.ahead').count()) === 1);
         await screenshot(page, 'trace-back');
         await view.locator('#trace').focus();
         await page.keyboard.press('a');
@@ -313,7 +313,7 @@ async function traceTags(page) {
             await page.keyboard.press('ArrowRight');
         }
         await page.keyboard.press('Enter');
-        await page.getByText('Ladder: paused, scan 4,').waitFor({ timeout: 5000 });
+        await page.getByText('Ladder: paused, scan 4,').waitFor();
         await page.keyboard.press('Escape');
         await page.locator('.monaco-editor .view-line').first().click();
     });
@@ -325,14 +325,14 @@ async function edit(page) {
         await page.locator('.monaco-editor .view-line').first().click();
         await page.keyboard.press('Control+Home');
         await page.keyboard.press('Enter');
-        await until('the live cells, a line below', 5, async () => {
+        await until('the live cells, a line below', async () => {
             const after = (await weights(page, '+--\\')).filter((span) => span.bold);
             return before.length > 0 && after.length === before.length;
         });
         assert.equal(await page.getByText('before the errors in the text').count(), 0);
         // The other parts find the program as it is on disk.
         await page.keyboard.press('Control+Z');
-        await until('the program as it was', 5, async () => (await lines(page))[0].startsWith('#'));
+        await until('the program as it was', async () => (await lines(page))[0].startsWith('#'));
     });
 }
 
@@ -376,7 +376,7 @@ const parts = (page) => ({
 /** What the probe finds in the extension host. It leaves a simulation and the view of its tags. */
 async function probed() {
     let reported = 0;
-    await until('the probe to end', 150, () => {
+    await until('the probe to end', () => {
         const lines = readFileSync(report, 'utf8').trimEnd().split('\n').filter(Boolean).map((line) => JSON.parse(line));
         for (const line of lines.slice(reported)) {
             reported += 1;
@@ -385,16 +385,16 @@ async function probed() {
             }
         }
         return lines.at(-1)?.done;
-    });
+    }, 600);
 }
 
 /** The same view, without a simulation. */
 async function unprobed(page) {
     const ladder = page.locator('.activitybar .action-label[aria-label="Ladder"]');
-    await ladder.waitFor({ timeout: 60_000 });
+    await ladder.waitFor();
     // What the editor sends while it begins is not what a part of the session counts, and a key that is pressed before is lost.
     await open(page, 'unpaired.clad');
-    await page.locator('.squiggly-error').first().waitFor({ timeout: 60_000 });
+    await page.locator('.squiggly-error').first().waitFor();
     await page.keyboard.press('Control+W');
     await page.locator('.tab', { hasText: 'unpaired.clad' }).waitFor({ state: 'detached' });
     await ladder.click();

@@ -23,14 +23,14 @@ export function lines(page) {
     });
 }
 
-const place = (page, line, column) => page.getByText(new RegExp(`Ln ${line}, Col ${column}( |$)`)).first().waitFor({ timeout: 5000 });
+const place = (page, line, column) => page.getByText(new RegExp(`Ln ${line}, Col ${column}( |$)`)).first().waitFor();
 
 export async function typing(page, { step, until, screenshot, project }) {
     const errors = page.locator('.editor-group-container.active .monaco-editor .squiggly-error');
     await step('a line becomes a comment and comes back, each in one step of undo', async () => {
         await open(page, NAME);
         await page.locator('.editor-group-container.active .view-line', { hasText: 'first' }).click();
-        const shows = (what, text) => until(what, 5, async () => (await lines(page))[0] === text);
+        const shows = (what, text) => until(what, async () => (await lines(page))[0] === text);
         await page.keyboard.press('Control+/');
         await shows('the comment', `# ${RUNG} #`);
         await page.keyboard.press('Control+/');
@@ -45,31 +45,31 @@ export async function typing(page, { step, until, screenshot, project }) {
         await page.keyboard.press('Control+Home');
         await page.keyboard.press('End');
         await page.keyboard.press('Enter');
-        await until('the beginning of a rung', 5, async () => (await lines(page)).some((line) => line === '+--'));
+        await until('the beginning of a rung', async () => (await lines(page)).some((line) => line === '+--'));
     });
     await step('a rung that was begun goes when the cursor leaves it', async () => {
         const begun = async () => (await lines(page)).includes('+--');
         await page.keyboard.press('ArrowUp');
-        await until('the beginning to go', 5, async () => !(await begun()));
+        await until('the beginning to go', async () => !(await begun()));
         assert.equal((await lines(page))[1], '');
         // One undo brings it back, as a step of the editor's own, and the next one takes back Enter.
         const takeBack = async () => {
             await page.keyboard.press('Control+Z');
-            await until('the beginning of a rung again', 5, begun);
+            await until('the beginning of a rung again', begun);
             await page.keyboard.press('Control+Z');
-            await until('the text without Enter', 5, async () => (await lines(page)).join('\n') === `${RUNG}\n`);
+            await until('the text without Enter', async () => (await lines(page)).join('\n') === `${RUNG}\n`);
         };
         const beginAgain = async () => {
             await page.keyboard.press('Control+Home');
             await page.keyboard.press('End');
             await page.keyboard.press('Enter');
-            await until('the beginning of a rung', 5, begun);
+            await until('the beginning of a rung', begun);
         };
         await takeBack();
         // By a click, too; and what was typed into stays.
         await beginAgain();
         await page.locator('.editor-group-container.active .view-line', { hasText: 'first' }).click();
-        await until('the beginning to go', 5, async () => !(await begun()));
+        await until('the beginning to go', async () => !(await begun()));
         await takeBack();
         await beginAgain();
         await page.keyboard.type('--', { delay: 30 });
@@ -88,7 +88,7 @@ export async function typing(page, { step, until, screenshot, project }) {
         await page.waitForTimeout(600);
         assert.equal(await errors.count(), 0);
         await page.locator('.editor-group-container.active .view-line', { hasText: 'first' }).click();
-        await until('the error', 5, async () => (await errors.count()) > 0);
+        await until('the error', async () => (await errors.count()) > 0);
     });
     await step('an instruction is found by what it is for, and comes with its operands', async () => {
         await page.locator('.editor-group-container.active .view-line', { hasText: 'fourth' }).click();
@@ -99,10 +99,10 @@ export async function typing(page, { step, until, screenshot, project }) {
         }
         await page.keyboard.type('[timer', { delay: 30 });
         const proposal = page.locator('.suggest-widget .monaco-list-row', { hasText: 'TON' }).first();
-        await proposal.waitFor({ timeout: 5000 });
+        await proposal.waitFor();
         await screenshot(page, 'typing');
         await proposal.click();
-        await until('the block', 5, async () => (await lines(page)).some((line) => /^\+--\[ \]\( fourth \)-+\[TON\]\( /.test(line)));
+        await until('the block', async () => (await lines(page)).some((line) => /^\+--\[ \]\( fourth \)-+\[TON\]\( /.test(line)));
         await page.keyboard.press('Escape');
         await page.keyboard.press('Escape');
     });
@@ -122,16 +122,16 @@ export async function typing(page, { step, until, screenshot, project }) {
         await page.locator('.editor-group-container.active .view-line span', { hasText: /^third$/ }).first().dblclick();
         await page.keyboard.type('seco', { delay: 50 });
         // The lists to fewer letters have what is waited for too, further down.
-        await page.locator('.suggest-widget.visible .monaco-list-row[data-index="0"]', { hasText: 'second' }).first().waitFor({ timeout: 5000 });
+        await page.locator('.suggest-widget.visible .monaco-list-row[data-index="0"]', { hasText: 'second' }).first().waitFor();
         await page.keyboard.press('Tab');
-        await until('the whole name', 5, async () => (await lines(page))[0].includes('( )( second )'));
+        await until('the whole name', async () => (await lines(page))[0].includes('( )( second )'));
         // What an undo has done is on the page a moment later; one more would take back what was there before.
         const undo = async () => {
             await page.keyboard.press('Control+Z');
             await page.waitForTimeout(200);
         };
         const asBefore = () =>
-            until('the rung as it was', 10, async () => {
+            until('the rung as it was', async () => {
                 await undo();
                 return (await lines(page))[0] === before[0];
             });
@@ -140,19 +140,19 @@ export async function typing(page, { step, until, screenshot, project }) {
         await page.keyboard.press('Control+Home');
         await page.keyboard.press('End');
         await page.keyboard.press('Enter');
-        await until('the beginning of a rung', 5, async () => (await lines(page))[1] === '+--');
+        await until('the beginning of a rung', async () => (await lines(page))[1] === '+--');
         await page.keyboard.type('[ ]( run )--[TON', { delay: 50 });
-        await page.locator('.suggest-widget.visible .monaco-list-row[data-index="0"]', { hasText: 'TON' }).first().waitFor({ timeout: 5000 });
+        await page.locator('.suggest-widget.visible .monaco-list-row[data-index="0"]', { hasText: 'TON' }).first().waitFor();
         const count = (await lines(page)).length;
         await page.keyboard.press('Enter');
         const whole = /^\+--\[ \]\( run \)-+\[TON\](\( |$)/;
-        await until('the block on one line', 5, async () => {
+        await until('the block on one line', async () => {
             const text = await lines(page);
             return text.length === count && whole.test(text[1]);
         });
         await page.keyboard.press('Escape');
         await page.keyboard.press('Escape');
-        await until('the program as it was', 20, async () => {
+        await until('the program as it was', async () => {
             await undo();
             return (await lines(page)).join('\n') === before.join('\n');
         });
@@ -164,10 +164,10 @@ export async function typing(page, { step, until, screenshot, project }) {
         const before = await lines(page);
         await page.keyboard.press('Alt+L');
         await page.keyboard.press('c');
-        await until('another contact', 5, async () => (await lines(page))[0].split('[ ]').length === 3);
+        await until('another contact', async () => (await lines(page))[0].split('[ ]').length === 3);
         await page.keyboard.press('Escape');
         await page.keyboard.press('Control+Z');
-        await until('the rung as it was', 5, async () => (await lines(page))[0] === before[0]);
+        await until('the rung as it was', async () => (await lines(page))[0] === before[0]);
     });
     await step('a key draws a branch round what is selected', async () => {
         const before = await lines(page);
@@ -175,14 +175,14 @@ export async function typing(page, { step, until, screenshot, project }) {
         await page.keyboard.press('Tab');
         await page.keyboard.press('Alt+L');
         await page.keyboard.press('b');
-        await until('the branch', 5, async () => {
+        await until('the branch', async () => {
             const [above, below] = await lines(page);
             return above.includes('\\') && /^\|? *\/--/.test(below);
         });
         await screenshot(page, 'branch');
         await page.keyboard.press('Escape');
         await page.keyboard.press('Control+Z');
-        await until('the rung as it was', 5, async () => (await lines(page))[0] === before[0]);
+        await until('the rung as it was', async () => (await lines(page))[0] === before[0]);
         await page.keyboard.press('Control+S');
     });
     await step('a save aligns the program, and one undo takes that back', async () => {
@@ -193,14 +193,14 @@ export async function typing(page, { step, until, screenshot, project }) {
         const typed = await lines(page);
         assert.equal(typed[0], CROOKED);
         await page.keyboard.press('Control+S');
-        await until('the program to be aligned', 5, async () => (await lines(page))[0] === ALIGNED);
-        await until('the file to be saved', 5, () => readFileSync(join(project, SAVED), 'utf8').startsWith(`${ALIGNED}\n`));
+        await until('the program to be aligned', async () => (await lines(page))[0] === ALIGNED);
+        await until('the file to be saved', () => readFileSync(join(project, SAVED), 'utf8').startsWith(`${ALIGNED}\n`));
         await page.keyboard.press('Control+Z');
-        await until('the program as it was typed', 5, async () => (await lines(page))[0] === CROOKED);
+        await until('the program as it was typed', async () => (await lines(page))[0] === CROOKED);
         assert.deepEqual(await lines(page), typed);
         // A save of what is aligned changes nothing.
         await page.keyboard.press('Control+S');
-        await until('the program to be aligned again', 5, async () => (await lines(page))[0] === ALIGNED);
+        await until('the program to be aligned again', async () => (await lines(page))[0] === ALIGNED);
         await page.keyboard.press('Control+S');
         assert.equal((await lines(page))[0], ALIGNED);
     });
