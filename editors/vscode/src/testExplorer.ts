@@ -60,8 +60,8 @@ export class TestExplorer implements vscode.Disposable {
 
     /** Saves a file of scenarios, that of the active editor if none is named, and runs them all. */
     async runFile(uri?: string): Promise<void> {
-        const document = uri === undefined ? vscode.window.activeTextEditor?.document : await vscode.workspace.openTextDocument(vscode.Uri.parse(uri));
-        if (document?.languageId === 'ladder-test') {
+        const document = await scenariosAt(uri);
+        if (document) {
             await document.save();
             await this.#run(new vscode.TestRunRequest([this.#item(document.uri)]), []);
         }
@@ -69,8 +69,8 @@ export class TestExplorer implements vscode.Disposable {
 
     /** Proves the properties of a file, that of the active editor if none is named, or one of them. */
     async prove(uri?: string, name?: string): Promise<void> {
-        const document = uri === undefined ? vscode.window.activeTextEditor?.document : await vscode.workspace.openTextDocument(vscode.Uri.parse(uri));
-        if (document?.languageId !== 'ladder-test') {
+        const document = await scenariosAt(uri);
+        if (!document) {
             return;
         }
         this.#shown(document);
@@ -320,6 +320,12 @@ export class TestExplorer implements vscode.Disposable {
             run.end();
         }
     }
+}
+
+/** The file of scenarios at an address, else that of the active editor, if it is one. */
+async function scenariosAt(uri: string | undefined): Promise<vscode.TextDocument | undefined> {
+    const document = uri === undefined ? vscode.window.activeTextEditor?.document : await vscode.workspace.openTextDocument(vscode.Uri.parse(uri));
+    return document?.languageId === 'ladder-test' ? document : undefined;
 }
 
 function execute(program: string, args: readonly string[], token: vscode.CancellationToken): Promise<{ stdout: string; stderr: string }> {
