@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use ladder_analysis::program::Location;
 use ladder_simulator::coverage::{Coverage, CoverageItemKind};
-use ladder_simulator::scenario::{self, Case, Ran, Suite};
+use ladder_simulator::scenario::{self, Case, Ran, ScenarioError, Suite};
 use ladder_simulator::{Fault, Simulation};
 use serde::{Deserialize, Serialize};
 
@@ -155,6 +155,26 @@ pub(crate) struct Files<'a> {
     pub(crate) program: &'a Revision,
 }
 
+impl Files<'_> {
+    /// The place of something that is in the program's own file.
+    pub(crate) fn own(&self, location: Location) -> Option<Range> {
+        (location.file == 0).then(|| self.program.range(location.range))
+    }
+
+    /// Nothing is run or proved where the file of scenarios has an error: the first of them, in words.
+    pub(crate) fn without_errors<'e>(
+        &self,
+        errors: impl Iterator<Item = &'e ScenarioError>,
+    ) -> Result<(), String> {
+        let Some(ScenarioError { range, message, .. }) = errors.min_by_key(|error| error.range.start())
+        else {
+            return Ok(());
+        };
+        let line = self.scenarios.range(*range).start.line + 1;
+        Err(format!("line {line}: {message}"))
+    }
+}
+
 /// Runs the scenarios of a file, one after the other.
 ///
 /// # Errors
@@ -170,16 +190,7 @@ pub(crate) fn run(
 ) -> Result<ScenariosRun, String> {
     let (cases, found) = scenario::bind(suite, &simulation);
     let (mut watched, of_properties) = scenario::bind_properties(suite, &simulation);
-    if let Some(error) = suite
-        .errors
-        .iter()
-        .chain(&found)
-        .chain(&of_properties)
-        .min_by_key(|error| error.range.start())
-    {
-        let line = files.scenarios.range(error.range).start.line + 1;
-        return Err(format!("line {line}: {}", error.message));
-    }
+    files.without_errors(suite.errors.iter().chain(&found).chain(&of_properties))?;
     let mut coverage = with_coverage.then(|| Coverage::of(&mut simulation));
     let until = clock.now() + LONGEST;
     let mut scenarios = Vec::with_capacity(cases.len());
@@ -217,7 +228,7 @@ pub(crate) fn run(
         version: files.scenarios.version,
         program: files.program.uri.to_string(),
         scenarios,
-        coverage: coverage.map(|coverage| exercised(files.program, &coverage)),
+        coverage: coverage.map(|coverage| exercised(files, &coverage)),
     })
 }
 
@@ -253,7 +264,7 @@ fn scenario_run(files: &Files<'_>, (suite, case): (&Suite, &Case), ran: &Ran, in
          }| FaultOfScenario {
             message: message.clone(),
             scan: *scan,
-            range: own(files.program, *location),
+            range: files.own(*location),
         },
     );
     ScenarioRun {
@@ -269,15 +280,10 @@ fn scenario_run(files: &Files<'_>, (suite, case): (&Suite, &Case), ran: &Ran, in
     }
 }
 
-/// The place of something that is in the program's own file.
-fn own(program: &Revision, location: Location) -> Option<Range> {
-    (location.file == 0).then(|| program.range(location.range))
-}
-
-fn exercised(program: &Revision, coverage: &Coverage) -> Exercised {
+fn exercised(files: &Files<'_>, coverage: &Coverage) -> Exercised {
     let networks = coverage.networks.iter().filter_map(|network| {
         Some(NetworkReached {
-            range: own(program, network.location)?,
+            range: files.own(network.location)?,
             scans: network.scans,
         })
     });
@@ -289,7 +295,7 @@ fn exercised(program: &Revision, coverage: &Coverage) -> Exercised {
         };
         Some(PartSeen {
             kind: kind.to_owned(),
-            range: own(program, part.location)?,
+            range: files.own(part.location)?,
             on: part.on,
             off: part.off,
         })

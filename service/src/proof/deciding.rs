@@ -1,13 +1,10 @@
 //! Asks the prover.
 
-use ladder_analysis::program::Location;
 use ladder_prover::{Answer, Options, drawn, found_scenario, prove, scenario_file, while_wanted};
 use ladder_simulator::Simulation;
-use ladder_simulator::scenario::{self, Monitor, ScenarioError, Suite};
+use ladder_simulator::scenario::{self, Monitor, Suite};
 
 use super::{LeftOpen, PropertyProved};
-use crate::document::Revision;
-use crate::document::position::Range;
 use crate::scenario_run::Files;
 
 /// Decides the properties of a file, or one of them, for no longer than `ladder prove` does, and as long as it is wanted.
@@ -23,11 +20,7 @@ pub(crate) fn run(
     is_wanted: impl Fn() -> bool + 'static,
 ) -> Result<Vec<PropertyProved>, String> {
     let (mut watched, found) = scenario::bind_properties(suite, simulation);
-    let errors = suite.errors.iter().chain(&found);
-    if let Some(ScenarioError { range, message, .. }) = errors.min_by_key(|error| error.range.start()) {
-        let line = files.scenarios.range(*range).start.line + 1;
-        return Err(format!("line {line}: {message}"));
-    }
+    files.without_errors(suite.errors.iter().chain(&found))?;
     if let Some(only) = only {
         watched.properties.retain(|property| property.name == only);
     }
@@ -64,7 +57,7 @@ fn proved(
     let scenario = found_scenario(&property.name, &property.form, &answer.verdict, interval);
     let open = answer.open.iter().map(|(what, location)| LeftOpen {
         message: what.clone(),
-        range: location.and_then(|location| own(files.program, location)),
+        range: location.and_then(|location| files.own(location)),
     });
     PropertyProved {
         name: property.name.clone(),
@@ -80,9 +73,4 @@ fn proved(
             scenario_file(program, interval, &[scenario])
         }),
     }
-}
-
-/// The place of something that is in the program's own file.
-fn own(program: &Revision, location: Location) -> Option<Range> {
-    (location.file == 0).then(|| program.range(location.range))
 }

@@ -1,10 +1,10 @@
 //! What requests about a scenario file have in common: its text, and the program that it is about with the files next to
 //! that, open or not.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use tower_lsp::jsonrpc::Result;
+use tower_lsp::jsonrpc;
 use tower_lsp::ls_types::{Position, Uri};
 
 use super::asked::Asked;
@@ -12,11 +12,14 @@ use crate::cancel::Cancel;
 use crate::document::membership::Membership;
 use crate::document::other_files::OtherFiles;
 use crate::document::{Kind, Revision, address};
+use crate::lsp::documents::companions::compiled_from;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
 use ladder_ide::{Alone, Scenarios};
+use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, Suite};
 use ladder_syntax::TextSize;
+use ladder_workspace::shown::path as shown_path;
 
 /// A scenario file that is asked about.
 pub(crate) struct AskedScenarios {
@@ -59,7 +62,7 @@ pub(crate) async fn about_scenarios<T: Send + 'static>(
     shared: &Arc<Shared>,
     revision: Arc<Revision>,
     job: impl FnOnce(&AskedScenarios) -> Option<T> + Send + 'static,
-) -> Result<Option<T>> {
+) -> jsonrpc::Result<Option<T>> {
     let next_to = shared.clone();
     blocking(&*shared.host, move |cancel| {
         let shared = next_to;
@@ -79,13 +82,54 @@ pub(crate) async fn about_scenarios<T: Send + 'static>(
     .await
 }
 
-/// The program that a scenario file names: as the editor shows it if it is open, else as it is on disk.
+/// The program that a scenario file names.
+pub(super) struct NamedProgram {
+    pub(super) revision: Arc<Revision>,
+    path: PathBuf,
+    /// The editor shows it; else it is as it is on disk.
+    pub(super) is_open: bool,
+}
+
+impl NamedProgram {
+    /// Finds it.
+    ///
+    /// # Errors
+    ///
+    /// A sentence for the person.
+    pub(super) fn of(shared: &Shared, scenarios: &Revision, suite: &Suite) -> Result<NamedProgram, String> {
+        let Some((name, _)) = &suite.program else {
+            return Err("the file names no program: it begins with `program NAME.clad`".to_owned());
+        };
+        let disk = &shared.world().disk;
+        let file = address::path_of(&scenarios.uri).ok_or("the file of the scenarios lies in no folder")?;
+        let path = disk
+            .locate(&disk.named_in(&file, name))
+            .map_err(|error| error.to_string())?;
+        let open = shown(shared, &path);
+        let is_open = open.is_some();
+        let revision = open.or_else(|| on_disk(shared, &path));
+        Ok(NamedProgram {
+            revision: revision.ok_or_else(|| format!("{name} cannot be read any more"))?,
+            path,
+            is_open,
+        })
+    }
+
+    /// This very text, ready to run: its neighbours know it a moment later.
+    ///
+    /// # Errors
+    ///
+    /// A sentence for the person.
+    pub(super) fn compiled(&self, shared: &Shared, suite: &Suite) -> Result<Simulation, String> {
+        let analysis = self.revision.analysis();
+        let analysis = analysis.ok_or_else(|| format!("{} is too large", shown_path(&self.path)))?;
+        let interval = suite.interval.map(|(interval, _)| interval);
+        Ok(compiled_from(shared, &self.path, analysis.whole(), interval)?)
+    }
+}
+
 fn program(shared: &Shared, revision: &Revision, suite: &Suite, cancel: &Cancel) -> Option<Asked> {
-    let (name, _) = suite.program.as_ref()?;
-    let disk = &shared.world().disk;
-    let named = disk.named_in(&address::path_of(&revision.uri)?, name);
-    let path = disk.locate(&named).ok()?;
-    let program = shown(shared, &path).or_else(|| on_disk(shared, &path))?;
+    let program = NamedProgram::of(shared, revision, suite).ok()?.revision;
     let context = Arc::clone(program.names()?.context());
     let elsewhere = OtherFiles::of(&program, &shared.documents, &shared.companions, cancel);
     Some(Asked {

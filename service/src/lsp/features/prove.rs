@@ -6,11 +6,11 @@ use ladder_simulator::scenario;
 use tower_lsp::jsonrpc::{Error, Result};
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
-use super::of_scenarios::{on_disk, shown};
+use super::of_scenarios::{NamedProgram, on_disk};
 use super::simulate::{error, json};
 use crate::cancel::Cancel;
-use crate::document::{Kind, Revision, address};
-use crate::lsp::documents::companions::{compiled_from, refresh_proofs};
+use crate::document::{Kind, address};
+use crate::lsp::documents::companions::refresh_proofs;
 use crate::lsp::session::proofs::ProgramText;
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
@@ -67,34 +67,21 @@ fn decide(
     let scenarios = scenarios.filter(|it| it.fits() && (!is_open || it.kind() == Kind::Scenarios));
     let scenarios = scenarios.ok_or_else(|| format!("{} is no file of scenarios", asked.uri))?;
     let suite = scenario::parse(&scenarios.text());
-    let Some((name, _)) = &suite.program else {
-        let message = "the properties name no program: their file begins with `program NAME.clad`";
-        return Err(Given::Up(message.to_owned()));
-    };
-    let disk = &shared.world().disk;
-    let path =
-        address::path_of(&scenarios.uri).ok_or_else(|| "the properties lie in no folder".to_owned())?;
-    let path = disk
-        .locate(&disk.named_in(&path, name))
-        .map_err(|error| error.to_string())?;
-    let open_program = shown(shared, &path);
-    let program = open_program.clone().or_else(|| on_disk(shared, &path));
-    let program = program.ok_or_else(|| format!("{name} cannot be read any more"))?;
-    // This very text: its neighbours know it a moment later.
-    let analysis = program
-        .analysis()
-        .ok_or_else(|| format!("{name} is too large"))?
-        .whole();
-    let interval = suite.interval.map(|(interval, _)| interval);
-    let mut simulation = compiled_from(shared, &path, analysis, interval).map_err(String::from)?;
+    let program = NamedProgram::of(shared, &scenarios, &suite)?;
+    let mut simulation = program.compiled(shared, &suite)?;
     let text = ProgramText::of(&simulation);
+    let NamedProgram {
+        revision: program,
+        is_open: is_program_open,
+        ..
+    } = program;
     let is_wanted = {
-        let (shared, cancel, file) = (shared.clone(), cancel.clone(), scenarios.clone());
+        let (shared, cancel) = (shared.clone(), cancel.clone());
+        let (file, program) = (scenarios.clone(), program.clone());
         move || {
-            let is_shown = |program: &Arc<Revision>| shared.documents.shows(program);
             !cancel.is_cancelled()
                 && (!is_open || shared.companions.shows(&file))
-                && open_program.as_ref().is_none_or(is_shown)
+                && (!is_program_open || shared.documents.shows(&program))
         }
     };
     let files = Files {

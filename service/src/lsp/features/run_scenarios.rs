@@ -6,11 +6,10 @@ use ladder_simulator::scenario;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
-use super::of_scenarios::{on_disk, shown};
+use super::of_scenarios::NamedProgram;
 use super::simulate::{error, json};
 use crate::cancel::Cancel;
-use crate::document::{Kind, Revision, address};
-use crate::lsp::documents::companions::compiled_from;
+use crate::document::{Kind, Revision};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::scenario_run::{Files, RunScenarios, ScenariosRun, run};
@@ -46,26 +45,11 @@ fn play(
     cancel: &Cancel,
 ) -> std::result::Result<ScenariosRun, String> {
     let suite = scenario::parse(&scenarios.text());
-    let Some((name, _)) = &suite.program else {
-        return Err("the scenarios name no program: their file begins with `program NAME.clad`".to_owned());
-    };
-    let disk = &shared.world().disk;
-    let path = address::path_of(&scenarios.uri).ok_or("the scenarios lie in no folder")?;
-    let path = disk
-        .locate(&disk.named_in(&path, name))
-        .map_err(|error| error.to_string())?;
-    let program = shown(shared, &path).or_else(|| on_disk(shared, &path));
-    let program = program.ok_or_else(|| format!("{name} cannot be read any more"))?;
-    // This very text: its neighbours know it a moment later.
-    let analysis = program
-        .analysis()
-        .ok_or_else(|| format!("{name} is too large"))?
-        .whole();
-    let interval = suite.interval.map(|(interval, _)| interval);
-    let simulation = compiled_from(shared, &path, analysis, interval)?;
+    let program = NamedProgram::of(shared, scenarios, &suite)?;
+    let simulation = program.compiled(shared, &suite)?;
     let files = Files {
         scenarios,
-        program: &program,
+        program: &program.revision,
     };
     run(
         &files,
