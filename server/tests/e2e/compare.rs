@@ -102,3 +102,32 @@ async fn nothing_has_changed() {
     );
     client.finish().await;
 }
+
+/// Products in another order, in each of many networks: that they are the same takes long to decide.
+fn products(each: impl Fn(usize) -> String) -> String {
+    let rungs = (0..300).map(|n| format!("+--[CALC]( p{n}, {} )--+\n\n", each(n)));
+    let names: Vec<String> = (0..300).map(|n| format!("p{n}")).collect();
+    format!(
+        "VAR_INPUT x, y : LINT; END_VAR\nVAR {} : LINT; END_VAR\n{}",
+        names.join(", "),
+        rungs.collect::<String>()
+    )
+}
+
+#[tokio::test]
+async fn a_comparison_is_cancelled_or_overtaken_while_typing_goes_on() {
+    let mut client = Client::new().await;
+    let base = products(|n| format!("x * (x * ({n} + y))"));
+    client.open(&products(|n| format!("(y + {n}) * x * x"))).await;
+    let ask = json!({"command": "ladder.compare", "arguments": [{"uri": URI, "base": base}]});
+    let id = client.ask("workspace/executeCommand", ask.clone()).await;
+    // Answered before it, or there would be nothing to cancel.
+    client.hover(2, 10).await.unwrap();
+    client.notify("$/cancelRequest", json!({"id": id})).await;
+    assert_eq!(client.answer(id).await.unwrap_err().0, -32800);
+    let id = client.ask("workspace/executeCommand", ask).await;
+    client.change(2, &[([2, 0, 2, 0], "# more #\n")]).await;
+    client.hover(3, 10).await.unwrap();
+    assert_eq!(client.answer(id).await.unwrap_err().0, -32801);
+    client.finish().await;
+}

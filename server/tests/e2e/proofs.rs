@@ -267,3 +267,66 @@ async fn outputs_that_lock_each_other_propose_a_property() {
     );
     client.finish().await;
 }
+
+/// Whether a number has divisors takes the prover as long as it may.
+const HARD: &str = "VAR_INPUT x, y : LINT; END_VAR\nVAR p : LINT; END_VAR\nVAR_OUTPUT found : BOOL; END_VAR\n\
+    +--[MUL]( p, x, y )--+\n\
+    +--[EQ]( p, 1000036000099 )--[GT]( x, 1 )--[GT]( y, 1 )--[LT]( x, 2000000 )--[LT]( y, 2000000 )--( )( found )--+\n";
+const HARD_PROPERTIES: &str =
+    "program door.clad\n\nproperty \"prime\"\nnever found\n\nproperty \"easy\"\nalways x = x\n";
+
+/// Asks for a proof that takes long; it is under way when this returns.
+async fn hard_proof(client: &mut Client, uri: &str) -> i64 {
+    let ask = json!({"command": "ladder.proveProperties", "arguments": [{"uri": uri, "name": "prime"}]});
+    client.ask("workspace/executeCommand", ask).await
+}
+
+#[tokio::test]
+async fn a_proof_that_is_cancelled_leaves_its_turn_to_the_next() {
+    let (mut client, _plant, uri) =
+        opened(&[("door.clad", HARD), ("door.ladder-test", HARD_PROPERTIES)]).await;
+    let proof = hard_proof(&mut client, &uri).await;
+    // Another one waits its turn, and is given up there.
+    let waiting = hard_proof(&mut client, &uri).await;
+    client.notify("$/cancelRequest", json!({"id": waiting})).await;
+    assert_eq!(client.answer(waiting).await.unwrap_err().0, -32800);
+    client.notify("$/cancelRequest", json!({"id": proof})).await;
+    assert_eq!(client.answer(proof).await.unwrap_err().0, -32800);
+    let easy = prove(&mut client, json!({"uri": uri, "name": "easy"}))
+        .await
+        .unwrap();
+    assert_eq!(easy["properties"][0]["verdict"], "proved");
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn typing_goes_on_while_a_proof_runs_and_overtakes_it() {
+    let (mut client, plant, uri) =
+        opened(&[("door.clad", HARD), ("door.ladder-test", HARD_PROPERTIES)]).await;
+    let program = plant.uri("door.clad");
+    client.open_as(&program, 1, HARD).await;
+    let at = |uri: &str, line: u32| json!({"textDocument": {"uri": uri}, "position": {"line": line, "character": 6}});
+    // What is typed into another file ends no proof, and is answered while it runs.
+    let other = plant.uri("other.clad");
+    client.open_as(&other, 1, PROGRAM).await;
+    let proof = hard_proof(&mut client, &uri).await;
+    for version in 2..20 {
+        change(&mut client, &other, version, &format!("{PROGRAM}# {version} #\n")).await;
+        client.request("textDocument/hover", at(&other, 2)).await.unwrap();
+        client
+            .request("textDocument/completion", at(&other, 2))
+            .await
+            .unwrap();
+    }
+    // Into the program, or into the properties.
+    change(&mut client, &program, 2, &format!("{HARD}# more #\n")).await;
+    assert_eq!(client.answer(proof).await.unwrap_err().0, -32801);
+    let proof = hard_proof(&mut client, &uri).await;
+    client
+        .request("textDocument/hover", at(&program, 3))
+        .await
+        .unwrap();
+    change(&mut client, &uri, 2, &format!("{HARD_PROPERTIES}# more\n")).await;
+    assert_eq!(client.answer(proof).await.unwrap_err().0, -32801);
+    client.finish().await;
+}
