@@ -66,6 +66,7 @@ pub struct Adapter {
     pub(super) stopped: Option<Stopped>,
     pub(super) stops_at_faults: bool,
     pub(super) stops_at_expectations: bool,
+    pub(super) stops_at_violations: bool,
     /// A scan, and how many of its faults were checked.
     pub(super) faults_seen: (u64, usize),
     /// The faults that were written.
@@ -99,6 +100,7 @@ impl Adapter {
             stopped: None,
             stops_at_faults: true,
             stops_at_expectations: true,
+            stops_at_violations: true,
             faults_seen: (0, 0),
             faults_reported: HashSet::new(),
             end_is_shown: false,
@@ -147,27 +149,29 @@ impl Adapter {
 
     /// Writes into the client's console, with the place in the program that it is about.
     pub(super) fn write(&mut self, category: &str, text: &str, place: Option<Location>) {
-        let mut body = json!({"category": category, "output": text});
-        if let (Some(place), Some(target)) = (place, &self.target) {
-            let source = target.source(place.file);
-            let range = self.counting.range(source, place.range);
-            body["source"] = source.json();
-            body["line"] = range["line"].clone();
-            body["column"] = range["column"].clone();
-        }
+        let target = self.target.as_ref();
+        let place = place.and_then(|place| Some((target?.source(place.file), place.range)));
+        let body = written(self.counting, category, text, place);
         self.event("output", body);
     }
 
-    /// The same, about a place in the scenario.
-    pub(super) fn write_in_scenario(&mut self, text: &str, place: TextRange) {
-        let mut body = json!({"category": "stderr", "output": text});
-        if let Some(play) = self.target.as_ref().and_then(|target| target.play.as_ref()) {
-            let range = self.counting.range(&play.file, place);
-            body["source"] = play.file.json();
-            body["line"] = range["line"].clone();
-            body["column"] = range["column"].clone();
-        }
+    /// The same, of something that is wrong at a place in one of the files that are not the program.
+    pub(super) fn write_in(
+        &mut self,
+        text: &str,
+        place: TextRange,
+        file: impl FnOnce(&Target) -> Option<&Source>,
+    ) {
+        let file = self.target.as_ref().and_then(file);
+        let body = written(self.counting, "stderr", text, file.map(|file| (file, place)));
         self.event("output", body);
+    }
+
+    /// Writes a remark into the client's console.
+    pub(super) fn note(&mut self, note: Option<&str>) {
+        if let Some(note) = note {
+            self.write("console", &format!("{note}\n"), None);
+        }
     }
 
     /// `source`: the text of a scenario that is in no file.
@@ -370,8 +374,8 @@ impl Adapter {
         self.faults_seen = (0, 0);
         self.faults_reported.clear();
         self.end_is_shown = false;
-        for note in notes {
-            self.write("console", &format!("{note}\n"), None);
+        for note in &notes {
+            self.note(Some(note));
         }
         Ok(())
     }
@@ -421,8 +425,10 @@ impl Adapter {
         }
         target.session.unforce_all();
         target.session.reset();
-        let given = asked.give(&mut target.session)?;
+        let mut given = asked.give(&mut target.session)?;
+        let problem = given.problem.take();
         target.gives(given);
+        self.note(problem.as_deref());
         self.configuration = configuration;
         self.lent = Some(Lent::New);
         self.faults_reported.clear();
@@ -451,6 +457,10 @@ impl Adapter {
                 .move_lines(|path| target.is(own, path), lines, counting);
         }
         let reported = self.table.place_again(target, counting);
+        let (problems, fits) = target.bind_again();
+        for problem in &problems {
+            self.note(Some(problem));
+        }
         self.arm();
         self.handles.clear();
         for breakpoint in reported {
@@ -458,6 +468,9 @@ impl Adapter {
                 "breakpoint",
                 json!({"reason": "changed", "breakpoint": breakpoint}),
             );
+        }
+        if !fits {
+            self.end(1);
         }
     }
 
@@ -511,6 +524,18 @@ impl Adapter {
         let listed = variables::list(target, &container, filter, window, &mut self.handles);
         Ok(json!({"variables": listed}))
     }
+}
+
+/// What is written, with the place that it is about.
+fn written(counting: Counting, category: &str, text: &str, place: Option<(&Source, TextRange)>) -> Json {
+    let mut body = json!({"category": category, "output": text});
+    if let Some((source, place)) = place {
+        let range = counting.range(source, place);
+        body["source"] = source.json();
+        body["line"] = range["line"].clone();
+        body["column"] = range["column"].clone();
+    }
+    body
 }
 
 /// Nothing is launched.

@@ -3,13 +3,14 @@
 use std::path::{Component, Path, PathBuf};
 
 use ladder_analysis::values::value::Value;
-use ladder_simulator::scenario;
+use ladder_simulator::scenario::{self, Suite};
 use ladder_simulator::{Inputs, Session, Simulation};
 use ladder_workspace::{Disk, Named, shown};
 use serde_json::{Map, Value as Json};
 
 use super::configuration::{Configuration, GivenInputs, is_scenario_file};
 use super::play::Play;
+use super::properties::Properties;
 use super::sources::{Source, is_on_another_computer};
 use crate::host::World;
 use crate::simulation::Keeping;
@@ -22,14 +23,19 @@ pub(super) struct Asked {
     configuration: Configuration,
     scenario: Option<Scenario>,
     program: PathBuf,
+    /// The file whose properties the program is watched for.
+    properties: Option<(Source, Suite)>,
 }
 
-/// What is given to a program while it runs.
+/// What is given to a program while it runs, and what it is watched for.
 #[derive(Debug, Default)]
 pub(super) struct GivenByFiles {
     pub play: Option<Play>,
     /// What a table gives, scan by scan.
     pub inputs: Inputs,
+    pub properties: Option<Properties>,
+    /// Why properties are not watched, in words.
+    pub problem: Option<String>,
 }
 
 impl Asked {
@@ -42,11 +48,16 @@ impl Asked {
             (None, Some(program)) => in_own_workspace(disk, program, "program")?.0,
             (None, None) => return Err("`program` is missing: name the .clad file to run".into()),
         };
+        let properties = match &scenario {
+            Some(scenario) => scenario.properties(disk),
+            None => properties_next_to(&program, disk),
+        };
         Ok(Asked {
             world: world.clone(),
             configuration: configuration.clone(),
             scenario,
             program,
+            properties,
         })
     }
 
@@ -109,7 +120,23 @@ impl Asked {
             }
         };
         assign(session, "forces", &self.configuration.forces, Session::force)?;
-        Ok(GivenByFiles { play, inputs })
+        let (properties, problem) = match self.watched(session) {
+            Ok(properties) => (properties, None),
+            Err(problem) => (None, Some(problem)),
+        };
+        Ok(GivenByFiles {
+            play,
+            inputs,
+            properties,
+            problem,
+        })
+    }
+
+    fn watched(&self, session: &Session) -> Result<Option<Properties>, String> {
+        let Some((file, suite)) = &self.properties else {
+            return Ok(None);
+        };
+        Properties::bind(file.again(), suite.clone(), session).map_err(|errors| unwatched(file, &errors))
     }
 }
 
@@ -199,10 +226,23 @@ fn inside(disk: &dyn Disk, program: &Path, name: &str, what: &str) -> Result<Nam
     Ok(Named::in_settings(root.folder(), &relative.replace('\\', "/")))
 }
 
+/// The file next to a program that has its properties, if it is about this program.
+fn properties_next_to(program: &Path, disk: &dyn Disk) -> Option<(Source, Suite)> {
+    let path = program.with_extension(ladder_workspace::SCENARIO_EXTENSION);
+    let file = disk.named_in(program, &path.file_name()?.to_string_lossy());
+    let text = disk.read_text(&file).ok()?;
+    let suite = scenario::parse(&text);
+    let (named, _) = suite.program.as_ref()?;
+    let located = disk.locate(&disk.named_in(&path, named)).ok()?;
+    (disk.canonicalize(program).ok()? == located).then(|| (Source::new(path, text), suite))
+}
+
 /// A scenario that was asked for, before its program is known.
 struct Scenario {
     file: Source,
-    suite: scenario::Suite,
+    /// Where the file is, whose text may be another one.
+    named: Named,
+    suite: Suite,
     name: Option<String>,
     line: Option<u32>,
     program: PathBuf,
@@ -238,18 +278,19 @@ fn scenario_of(configuration: &Configuration, disk: &dyn Disk) -> Result<Option<
             shown::path(&path)
         ));
     }
+    let named = file;
     let file = match &configuration.scenario_text {
         Some(text) => Source::given(path, text.clone()),
-        None => Source::new(path, disk.read_text(&file).map_err(|error| error.to_string())?),
+        None => Source::new(path, disk.read_text(&named).map_err(|error| error.to_string())?),
     };
     let suite = scenario::parse(&file.text);
-    let Some((named, _)) = &suite.program else {
+    let Some((program, _)) = &suite.program else {
         return Err(error(&file, &suite.errors));
     };
-    let named = disk.named_in(&file.path, named);
+    let program = disk.named_in(&file.path, program);
     // Links are followed only to see that they stay inside; the client knows the file by the name that it has.
-    let located = disk.locate(&named).map_err(|error| error.to_string())?;
-    let plain = named.path();
+    let located = disk.locate(&program).map_err(|error| error.to_string())?;
+    let plain = program.path();
     let program = if disk.canonicalize(&plain).is_ok_and(|path| path == located) && !has_parents(&plain) {
         plain
     } else {
@@ -260,6 +301,7 @@ fn scenario_of(configuration: &Configuration, disk: &dyn Disk) -> Result<Option<
         line: configuration.scenario_line,
         program,
         suite,
+        named,
         file,
     }))
 }
@@ -269,6 +311,16 @@ fn has_parents(path: &Path) -> bool {
 }
 
 impl Scenario {
+    /// The properties of its file: a run that a proof has found is given without them.
+    fn properties(&self, disk: &dyn Disk) -> Option<(Source, Suite)> {
+        if self.file.given_text().is_none() {
+            return Some((self.file.again(), self.suite.clone()));
+        }
+        let text = disk.read_text(&self.named).ok()?;
+        let suite = scenario::parse(&text);
+        Some((Source::new(self.file.path.clone(), text), suite))
+    }
+
     fn bind(&self, simulation: &Simulation) -> Result<Play, String> {
         let (cases, found) = scenario::bind(&self.suite, simulation);
         let errors: Vec<_> = self.suite.errors.iter().cloned().chain(found).collect();
@@ -296,11 +348,17 @@ impl Scenario {
             )
         })?;
         let file = self.file.again();
-        Ok(Play::new(file, case))
+        Ok(Play::new(file, self.suite.clone(), case))
     }
 }
 
-fn error(file: &Source, errors: &[scenario::ScenarioError]) -> String {
+/// Why properties are not watched, in words.
+pub(super) fn unwatched(file: &Source, errors: &[scenario::ScenarioError]) -> String {
+    format!("{}; the properties are not watched", error(file, errors))
+}
+
+/// The first error of a file, with its place.
+pub(super) fn error(file: &Source, errors: &[scenario::ScenarioError]) -> String {
     let first = errors.iter().min_by_key(|error| error.range.start());
     let path = shown::path(&file.path);
     first.map_or(format!("{path}: it names no program"), |first| {

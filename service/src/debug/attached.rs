@@ -70,6 +70,7 @@ impl Launch {
         Beginning(Box::new(move |ground: Ground<'_>| {
             let given = self.0.give(ground.session)?;
             let mut adapter = Adapter::new(world.clone(), output, ground.urgent);
+            adapter.note(given.problem.as_deref());
             adapter.target = Some(Target::new(world, spare()?, sources(ground.files), given, None));
             adapter.lent = Some(if is_joined {
                 Lent::Joined {

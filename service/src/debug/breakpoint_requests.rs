@@ -10,7 +10,7 @@ use super::messages::{
     BreakpointLocations, DataBreakpointInfo, SetBreakpoints, SetDataBreakpoints, SetExceptionBreakpoints,
     SourceBreakpoint,
 };
-use super::running::{EXPECTATIONS, FAULTS};
+use super::running::{EXPECTATIONS, FAULTS, PROPERTIES};
 use super::variables;
 
 impl Adapter {
@@ -110,14 +110,15 @@ impl Adapter {
             .collect();
         if let Some(unknown) = filters
             .iter()
-            .find(|filter| ![FAULTS, EXPECTATIONS].contains(filter))
+            .find(|filter| ![FAULTS, EXPECTATIONS, PROPERTIES].contains(filter))
         {
             return Err(format!(
-                "there is no filter `{unknown}`: there are {FAULTS} and {EXPECTATIONS}"
+                "there is no filter `{unknown}`: there are {FAULTS}, {EXPECTATIONS} and {PROPERTIES}"
             ));
         }
         self.stops_at_faults = filters.contains(&FAULTS);
         self.stops_at_expectations = filters.contains(&EXPECTATIONS);
+        self.stops_at_violations = filters.contains(&PROPERTIES);
         Ok(Json::Null)
     }
 
@@ -127,10 +128,10 @@ impl Adapter {
             .as_ref()
             .and_then(|stopped| Some((stopped.exception?, &stopped.description)));
         let (kind, description) = exception.ok_or("the program did not stop for a fault")?;
-        let id = if kind == FAULTS {
-            "Fault"
-        } else {
-            "Expectation failed"
+        let id = match kind {
+            FAULTS => "Fault",
+            PROPERTIES => "Property violated",
+            _ => "Expectation failed",
         };
         Ok(json!({"exceptionId": id, "description": description, "breakMode": "always"}))
     }

@@ -2,7 +2,7 @@
 
 use serde_json::{Value as Json, json};
 
-use super::running::{EXPECTATIONS, FAULTS};
+use super::running::{EXPECTATIONS, FAULTS, PROPERTIES};
 
 /// The answer to `initialize`.
 pub(super) fn capabilities() -> Json {
@@ -36,6 +36,12 @@ pub(super) fn capabilities() -> Json {
                 "filter": EXPECTATIONS,
                 "label": "Failed expectations",
                 "description": "Stops after the first step of a scenario that does not come out as expected",
+                "default": true,
+            },
+            {
+                "filter": PROPERTIES,
+                "label": "Violated properties",
+                "description": "Stops after a scan that violates a property, if the one before it did not",
                 "default": true,
             },
         ],

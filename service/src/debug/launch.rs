@@ -51,6 +51,7 @@ pub(super) fn load(configuration: &Configuration, world: &World) -> Result<(Targ
         None => None,
     };
     let given = asked.give(&mut session)?;
+    notes.extend(given.problem.clone());
     let target = Target::new(world.clone(), session, sources, given, retention);
     Ok((target, notes))
 }

@@ -32,6 +32,7 @@ mod messages;
 mod once;
 mod outlet;
 mod play;
+mod properties;
 mod running;
 mod safely;
 mod sources;

@@ -1,7 +1,7 @@
 //! A scenario that is debugged.
 
 use ladder_simulator::Session;
-use ladder_simulator::scenario::{Case, Unmet};
+use ladder_simulator::scenario::{self, Case, ScenarioError, Suite, Unmet};
 
 use super::once::Once;
 use super::sources::Source;
@@ -10,6 +10,7 @@ use super::sources::Source;
 #[derive(Debug)]
 pub(super) struct Play {
     pub file: Source,
+    suite: Suite,
     pub case: Case,
     given: Once,
     /// What the program had sent through the serial port when the step began.
@@ -19,9 +20,10 @@ pub(super) struct Play {
 }
 
 impl Play {
-    pub(super) fn new(file: Source, case: Case) -> Play {
+    pub(super) fn new(file: Source, suite: Suite, case: Case) -> Play {
         Play {
             file,
+            suite,
             case,
             given: Once::default(),
             sent_before: Vec::new(),
@@ -40,6 +42,18 @@ impl Play {
         }
         self.sent_before = session.serial();
         self.case.give(step, session);
+    }
+
+    /// The program has another text, and its tags other places.
+    ///
+    /// # Errors
+    ///
+    /// What the scenario names is not there any more.
+    pub(super) fn bind_again(&mut self, session: &Session) -> Result<(), Vec<ScenarioError>> {
+        let (cases, errors) = scenario::bind(&self.suite, session.simulation());
+        let same = cases.into_iter().find(|case| case.name == self.case.name);
+        self.case = same.filter(|_| errors.is_empty()).ok_or(errors)?;
+        Ok(())
     }
 
     /// What was given is given again where it is due.

@@ -8,12 +8,15 @@ use serde_json::{Value as Json, json};
 
 use super::adapter::{Adapter, Phase};
 use super::marker::Verdict;
+use super::properties::Remark;
 use crate::host::Moment;
 
 /// The filter of faults.
 pub(super) const FAULTS: &str = "faults";
 /// The filter of expectations that are not met.
 pub(super) const EXPECTATIONS: &str = "expectations";
+/// The filter of properties that are violated.
+pub(super) const PROPERTIES: &str = "properties";
 
 /// Each fault is written once; after this many none any more.
 const MOST_FAULTS: usize = 100;
@@ -283,7 +286,9 @@ impl Adapter {
         if let Some(stopped) = self.fault_stop() {
             return After::Stop(stopped);
         }
-        if let Some(stopped) = self.check_expectations() {
+        let unmet = self.check_expectations();
+        let violated = self.check_properties();
+        if let Some(stopped) = unmet.or(violated) {
             return After::Stop(stopped);
         }
         let is_over = self.target.as_ref().is_some_and(|target| {
@@ -313,12 +318,39 @@ impl Adapter {
             play.file.place_name(first.range)
         );
         for (line, range) in lines {
-            self.write_in_scenario(&line, range);
+            self.write_in(&line, range, |target| target.play.as_ref().map(|play| &play.file));
         }
         let stops = self.stops_at_expectations && !self.configuration.no_debug;
         stops.then(|| Stopped {
             exception: Some(EXPECTATIONS),
             ..Stopped::because("exception", description)
+        })
+    }
+
+    /// After a scan: which properties it violates that the one before did not.
+    fn check_properties(&mut self) -> Option<Stopped> {
+        let target = self.target.as_mut()?;
+        let remarks = target.properties.as_mut()?.after_scan(&target.session);
+        let mut first = None;
+        for remark in remarks {
+            match remark {
+                Remark::Outside(sentence) => self.note(Some(&sentence)),
+                Remark::Violated(sentence, range) => {
+                    self.write_in(&format!("{sentence}\n"), range, |target| {
+                        target.properties.as_ref().map(|properties| &properties.file)
+                    });
+                    first.get_or_insert(sentence);
+                }
+            }
+        }
+        let first = first?;
+        if let Some(play) = self.target.as_mut().and_then(|target| target.play.as_mut()) {
+            play.has_failed = true;
+        }
+        let stops = self.stops_at_violations && !self.configuration.no_debug;
+        stops.then(|| Stopped {
+            exception: Some(PROPERTIES),
+            ..Stopped::because("exception", first)
         })
     }
 

@@ -6,9 +6,10 @@ use ladder_analysis::program::Location;
 use ladder_simulator::{Activation, Inputs, Instance, Routine, Session, Simulation, Stop};
 use ladder_workspace::RetentiveFile;
 
-use super::asked::GivenByFiles;
+use super::asked::{GivenByFiles, error, unwatched};
 use super::once::Once;
 use super::play::Play;
+use super::properties::Properties;
 use super::sources::Source;
 use crate::host::World;
 use ladder_simulator::expression::Scope;
@@ -24,6 +25,7 @@ pub(super) struct Target {
     /// What a table gives, scan by scan.
     inputs: Inputs,
     given: Once,
+    pub properties: Option<Properties>,
     retention: Option<RetentiveFile>,
 }
 
@@ -42,6 +44,7 @@ impl Target {
             play: given.play,
             inputs: given.inputs,
             given: Once::default(),
+            properties: given.properties,
             retention,
         }
     }
@@ -64,6 +67,27 @@ impl Target {
     /// Something else is given from now on.
     pub(super) fn gives(&mut self, given: GivenByFiles) {
         (self.play, self.inputs) = (given.play, given.inputs);
+        self.properties = given.properties;
+    }
+
+    /// The program has another text, and its tags other places: what names them finds them there. What is wrong is for the
+    /// person; a scenario that does not fit any more is over.
+    pub(super) fn bind_again(&mut self) -> (Vec<String>, bool) {
+        let mut problems = Vec::new();
+        if let Some(before) = self.properties.take() {
+            let Properties { file, suite, .. } = before;
+            match Properties::bind(file.again(), suite, &self.session) {
+                Ok(properties) => self.properties = properties,
+                Err(errors) => problems.push(unwatched(&file, &errors)),
+            }
+        }
+        let Some(play) = &mut self.play else {
+            return (problems, true);
+        };
+        let bound = play.bind_again(&self.session);
+        let fits = bound.is_ok();
+        problems.extend(bound.err().map(|errors| error(&play.file, &errors)));
+        (problems, fits)
     }
 
     /// What was given is given again where it is due.

@@ -207,10 +207,15 @@ impl Expression {
 
     /// Forgets what was before: the program starts cold.
     pub fn forget(&mut self) {
+        self.for_each_before(&mut |before| *before = None);
+    }
+
+    /// What is remembered of the scan before, always in the same order: who goes back in a run puts back what it was there.
+    pub fn for_each_before(&mut self, each: &mut dyn FnMut(&mut Option<Value>)) {
         if let Kind::Computed { inputs, .. } = &mut self.kind {
             for (source, _) in inputs {
                 if let Source::Past(past) = source {
-                    past.forget();
+                    past.for_each_before(each);
                 }
             }
         }

@@ -56,9 +56,9 @@ impl Past {
         }
     }
 
-    pub(super) fn forget(&mut self) {
-        self.before = None;
-        self.of.forget();
+    pub(super) fn for_each_before(&mut self, each: &mut dyn FnMut(&mut Option<Value>)) {
+        each(&mut self.before);
+        self.of.for_each_before(each);
     }
 
     /// Its value after a scan. Where a fault happens in the expression it counts as FALSE or 0.

@@ -197,20 +197,19 @@ fn times(case: &Case, interval: i64) -> Option<Vec<Drawn>> {
 
 /// A violation in words: `"the contactors exclude each other" is violated in scan 3 (at 300ms)`.
 pub fn violation_sentence(case: &Case, violation: &Violation, interval: i64) -> String {
-    let time = i64::try_from(violation.scan)
-        .unwrap_or(i64::MAX)
-        .saturating_mul(interval);
-    let mut text = format!(
-        "the property \"{}\" is violated in scan {} (step {}, at {})",
-        violation.name,
-        violation.scan,
-        case.step_at(violation.scan),
-        value_text::duration(time)
-    );
+    let step = case.step_at(violation.scan);
+    let mut text = violated_in_scan(&violation.name, violation.scan, Some(step), interval);
     if violation.scans > 1 {
         text.push_str(&format!("; {} scans violate it", violation.scans));
     }
     text
+}
+
+/// That a scan violates a property, in words; with its step if it is one of a scenario.
+pub fn violated_in_scan(property: &str, scan: u64, step: Option<usize>, interval: i64) -> String {
+    let time = value_text::duration(i64::try_from(scan).unwrap_or(i64::MAX).saturating_mul(interval));
+    let step = step.map_or(String::new(), |step| format!("step {step}, "));
+    format!("the property \"{property}\" is violated in scan {scan} ({step}at {time})")
 }
 
 /// Where a run leaves what is assumed, in words.

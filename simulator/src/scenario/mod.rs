@@ -34,11 +34,11 @@ mod watch;
 mod words;
 
 pub use bind::{Case, bind};
-pub use draw::{Line, LineKind, draw, outside_sentence, sentence, violation_sentence};
+pub use draw::{Line, LineKind, draw, outside_sentence, sentence, violated_in_scan, violation_sentence};
 pub use error::ScenarioError;
 pub use generated::{Columns, Given, scenario_of_inputs};
 pub use layout::layout;
-pub use monitor::{Monitor, Watched, bind_properties};
+pub use monitor::{Memory, Monitor, Watched, bind_properties};
 pub use parse::{Cell, Direction, HEADINGS, Row, Scenario, Suite, TIME, TimeRow, parse};
 pub use play::Unmet;
 pub use property::{FORMS, Form, PROPERTY, Property, Span, Written};

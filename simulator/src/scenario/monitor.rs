@@ -6,6 +6,7 @@ use super::property::{Form, Written};
 use crate::expression::Expression;
 use crate::simulation::Simulation;
 use crate::tags::Point;
+use ladder_analysis::values::value::Value;
 use ladder_syntax::TextRange;
 
 /// The properties of a file, and what is assumed for them.
@@ -27,12 +28,25 @@ pub struct Monitor {
     /// What must hold.
     pub form: Form<Expression>,
     interval: i64,
+    pending: Pending,
+    /// See [`Monitor::faulted`].
+    faulted: bool,
+}
+
+/// What a property waits for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+struct Pending {
     /// The condition was high in the scan before.
     armed: bool,
     /// For how many scans the earliest unanswered one waits.
     waits: Option<u64>,
-    /// See [`Monitor::faulted`].
-    faulted: bool,
+}
+
+/// What properties and assumptions know of the scans before: who goes back in a run puts back what they knew there.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Memory {
+    pending: Vec<Pending>,
+    before: Vec<Option<Value>>,
 }
 
 /// Binds the properties of a file. With errors, those of the file itself included, none of them is to be watched.
@@ -57,8 +71,7 @@ pub fn bind_properties(suite: &Suite, simulation: &Simulation) -> (Watched, Vec<
                 range: property.range,
                 form,
                 interval: simulation.options().interval,
-                armed: false,
-                waits: None,
+                pending: Pending::default(),
                 faulted: false,
             });
         }
@@ -75,6 +88,34 @@ impl Watched {
     pub fn restart(&mut self) {
         self.assumptions.iter_mut().for_each(Expression::forget);
         self.properties.iter_mut().for_each(Monitor::restart);
+    }
+
+    /// What is known of the scans before.
+    pub fn memory(&mut self) -> Memory {
+        let mut before = Vec::new();
+        self.for_each_before(&mut |it| before.push(it.clone()));
+        Memory {
+            pending: self.properties.iter().map(|property| property.pending).collect(),
+            before,
+        }
+    }
+
+    /// Knows of the scans before what it knew when this was taken.
+    pub fn remember(&mut self, memory: &Memory) {
+        for (property, pending) in self.properties.iter_mut().zip(&memory.pending) {
+            property.pending = *pending;
+        }
+        let mut before = memory.before.iter();
+        self.for_each_before(&mut |it| *it = before.next().cloned().flatten());
+    }
+
+    fn for_each_before(&mut self, each: &mut dyn FnMut(&mut Option<Value>)) {
+        for assumption in &mut self.assumptions {
+            assumption.for_each_before(each);
+        }
+        for property in &mut self.properties {
+            property.for_each(&mut |expression| expression.for_each_before(each));
+        }
     }
 
     /// The first assumption that a scan does not keep, in the order of the file. To be asked once after each scan.
@@ -107,7 +148,7 @@ impl Monitor {
 
     /// Watches from a cold start.
     pub fn restart(&mut self) {
-        (self.armed, self.waits) = (false, None);
+        self.pending = Pending::default();
         self.for_each(&mut |expression| expression.forget());
     }
 
@@ -154,15 +195,15 @@ impl Monitor {
                     None => condition,
                     Some(until) => {
                         let ends = holds(until);
-                        self.armed = (self.armed || condition) && !ends;
-                        self.armed
+                        self.pending.armed = (self.pending.armed || condition) && !ends;
+                        self.pending.armed
                     }
                 };
                 active && !then
             }
             Form::After { condition, then } => {
                 let (condition, then) = (holds(condition), holds(then));
-                std::mem::replace(&mut self.armed, condition) && !then
+                std::mem::replace(&mut self.pending.armed, condition) && !then
             }
             Form::Within {
                 span,
@@ -171,13 +212,13 @@ impl Monitor {
             } => {
                 let (condition, then) = (holds(condition), holds(then));
                 let most = span.scans(self.interval);
-                self.waits = match self.waits {
+                self.pending.waits = match self.pending.waits {
                     _ if then => None,
                     Some(scans) => Some(scans + 1),
                     None if condition => Some(0),
                     None => None,
                 };
-                self.waits.is_some_and(|scans| scans >= most)
+                self.pending.waits.is_some_and(|scans| scans >= most)
             }
             Form::NoFaults => faulted,
         };

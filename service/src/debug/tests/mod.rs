@@ -2,6 +2,7 @@
 
 mod compound;
 mod hostile;
+mod properties;
 mod watches;
 
 use std::sync::atomic::AtomicUsize;
