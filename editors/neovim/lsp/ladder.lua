@@ -15,7 +15,11 @@ return {
   end,
   -- Neovim 0.11 asks for diagnostics, but not again when another file changes them, unless it is asked to.
   capabilities = {
-    workspace = { diagnostics = { refreshSupport = true } },
+    workspace = {
+      diagnostics = { refreshSupport = true },
+      -- It applies them, and does not say so: an edit that makes a file comes in no other form.
+      workspaceEdit = { documentChanges = true },
+    },
     -- What lenses and code actions may do here: see `commands`.
     experimental = {
       commands = {

@@ -69,6 +69,38 @@ return function(t, messages)
     end)
   end)
 
+  t.step('outputs that lock each other propose a property, in a file that is made for it', function()
+    local properties = vim.api.nvim_get_current_buf()
+    local folder = vim.fn.tempname()
+    vim.fn.mkdir(folder, 'p')
+    vim.fn.writefile({}, folder .. '/ladder.toml')
+    vim.fn.writefile(PROGRAM, folder .. '/gate.clad')
+    vim.cmd.edit(folder .. '/gate.clad')
+    t.eventually('the server', function()
+      return vim.lsp.get_clients({ bufnr = 0, name = 'ladder' })[1]
+    end)
+    vim.fn.cursor(8, 39)
+    vim.lsp.buf.code_action({
+      apply = true,
+      filter = function(action)
+        return action.title == 'Add the property: never up and down'
+      end,
+    })
+    local made = t.eventually('the file', function()
+      local bufnr = vim.fn.bufnr(folder .. '/gate.ladder-test')
+      return bufnr > 0 and vim.api.nvim_buf_is_loaded(bufnr) and bufnr
+    end)
+    t.equal('the property', {
+      'program gate.clad',
+      '',
+      'property "not both up and down"',
+      'never up and down',
+    }, vim.api.nvim_buf_get_lines(made, 0, 4, false))
+    vim.cmd('bwipeout! ' .. made)
+    vim.cmd('bwipeout!')
+    vim.api.nvim_set_current_buf(properties)
+  end)
+
   t.step('the lens of a property proves that one', function()
     t.clear(messages)
     vim.api.nvim_win_set_cursor(0, { 3, 0 })
