@@ -43,19 +43,6 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
         await editor.locator('.coverage-deco-gutter').first().waitFor();
         await screenshot(page, 'coverage');
     });
-    await step('a contact that no scenario shows to matter is not covered, and a scenario that would is in the output', async () => {
-        await open(page, 'press.ladder-test');
-        await editor.locator('.testing-run-glyph').first().waitFor();
-        await command(page, 'View: Show Testing');
-        await page.locator('.test-explorer-tree .monaco-list-row', { hasText: 'press.ladder-test' }).first().click({ button: 'right' });
-        await page.getByRole('menuitem', { name: 'Execute Using Profile...' }).click();
-        await page.locator('.quick-input-list .monaco-list-row', { hasText: 'Coverage and What Matters' }).click();
-        await open(page, 'press.clad');
-        await editor.locator('.coverage-deco-gutter').first().hover();
-        await editor.locator('.coverage-deco-miss').first().waitFor();
-        await page.locator('.part.panel').getByText('no scenario notices: contact bridged').first().waitFor();
-        await screenshot(page, 'matters');
-    });
     await step('the lens above a program runs its scenarios in the Test Explorer', async () => {
         await command(page, 'Test: Clear All Results');
         await open(page, 'motor.clad');
@@ -167,5 +154,18 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
         await until('the row', async () => /^library.warm.ET => ?$/.test((await written.textContent()).replace(/\u00a0/g, ' ')));
         await page.keyboard.type('100ms');
         await page.keyboard.press('Control+S');
+    });
+    await step('a contact that no scenario shows to matter is not covered, and a scenario that would is in the output', async () => {
+        await open(page, 'press.ladder-test');
+        await editor.locator('.testing-run-glyph').first().waitFor();
+        await command(page, 'View: Show Testing');
+        await page.locator('.test-explorer-tree .monaco-list-row', { hasText: 'press.ladder-test' }).first().click({ button: 'right' });
+        await page.getByRole('menuitem', { name: 'Execute Using Profile...' }).click();
+        await page.locator('.quick-input-list .monaco-list-row', { hasText: 'Coverage and What Matters' }).click();
+        await open(page, 'press.clad');
+        await editor.locator('.coverage-deco-gutter').first().hover();
+        await editor.locator('.coverage-deco-miss').first().waitFor();
+        await page.locator('.part.panel').getByText('no scenario notices: contact bridged').first().waitFor();
+        await screenshot(page, 'matters');
     });
 }
