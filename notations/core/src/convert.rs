@@ -1,6 +1,9 @@
 //! From a file of another system to ladder text.
 
-use super::{Companion, Content, Finding, LineColumn, Notation, ReadError, Reading, Report, Source};
+use super::functions::again::functions_again;
+use super::{
+    Companion, Content, Finding, LineColumn, Notation, ProjectFile, ReadError, Reading, Report, Source,
+};
 use ladder_format::program::{Item, ProgramSketch, WrittenProgram};
 use ladder_syntax::TextSize;
 use std::collections::HashSet;
@@ -50,8 +53,11 @@ pub fn convert(
         places,
         report,
         findings,
-        files,
+        mut files,
     } = notation.read(source)?;
+    functions_again(&mut [&mut program]);
+    functions_again(&mut programs(&mut files).collect::<Vec<_>>());
+    files.retain(|file| !matches!(&file.content, Content::Program(program) if program.items.is_empty()));
     let mut written = program.write(options);
     let idle = idle_directives(&program, &written.text);
     if are_among_others(&program, &idle) {
@@ -79,6 +85,13 @@ pub fn convert(
         places,
         report,
         findings,
+    })
+}
+
+fn programs(files: &mut [ProjectFile]) -> impl Iterator<Item = &mut ProgramSketch> {
+    files.iter_mut().filter_map(|file| match &mut file.content {
+        Content::Program(program) => Some(program),
+        Content::Text(_) => None,
     })
 }
 

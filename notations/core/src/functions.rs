@@ -1,6 +1,9 @@
 //! Programs with functions, for systems whose functions do not see the tags of the program: each function is a block that is
 //! handed the tags which it uses, and that does nothing without power. The one tag that holds its state is handed on to all that
-//! call it, so that its edges and its own blocks go on wherever it is called from.
+//! call it, so that its edges and its own blocks go on wherever it is called from. A comment on the block says which function it
+//! is, for people and for [`again`], which makes a function of it where such a program is read.
+
+pub(crate) mod again;
 
 use crate::{WriteError, Writing};
 use ladder_analysis::context::{Body, Context};
@@ -54,9 +57,21 @@ struct Moved {
     most: u32,
 }
 
+/// The comment on a block that is a function. Behind it stands the name.
+const MARK: &str = "In ladder text this is the function ";
+/// What follows the name if the function begins on a network that does more.
+const BEGINS: &str = ", from its first network on";
+
+/// Whether the comment on a block says that it is a function in ladder text. It does nothing without power, and a reader says so.
+pub fn is_function(comment: &str) -> bool {
+    comment.lines().any(|line| line.starts_with(MARK))
+}
+
 /// A function on its way to a block.
 #[derive(Default)]
 struct Function {
+    /// Its name.
+    name: String,
     /// The name of the block.
     block: String,
     /// The tag that holds its state.
@@ -87,14 +102,14 @@ struct Call<'c> {
     function: usize,
 }
 
-/// A program whose functions are blocks, and what stands elsewhere in it. None: none is called, or one cannot be a block.
+/// A program whose functions are blocks, and what stands elsewhere in it. None: it has none, or one cannot be a block.
 fn as_blocks(analysis: &Analysis) -> Option<(Analysis, Vec<Moved>)> {
     let context = &analysis.context;
     if context.functions.is_empty() || analysis.has_errors() {
         return None;
     }
     let calls = calls(context)?;
-    let mut functions = named(context, &calls);
+    let mut functions = named(context);
     enter_operands(context, &mut functions)?;
     for call in &calls {
         if let Body::Function(caller) = call.within {
@@ -120,7 +135,7 @@ fn head(block: BlockAt<'_>) -> String {
     }
 }
 
-/// The calls of the file. None: one is in a block, which does not see the tags of the program, or there are none.
+/// The calls of the file. None: one is in a block, which does not see the tags of the program.
 fn calls(context: &Context) -> Option<Vec<Call<'_>>> {
     let mut calls = Vec::new();
     for network in &context.networks {
@@ -139,11 +154,11 @@ fn calls(context: &Context) -> Option<Vec<Call<'_>>> {
             });
         }
     }
-    (!calls.is_empty()).then_some(calls)
+    Some(calls)
 }
 
-/// The functions that are called, with names for their blocks and states.
-fn named(context: &Context, calls: &[Call<'_>]) -> Functions {
+/// The functions, with names for their blocks and states.
+fn named(context: &Context) -> Functions {
     let mut taken: HashSet<Name> = context.scopes[0]
         .tags
         .iter()
@@ -166,20 +181,19 @@ fn named(context: &Context, calls: &[Call<'_>]) -> Functions {
         name
     };
     let mut functions = Functions::new();
-    for call in calls {
-        functions.entry(call.function).or_insert_with(|| {
-            let facts = &context.functions[call.function];
-            let plain: String = facts.name.chars().filter(char::is_ascii_alphanumeric).collect();
-            let plain = plain.trim_start_matches(|c: char| c.is_ascii_digit());
-            let plain = if plain.is_empty() { "Function" } else { plain };
-            let plain = fresh(plain.to_owned());
-            Function {
-                state: fresh(format!("{plain}_state")),
-                block: format!("${plain}"),
-                first: facts.network,
-                ..Function::default()
-            }
-        });
+    for (number, facts) in context.functions.iter().enumerate() {
+        let plain: String = facts.name.chars().filter(char::is_ascii_alphanumeric).collect();
+        let plain = plain.trim_start_matches(|c: char| c.is_ascii_digit());
+        let plain = if plain.is_empty() { "Function" } else { plain };
+        let plain = fresh(plain.to_owned());
+        let function = Function {
+            name: facts.name.to_string(),
+            state: fresh(format!("{plain}_state")),
+            block: format!("${plain}"),
+            first: facts.network,
+            ..Function::default()
+        };
+        functions.insert(number, function);
     }
     functions
 }
@@ -339,9 +353,9 @@ fn text(context: &Context, functions: &Functions, calls: &[Call<'_>]) -> (String
         for line in function.lines.iter().take_while(is_above) {
             push(&mut text, &line_text(*line), number(*line), u32::MAX);
         }
-        push(&mut text, &function.head(), number(first.first_line), 0);
         // What only begins the function has nothing to do there.
         let is_bare = first.blocks().count() == 1;
+        push(&mut text, &function.head(is_bare), number(first.first_line), 0);
         for line in function.lines.iter().skip_while(is_above) {
             let begins = structure_lines(context, function.first).contains(line);
             if !(begins && is_bare) {
@@ -407,8 +421,12 @@ fn declarations(context: &Context, functions: &Functions) -> String {
 
 impl Function {
     /// The block up to the network with which the function begins.
-    fn head(&self) -> String {
-        let mut text = format!("FUNCTION_BLOCK [{}]\n", self.block);
+    fn head(&self, is_bare: bool) -> String {
+        let begins = if is_bare { "" } else { BEGINS };
+        let mut text = format!(
+            "# {MARK}{}{begins} #\nFUNCTION_BLOCK [{}]\n",
+            self.name, self.block
+        );
         for (section, is_input) in [("VAR_INPUT", true), ("VAR_IN_OUT", false)] {
             let own = self
                 .operands

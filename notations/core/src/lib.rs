@@ -13,6 +13,7 @@
 pub mod circuit;
 pub mod comments;
 mod convert;
+mod elements;
 mod error;
 mod finding;
 mod foreign;
@@ -36,7 +37,7 @@ pub use convert::{Converted, convert};
 pub use error::{ReadError, WriteError};
 pub use finding::Finding;
 pub use foreign::{Foreign, Mark};
-pub use functions::with_functions_as_blocks;
+pub use functions::{is_function, with_functions_as_blocks};
 pub use ladder_format::names::{self, Names};
 pub use ladder_syntax::LineColumn;
 pub use no_program::no_program;

@@ -70,7 +70,7 @@ fn companions(source: &Source<'_>) -> Vec<(String, Result<Unit, String>)> {
             let stem = file.name[..file.name.len() - ".s7dcl".len()].to_owned();
             let alone = Source::alone("", &file.bytes);
             let unit = bounded(&alone)
-                .and_then(|text| read::unit(text, &Texts::default()))
+                .and_then(|text| read::unit(text, &texts(source, &stem)?))
                 .map_err(|error| error.to_string());
             match unit {
                 Ok(unit) => (unit.name.clone(), Ok(unit)),
@@ -78,6 +78,19 @@ fn companions(source: &Source<'_>) -> Vec<(String, Result<Unit, String>)> {
             }
         })
         .collect()
+}
+
+/// The texts of the document with this stem.
+fn texts(source: &Source<'_>, stem: &str) -> Result<Texts, ReadError> {
+    let name = format!("{stem}.s7res");
+    let file = source
+        .companions
+        .iter()
+        .find(|file| file.name.eq_ignore_ascii_case(&name));
+    file.map_or_else(
+        || Ok(Texts::default()),
+        |file| Ok(Texts::of(text_of(&file.bytes)?)),
+    )
 }
 
 /// The sketch of a block, next to others.
@@ -111,21 +124,13 @@ impl Notation for Simatic {
         read::recognises(&head(bytes))
     }
 
-    fn has_companion(&self, program: &str, file: &str) -> bool {
-        has_end(file, ".s7dcl") || file.eq_ignore_ascii_case(&format!("{program}.s7res"))
+    fn has_companion(&self, _program: &str, file: &str) -> bool {
+        has_end(file, ".s7dcl") || has_end(file, ".s7res")
     }
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
         let text = bounded(source)?;
-        let texts = source
-            .companions
-            .iter()
-            .find(|file| has_end(&file.name, ".s7res"));
-        let texts = match texts {
-            Some(file) => Texts::of(text_of(&file.bytes)?),
-            None => Texts::default(),
-        };
-        let unit = read::unit(text, &texts)?;
+        let unit = read::unit(text, &texts(source, &source.name)?)?;
         Ok(sketched(&unit, &companions(source)))
     }
 

@@ -17,7 +17,7 @@ use super::model::{Body, Project, Task, Unit, UnitKind};
 use super::scope::{Scope, Shared};
 use ladder_format::Circuit;
 use ladder_format::program::{Drawing, Element, Item, Network, ProgramSketch};
-use ladder_notation::{Content, Names, ProjectFile, Reading, Report};
+use ladder_notation::{Content, Names, ProjectFile, Reading, Report, is_function};
 use std::collections::HashSet;
 use units::{Inside, Place, unit_items};
 
@@ -147,13 +147,17 @@ fn blocks(shared: &Shared<'_>, project: &Project, reading: &mut Reading) -> Vec<
 }
 
 /// The units, by their names in small letters, of which something decides when they run: more than the left rail is wired to EN
-/// of a call.
+/// of a call, or they are functions in ladder text.
 fn enabled(project: &Project) -> HashSet<String> {
     let bodies = project.units.iter().flat_map(|unit| {
         let parts = unit.parts.iter().map(|part| &part.body);
         parts.chain([&unit.body])
     });
-    let mut enabled = HashSet::new();
+    let functions = project
+        .units
+        .iter()
+        .filter(|unit| unit.comment.as_deref().is_some_and(is_function));
+    let mut enabled: HashSet<String> = functions.map(|unit| unit.name.to_lowercase()).collect();
     for body in bodies {
         let Body::Graph(graph) = body else { continue };
         let is_rail =

@@ -18,7 +18,7 @@ use idle::Idle;
 use ladder_analysis::Severity;
 use ladder_format::Circuit;
 use ladder_format::program::{Drawing, Element, Item, Network, ProgramSketch, Section, SectionKind};
-use ladder_notation::{Content, Finding, LineColumn, Names, ProjectFile, Reading};
+use ladder_notation::{Content, Finding, LineColumn, Names, ProjectFile, Reading, is_function};
 use std::collections::{HashMap, HashSet};
 use translate::Translator;
 
@@ -115,7 +115,9 @@ impl Sketcher<'_> {
                 let body = self.unit(unit, true);
                 (self.reading.report, self.reading.findings) = before;
                 self.reading.places[places..].fill(LineColumn::START);
-                blocks.extend([Item::Blank, block(unit, body)]);
+                blocks.push(Item::Blank);
+                blocks.extend(unit.said.iter().cloned().map(Item::Comment));
+                blocks.push(block(unit, body));
             }
         }
         let mut items: Vec<Item> = unit.said.iter().cloned().map(Item::Comment).collect();
@@ -155,7 +157,8 @@ impl Sketcher<'_> {
             labels: Labels::default(),
         };
         let mut networks = Vec::new();
-        if is_block && !unit.networks.is_empty() {
+        let is_function = unit.said.iter().any(|said| is_function(said));
+        if is_block && (!unit.networks.is_empty() || is_function) {
             let guard = ["[/]( EN )", "<RET>"].map(|text| Circuit::Element(Element::block(text, None)));
             networks.extend([
                 Item::Blank,

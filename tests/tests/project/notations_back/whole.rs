@@ -1,11 +1,14 @@
 //! Programs with functions, and with blocks and types of other files, in notations that have blocks of one's own alone: what comes
 //! back is one file, and does the same.
 
+use super::says::{Says, networks};
+use super::tables::{PLCOPEN, SIMATIC};
 use ladder_analysis::{Analysis, Exported, analyze_in, exports, link_files};
 use ladder_format::Options;
+use ladder_invariants::generator::Dice;
 use ladder_invariants::trace::{Stimulus, next_to};
 use ladder_notations::{Source, by_name, convert, write_checked};
-use ladder_syntax::parse;
+use ladder_syntax::{Item, parse};
 use std::sync::Arc;
 
 /// The first of several files, with what it uses of the others.
@@ -116,9 +119,96 @@ END_VAR
 ";
 
 #[test]
-fn functions_are_blocks_that_are_handed_their_tags() {
+fn functions_are_blocks_and_functions_again() {
     for notation in ["plcopen", "simatic"] {
         let (ladder, said) = check(notation, &[("plant.clad", FUNCTIONS)]);
         expect_test::expect_file![format!("{notation}_functions.txt")].assert_eq(&format!("{said}{ladder}"));
+    }
+}
+
+/// A generated program whose last networks are functions, which its first networks call; one calls the other.
+fn with_functions(says: &Says, seed: u64) -> String {
+    let mut dice = Dice::new(seed);
+    let text = says.program(&mut dice);
+    let parsed = parse(&text);
+    let items = parsed.structure().items.iter();
+    let firsts: Vec<usize> = items
+        .filter_map(|item| match item {
+            Item::Network(number) => Some(parsed.structure().networks[*number].lines.start),
+            _ => None,
+        })
+        .collect();
+    let mut out = String::new();
+    let mut functions = ["Rinse", "Count_2"].into_iter();
+    for line in 0..parsed.lines().len() {
+        if line == firsts[0] {
+            out.push_str("+--[/]( level )--<CALL>( Rinse )--( )( lamp )--+\n\n+--<CALL>( Count_2 )--+\n\n");
+        } else if firsts.contains(&line)
+            && let Some(name) = functions.next()
+        {
+            match (name, dice.one_in(2)) {
+                ("Rinse", true) => out.push_str("+--<FUN>( Rinse )--[ ]( level )--<CALL>( Count_2 )--+\n\n"),
+                ("Rinse", false) => out.push_str("+--<FUN>( Rinse )--+\n\n+--<CALL>( Count_2 )--+\n\n"),
+                _ => out.push_str(&format!("+--<FUN>( {name} )--+\n\n")),
+            }
+        }
+        out.push_str(parsed.lines()[line].text());
+    }
+    for name in functions {
+        out.push_str(&format!("\n+--<FUN>( {name} )--+\n"));
+    }
+    out
+}
+
+#[test]
+fn generated_functions_come_back() {
+    for says in [&PLCOPEN, &SIMATIC] {
+        let notation = by_name(says.notation).expect("the notation is registered");
+        let mut same = 0;
+        for seed in 0..100 {
+            let text = with_functions(says, seed);
+            let analysis = ladder_analysis::analyze(&Arc::new(parse(&text)), "test.clad");
+            assert!(
+                !analysis.has_errors(),
+                "{:?}\n{text}",
+                analysis.errors().collect::<Vec<_>>()
+            );
+            let writing = notation
+                .write(&analysis)
+                .unwrap_or_else(|error| panic!("{error}\n{text}"));
+            let remarks: Vec<_> = writing.report.remarks().collect();
+            assert!(remarks.is_empty(), "{remarks:?}\n{text}");
+            let shown = String::from_utf8_lossy(&writing.bytes).into_owned();
+            let source = Source {
+                companions: writing.companions,
+                ..Source::alone("test", &writing.bytes)
+            };
+            let back = convert(notation, &source, &Options::default());
+            let ladder = back
+                .unwrap_or_else(|error| panic!("{error}\n{shown}"))
+                .written
+                .text;
+            assert_eq!(
+                ladder.matches("<FUN>").count(),
+                2,
+                "seed {seed}\n{ladder}\nof\n{text}"
+            );
+            assert!(
+                !ladder.contains("FUNCTION_BLOCK"),
+                "seed {seed}\n{ladder}\nof\n{text}"
+            );
+            let different = next_to(&text, &ladder, Stimulus { seed, scans: 60 });
+            assert_eq!(different, None, "seed {seed}\n{ladder}\nof\n{text}");
+            // See the test of PLCopen: what goes through tags there, and what is drawn otherwise.
+            let is_otherwise = ["power at a point", "at the last evaluation"]
+                .iter()
+                .any(|word| ladder.contains(word))
+                || ["[NOT]", "[TON]( t1, T#"].iter().any(|word| text.contains(word));
+            if says.notation == "simatic" || !is_otherwise {
+                same += 1;
+                assert_eq!(networks(&ladder), networks(&text), "seed {seed}");
+            }
+        }
+        assert!(same > 10, "{}: only {same}", says.notation);
     }
 }

@@ -1,0 +1,419 @@
+//! What was written as blocks is functions again: of a block that says which function it is, where it is still called with the tags
+//! of the program by their own names, nothing is lost. One that somebody has changed otherwise stays a block.
+
+use super::{BEGINS, MARK};
+use crate::elements::{change, elements, series, with_names, words};
+use ladder_format::Circuit;
+use ladder_format::program::{
+    Declaration, Drawing, Element, Item, Network, ProgramSketch, RungPiece, Section, SectionKind,
+};
+use ladder_syntax::Name;
+use std::collections::{HashMap, HashSet};
+
+/// Makes functions of the blocks in the files of a program that say so.
+pub(crate) fn functions_again(files: &mut [&mut ProgramSketch]) {
+    let mut found = marked(files);
+    if found.is_empty() {
+        return;
+    }
+    found.retain_mut(|block| block.is_whole() && block.finds_state(files));
+    let mut calls: HashMap<&Name, Vec<Call>> = HashMap::new();
+    let names: HashSet<Name> = found.iter().map(|block| block.key.clone()).collect();
+    for file in files.iter() {
+        elements(&file.items, &mut |text| {
+            if let Some(call) = Call::of(text)
+                && let Some(name) = names.get(&call.block)
+            {
+                calls.entry(name).or_default().push(call);
+            }
+        });
+    }
+    let none = Vec::new();
+    found.retain(|block| {
+        let calls = calls.get(&block.key).unwrap_or(&none);
+        calls.iter().all(|call| block.is_called(call)) && block.knows_tags(files)
+    });
+    // Functions stand where their program is.
+    let Some(home) = found.first().map(|block| block.home) else {
+        return;
+    };
+    found.retain(|block| block.home == home);
+    found.sort_by_key(|block| block.rank);
+    let functions: HashMap<Name, String> = found
+        .iter()
+        .map(|block| (block.key.clone(), block.function.clone()))
+        .collect();
+    for file in files.iter_mut() {
+        file.items = without(std::mem::take(&mut file.items), &functions);
+        let call = |text: &mut String| {
+            if let Some(call) = Call::of(text)
+                && let Some(function) = functions.get(&call.block)
+            {
+                *text = format!("<CALL>( {function} )");
+            }
+        };
+        change(&mut file.items, &call);
+        for section in sections(&mut file.items) {
+            section
+                .declarations
+                .retain(|declared| !functions.contains_key(&Name::new(&declared.ty)));
+        }
+        trim(&mut file.items);
+    }
+    let mut names: ladder_format::names::Names = declared(&files[home].items);
+    let mut locals = Vec::new();
+    for block in found {
+        let mut own = block.items;
+        change(&mut own, &|text: &mut String| {
+            if let Some(call) = Call::of(text)
+                && let Some(function) = functions.get(&call.block)
+            {
+                *text = format!("<CALL>( {function} )");
+            }
+        });
+        let mut renamed = HashMap::new();
+        for section in sections(&mut own) {
+            if section.kind != SectionKind::Var {
+                continue;
+            }
+            for declared in &mut section.declarations {
+                for name in &mut declared.names {
+                    let free = names.fresh(name);
+                    if free != *name {
+                        renamed.insert(Name::new(name), free.clone());
+                        *name = free;
+                    }
+                }
+            }
+            locals.push(section.clone());
+        }
+        if !renamed.is_empty() {
+            change(&mut own, &|text: &mut String| *text = with_names(text, &renamed));
+        }
+        let items = &mut files[home].items;
+        items.extend(function(block.function, block.begins, block.said, own));
+    }
+    declare(&mut files[home].items, locals);
+}
+
+/// A block that says which function it is.
+struct Marked {
+    /// `$Rinse`
+    key: Name,
+    function: String,
+    /// The function begins on its first network.
+    begins: bool,
+    said: Vec<String>,
+    items: Vec<Item>,
+    /// The file that has the tag of its state, which has this name and is declared after so many others.
+    home: usize,
+    state: Name,
+    rank: usize,
+}
+
+/// The blocks of all files that say so.
+fn marked(files: &[&mut ProgramSketch]) -> Vec<Marked> {
+    let mut found = Vec::new();
+    for (home, file) in files.iter().enumerate() {
+        for (at, item) in file.items.iter().enumerate() {
+            let Item::Block { header, items } = item else {
+                continue;
+            };
+            let mut said: Vec<String> = above(&file.items, at)
+                .flat_map(|said| said.lines())
+                .map(str::to_owned)
+                .collect();
+            let Some(mark) = said.iter().position(|line| line.starts_with(MARK)) else {
+                continue;
+            };
+            let line = said.remove(mark);
+            let name = &line[MARK.len()..];
+            let (name, begins) = match name.strip_suffix(BEGINS) {
+                Some(name) => (name, true),
+                None => (name, false),
+            };
+            found.push(Marked {
+                key: Name::new(header.trim_matches(['[', ']'])),
+                function: name.to_owned(),
+                begins,
+                said,
+                items: items.clone(),
+                home,
+                state: Name::new(""),
+                rank: 0,
+            });
+        }
+    }
+    found
+}
+
+/// The comments directly above an item.
+fn above(items: &[Item], at: usize) -> impl Iterator<Item = &str> {
+    let comment = |item: &&Item| matches!(item, Item::Comment(_));
+    let count = items[..at].iter().rev().take_while(comment).count();
+    items[at - count..at].iter().filter_map(|item| match item {
+        Item::Comment(said) => Some(said.as_str()),
+        _ => None,
+    })
+}
+
+impl Marked {
+    /// Whether it begins with what keeps it from running without power, knows nothing else of that, and has what a function has.
+    fn is_whole(&self) -> bool {
+        let is_name =
+            self.function.chars().all(|c| c.is_alphanumeric() || c == '_') && !self.function.is_empty();
+        let mut networks = self.items.iter().filter_map(|item| match item {
+            Item::Network(network) => Some(network),
+            _ => None,
+        });
+        let guard = networks.next().and_then(series);
+        let mut knows_power = false;
+        for network in networks {
+            let items = [Item::Network(network.clone())];
+            elements(&items, &mut |text| {
+                knows_power |= words(text).any(is_power);
+            });
+        }
+        let kinds = [SectionKind::Var, SectionKind::VarInput, SectionKind::VarInOut];
+        let is_plain = self.items.iter().all(|item| match item {
+            Item::Section(section) => kinds.contains(&section.kind) && section.qualifier.is_none(),
+            Item::Block { .. } | Item::Text(_) | Item::Directive(_) => false,
+            _ => true,
+        });
+        is_name && is_plain && !knows_power && guard.is_some_and(|guard| guard == ["[/]( EN )", "<RET>"])
+    }
+
+    /// Looks for the tag of its state: one, which nothing else is said of.
+    fn finds_state(&mut self, files: &[&mut ProgramSketch]) -> bool {
+        let mut found = 0;
+        for (home, file) in files.iter().enumerate() {
+            let mut rank = 0;
+            for section in file.items.iter().filter_map(section) {
+                for declared in &section.declarations {
+                    rank += 1;
+                    if Name::new(&declared.ty) != self.key {
+                        continue;
+                    }
+                    let is_plain = section.kind == SectionKind::Var && section.qualifier.is_none();
+                    if let [name] = &declared.names[..]
+                        && is_plain
+                        && declared.initial.is_none()
+                    {
+                        (self.home, self.state, self.rank) = (home, Name::new(name), rank);
+                    }
+                    found += 1;
+                }
+            }
+        }
+        found == 1 && self.state != Name::new("")
+    }
+
+    /// What it is handed, with the types.
+    fn handed(&self) -> impl Iterator<Item = (&String, &Declaration)> {
+        let own = self
+            .items
+            .iter()
+            .filter_map(section)
+            .filter(|section| section.kind != SectionKind::Var);
+        own.flat_map(|section| &section.declarations)
+            .flat_map(|declared| declared.names.iter().map(move |name| (name, declared)))
+    }
+
+    /// Whether a call hands it its state, and each tag as what has the same name.
+    fn is_called(&self, call: &Call) -> bool {
+        let given: HashMap<Name, Name> = call.given.iter().cloned().collect();
+        call.state == Some(self.state.clone())
+            && given.len() == call.given.len()
+            && given.len() == self.handed().count()
+            && self
+                .handed()
+                .all(|(name, _)| given.get(&Name::new(name)) == Some(&Name::new(name)))
+    }
+
+    /// Whether the tags that it is handed are those of the program.
+    fn knows_tags(&self, files: &[&mut ProgramSketch]) -> bool {
+        let mut types: HashMap<Name, &str> = HashMap::new();
+        for section in files.iter().flat_map(|file| &file.items).filter_map(section) {
+            for declared in &section.declarations {
+                types.extend(
+                    declared
+                        .names
+                        .iter()
+                        .map(|name| (Name::new(name), declared.ty.as_str())),
+                );
+            }
+        }
+        self.handed().all(|(name, declared)| {
+            types
+                .get(&Name::new(name))
+                .is_some_and(|ty| is_of(ty, &declared.ty))
+        })
+    }
+}
+
+/// Whether a tag of a type is one of another: the same, a part of its range, or a name for it.
+fn is_of(ty: &str, wanted: &str) -> bool {
+    let (ty, wanted) = (ty.to_uppercase(), wanted.to_uppercase());
+    let base = ty.split('(').next().unwrap_or_default();
+    let is_known = ladder_analysis::values::types::Scalar::from_name(base).is_some();
+    ty == wanted || base == wanted || (!is_known && !ty.starts_with("ARRAY"))
+}
+
+fn is_power(word: &str) -> bool {
+    word.eq_ignore_ascii_case("EN") || word.eq_ignore_ascii_case("ENO")
+}
+
+/// A call of a block: `[$Rinse]( Rinse_state, go := go )`.
+struct Call {
+    block: Name,
+    state: Option<Name>,
+    given: Vec<(Name, Name)>,
+}
+
+impl Call {
+    fn of(text: &str) -> Option<Call> {
+        let (block, rest) = text.strip_prefix("[$")?.split_once("](")?;
+        let operands = rest.trim_end().strip_suffix(')')?;
+        let mut operands = operands.split(',').map(str::trim);
+        let state = operands
+            .next()
+            .filter(|state| !state.contains(":="))
+            .map(Name::new);
+        let given = operands.filter_map(|operand| operand.split_once(":="));
+        let given = given.map(|(name, tag)| (Name::new(name.trim()), Name::new(tag.trim())));
+        Some(Call {
+            block: Name::new(&format!("${block}")),
+            state,
+            given: given.collect(),
+        })
+    }
+}
+
+/// The networks of a function.
+fn function(name: String, begins: bool, said: Vec<String>, items: Vec<Item>) -> Vec<Item> {
+    let head = Element::block(format!("<FUN>( {name} )"), None);
+    let mut out = Vec::new();
+    let mut items = items.into_iter().filter(|item| !matches!(item, Item::Section(_)));
+    // The guard is in the place of the head.
+    let guard = items.by_ref().find(|item| matches!(item, Item::Network(_)));
+    let mut comments = said;
+    if let Some(Item::Network(guard)) = guard {
+        comments.extend(guard.comments);
+    }
+    let mut rest: Vec<Item> = items.collect();
+    let first = rest.iter_mut().find_map(|item| match item {
+        Item::Network(network) => Some(network),
+        _ => None,
+    });
+    let first = first.filter(|_| begins);
+    match first.and_then(|first| begin(&mut first.drawing, &head).then_some(first)) {
+        Some(first) => {
+            first.comments.splice(0..0, comments);
+        }
+        _ => out.extend([
+            Item::Blank,
+            Item::Network(Network {
+                comments,
+                drawing: Drawing::Circuit(Circuit::Element(head)),
+            }),
+        ]),
+    }
+    out.append(&mut rest);
+    out
+}
+
+/// Puts an element in front of a network. Not if that does not begin at the rail.
+fn begin(drawing: &mut Drawing, head: &Element) -> bool {
+    match drawing {
+        Drawing::Circuit(circuit) => {
+            let rest = std::mem::replace(circuit, Circuit::Series(Vec::new()));
+            let rest = match rest {
+                Circuit::Series(parts) => parts,
+                other => vec![other],
+            };
+            *circuit = Circuit::Series(
+                std::iter::once(Circuit::Element(head.clone()))
+                    .chain(rest)
+                    .collect(),
+            );
+            true
+        }
+        Drawing::Rungs(rungs) => match rungs.first_mut() {
+            Some(rung) if rung.first() == Some(&RungPiece::Rail) => {
+                rung.insert(1, RungPiece::Element(head.clone()));
+                true
+            }
+            _ => false,
+        },
+    }
+}
+
+/// The items without these blocks, and the comments above them.
+fn without(items: Vec<Item>, blocks: &HashMap<Name, String>) -> Vec<Item> {
+    let mut out: Vec<Item> = Vec::new();
+    for item in items {
+        match &item {
+            Item::Block { header, .. }
+                if blocks.contains_key(&Name::new(header.trim_matches(['[', ']']))) =>
+            {
+                while matches!(out.last(), Some(Item::Comment(_))) {
+                    out.pop();
+                }
+            }
+            _ => out.push(item),
+        }
+    }
+    out
+}
+
+/// Blank lines that nothing is left around go, and so do sections.
+fn trim(items: &mut Vec<Item>) {
+    items.retain(|item| !matches!(item, Item::Section(section) if section.declarations.is_empty()));
+    items.dedup_by(|next, item| (&*next, &*item) == (&Item::Blank, &Item::Blank));
+    while items.first() == Some(&Item::Blank) {
+        items.remove(0);
+    }
+    while items.last() == Some(&Item::Blank) {
+        items.pop();
+    }
+}
+
+fn section(item: &Item) -> Option<&Section> {
+    match item {
+        Item::Section(section) if section.kind != SectionKind::Type => Some(section),
+        _ => None,
+    }
+}
+
+fn sections(items: &mut [Item]) -> impl Iterator<Item = &mut Section> {
+    items.iter_mut().filter_map(|item| match item {
+        Item::Section(section) => Some(section),
+        _ => None,
+    })
+}
+
+/// The names that are taken in a file.
+fn declared(items: &[Item]) -> ladder_format::names::Names {
+    let mut names = ladder_format::names::Names::default();
+    for section in items.iter().filter_map(section) {
+        for name in section.declarations.iter().flat_map(|declared| &declared.names) {
+            names.fresh(name);
+        }
+    }
+    names
+}
+
+/// Declares tags with the others of a file.
+fn declare(items: &mut Vec<Item>, more: Vec<Section>) {
+    for section in more {
+        let same = |own: &&mut Section| (own.kind, own.qualifier) == (section.kind, section.qualifier);
+        if let Some(own) = sections(items).find(same) {
+            own.declarations.extend(section.declarations);
+            continue;
+        }
+        let after = items.iter().rposition(|item| matches!(item, Item::Section(_)));
+        let networks = items.iter().position(|item| matches!(item, Item::Network(_)));
+        let at = after.map(|at| at + 1).or(networks).unwrap_or(items.len());
+        items.insert(at, Item::Section(section));
+    }
+}
