@@ -121,7 +121,9 @@ fn as_blocks(analysis: &Analysis) -> Option<(Analysis, Vec<Moved>)> {
     if handed.map(|function| function.operands.len()).sum::<usize>() > MOST_OPERANDS {
         return None;
     }
-    enter_lines(context, &mut functions);
+    for (function, lines) in lines_of_functions(context) {
+        functions.get_mut(&function)?.lines = lines;
+    }
     let (text, moved) = text(context, &functions, &calls);
     let blocks = analyze_in(&parse(&text).into(), &context.name, &context.others);
     blocks.program().is_some().then_some((blocks, moved))
@@ -271,10 +273,11 @@ fn hand_on(functions: &mut Functions) -> Option<()> {
     None
 }
 
-/// Enters the lines of the functions: their networks, and the comments above and between these.
-fn enter_lines(context: &Context, functions: &mut Functions) {
+/// The lines of each function of a file: its networks, and the comments above and between these.
+pub(crate) fn lines_of_functions(context: &Context) -> BTreeMap<usize, Vec<usize>> {
     let parse = &context.parse;
     let structure = parse.structure();
+    let mut lines: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     let mut above: Vec<usize> = Vec::new();
     let mut current = None;
     for item in &structure.items {
@@ -285,39 +288,42 @@ fn enter_lines(context: &Context, functions: &mut Functions) {
                 let Body::Function(function) = context.bodies[number] else {
                     continue;
                 };
-                if let Some(own) = functions.get_mut(&function) {
-                    let is_first = current.replace(function) != Some(function);
-                    let is_comment = |line: &&usize| parse.lines()[**line].kind == LineKind::Comment;
-                    let from = if is_first {
-                        above.len() - above.iter().rev().take_while(is_comment).count()
-                    } else {
-                        0
-                    };
-                    own.lines.extend(&above[from..]);
-                    own.lines.extend(structure.networks[number].lines.clone());
-                }
+                let own = lines.entry(function).or_default();
+                let is_first = current.replace(function) != Some(function);
+                let is_comment = |line: &&usize| parse.lines()[**line].kind == LineKind::Comment;
+                let from = if is_first {
+                    above.len() - above.iter().rev().take_while(is_comment).count()
+                } else {
+                    0
+                };
+                own.extend(&above[from..]);
+                own.extend(structure.networks[number].lines.clone());
             }
             _ => above.clear(),
         }
     }
+    lines
+}
+
+/// The text of a line with edits, which are in the order of the text.
+pub(crate) fn edited_line(context: &Context, line: usize, edits: &[(TextRange, String)]) -> String {
+    let start = context.parse.line_start(line);
+    let own = context.parse.lines()[line].text();
+    let mut text = own.to_owned();
+    let range = TextRange::at(start, (own.len() as u32).into());
+    let from = edits.partition_point(|(at, _)| at.start() < range.start());
+    let own = edits[from..].iter().take_while(|(at, _)| at.end() <= range.end());
+    for (at, with) in own.collect::<Vec<_>>().into_iter().rev() {
+        text.replace_range(Range::<usize>::from(*at - start), with);
+    }
+    text
 }
 
 /// The text with blocks in the place of functions: they stand at its end, and all else keeps its line.
 fn text(context: &Context, functions: &Functions, calls: &[Call<'_>]) -> (String, Vec<Moved>) {
     let parse = &context.parse;
     let edits = edits(context, functions, calls);
-    let line_text = |line: usize| {
-        let start = parse.line_start(line);
-        let own = parse.lines()[line].text();
-        let mut text = own.to_owned();
-        let range = TextRange::at(start, (own.len() as u32).into());
-        let from = edits.partition_point(|(at, _)| at.start() < range.start());
-        let own = edits[from..].iter().take_while(|(at, _)| at.end() <= range.end());
-        for (at, with) in own.collect::<Vec<_>>().into_iter().rev() {
-            text.replace_range(std::ops::Range::<usize>::from(*at - start), with);
-        }
-        text
-    };
+    let line_text = |line: usize| edited_line(context, line, &edits);
     let moved: HashSet<usize> = functions
         .values()
         .flat_map(|function| function.lines.iter().copied())

@@ -1,20 +1,24 @@
-//! A program with the blocks and types that it uses of other files and of the library, as one text.
+//! A program with the functions, blocks and types that it uses of other files and of the library, as one text.
 
-use crate::{LineColumn, Lines, WriteError};
-use ladder_analysis::context::{Body, Context};
+mod functions;
+mod search;
+
+use crate::{LineColumn, WriteError};
+use functions::Functions;
+use ladder_analysis::context::{Callee, Context};
 use ladder_analysis::names::named_types::NamedType;
-use ladder_analysis::networks::NetworkAt;
-use ladder_analysis::networks::network::Meaning;
-use ladder_analysis::values::types::Type;
 use ladder_analysis::{Analysis, analyze_in, library, link_files};
 use ladder_syntax::{Item, LineKind, Name, Parse, parse};
+use search::{Search, Used};
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use std::sync::Arc;
 
 /// A definition of another file in the text of a program.
 pub(crate) struct Added {
+    /// `$Motor`, or the name of a function.
     pub(crate) name: String,
+    pub(crate) is_block: bool,
     /// What its file is called.
     from: Arc<str>,
     /// Its lines, from 1.
@@ -37,8 +41,8 @@ fn file(name: &str) -> &str {
     }
 }
 
-/// A block that a program needs: its file among the others, and its number in that file.
-type Needed = (usize, usize);
+/// What a program needs of another file: that file among the others, and the block or function.
+type Needed = (usize, Used);
 
 /// The program with what it uses of other files: that stands below its last network, and above comments at its end, so that all
 /// else keeps its place. None: it uses nothing of them.
@@ -62,34 +66,42 @@ pub(crate) fn whole(analysis: &Analysis) -> Result<Option<(Analysis, Vec<Added>)
         return Ok(None);
     }
     let context = &analysis.context;
-    let by_name = files.iter().enumerate();
-    let mut search = Search {
-        own: context,
-        files,
-        by_name: by_name
-            .map(|(number, file)| (&*file.context.name, number))
-            .collect(),
-        uses: HashMap::new(),
-        found: Vec::new(),
-        seen: HashSet::new(),
-    };
-    search.of_program();
-    // What is used by others comes first.
-    let found: Vec<_> = search.found.into_iter().rev().collect();
+    // What is used by others comes first, and functions at the end.
+    let mut found = Search::found(context, files);
+    found.reverse();
+    found.sort_by_key(|((_, used), _)| matches!(used, Used::Function(_)));
     agree(context, files, &found)?;
     let mut text = context.parse.to_string();
     let end = text.split_off(end_of_networks(&context.parse, text.len()));
     if !text.ends_with('\n') {
         text.push('\n');
     }
+    let needed: Vec<Needed> = found.iter().map(|(needed, _)| needed.clone()).collect();
+    let functions = Functions::of(context, files, &needed);
+    if !functions.declarations.is_empty() {
+        text.push_str(&format!("\n{}", functions.declarations));
+    }
+    text.push_str(&functions::globals(context, files));
     let mut added = Vec::new();
-    for ((from, block), used) in found {
+    for ((from, item), used) in found {
         let other = &files[from].context;
+        let (name, definition) = match item {
+            Used::Block(block) => (
+                other.user_blocks[block].name.clone(),
+                definition(&other.parse, block),
+            ),
+            Used::Function(Callee::Own(function)) => {
+                let name = other.functions[function].name.to_string();
+                (name, functions.text(from, function))
+            }
+            Used::Function(Callee::Other(_)) => continue,
+        };
         text.push('\n');
         let first = line_count(&text);
-        text.push_str(&definition(&other.parse, block));
+        text.push_str(&definition);
         added.push(Added {
-            name: other.user_blocks[block].name.clone(),
+            is_block: name.starts_with('$'),
+            name,
             from: Arc::clone(&other.name),
             lines: first..line_count(&text),
             used,
@@ -122,87 +134,6 @@ pub(crate) fn whole(analysis: &Analysis) -> Result<Option<(Analysis, Vec<Added>)
     }
 }
 
-/// Looks for the blocks of other files that a program needs.
-struct Search<'a> {
-    own: &'a Context,
-    files: &'a [Arc<Analysis>],
-    by_name: HashMap<&'a str, usize>,
-    /// For each file that was asked the blocks that each of its own uses, by their numbers in its list.
-    uses: HashMap<usize, HashMap<usize, Vec<usize>>>,
-    found: Vec<(Needed, LineColumn)>,
-    seen: HashSet<Needed>,
-}
-
-impl Search<'_> {
-    fn of_program(&mut self) {
-        let text = self.own.parse.to_string();
-        let lines = Lines::of(&text);
-        let calls = self.own.networks.iter().flat_map(NetworkAt::blocks);
-        for call in calls {
-            if let Meaning::User(user) = call.meaning {
-                self.used(
-                    self.own,
-                    None,
-                    user,
-                    lines.place(&text, call.range().start().into()),
-                );
-            }
-        }
-        // Those that only declarations name.
-        for user in self.own.own_blocks..self.own.user_blocks.len() {
-            self.used(self.own, None, user, LineColumn::START);
-        }
-    }
-
-    /// A block of the list of a file, and all that it uses; `from`: one of the others.
-    fn used(&mut self, context: &Context, from: Option<usize>, user: usize, at: LineColumn) {
-        let mut waiting: Vec<Needed> = self.needed(context, from, user).into_iter().collect();
-        while let Some((file, block)) = waiting.pop() {
-            if !self.seen.insert((file, block)) {
-                continue;
-            }
-            self.found.push(((file, block), at));
-            let other = Arc::clone(&self.files[file].context);
-            let uses = self.uses.entry(file).or_insert_with(|| uses(&other));
-            let used = uses.remove(&block).unwrap_or_default();
-            waiting.extend(
-                used.into_iter()
-                    .filter_map(|user| self.needed(&other, Some(file), user)),
-            );
-        }
-    }
-
-    fn needed(&self, context: &Context, from: Option<usize>, user: usize) -> Option<Needed> {
-        match &context.user_blocks[user].import {
-            Some(import) => Some((*self.by_name.get(&*import.file)?, import.item)),
-            None => from.map(|from| (from, user)),
-        }
-    }
-}
-
-/// The blocks that each block of a file calls, or has a tag of.
-fn uses(context: &Context) -> HashMap<usize, Vec<usize>> {
-    let mut uses: HashMap<usize, Vec<usize>> = HashMap::new();
-    for network in &context.networks {
-        if let Body::Block(block) = context.bodies[network.index] {
-            let called = network.blocks().filter_map(|call| match call.meaning {
-                Meaning::User(user) => Some(user),
-                _ => None,
-            });
-            uses.entry(block).or_default().extend(called);
-        }
-    }
-    let blocks = context.user_blocks.iter().enumerate();
-    let by_name: HashMap<&Name, usize> = blocks.map(|(number, block)| (&block.key, number)).collect();
-    for scope in &context.scopes {
-        let Some(block) = scope.block else { continue };
-        let names = scope.tags.iter().filter_map(|tag| tag.ty).flat_map(Type::blocks);
-        let used = names.filter_map(|name| by_name.get(&Name::new(&name)).copied());
-        uses.entry(block).or_default().extend(used);
-    }
-    uses
-}
-
 /// Says so if what is needed cannot stand in one text with the program.
 fn agree(own: &Context, files: &[Arc<Analysis>], found: &[(Needed, LineColumn)]) -> Result<(), WriteError> {
     let mut blocks: HashMap<&Name, &str> = HashMap::new();
@@ -214,9 +145,13 @@ fn agree(own: &Context, files: &[Arc<Analysis>], found: &[(Needed, LineColumn)])
     let mut types: HashMap<&Name, &NamedType> = HashMap::new();
     types.extend(own.types.own().iter().map(|ty| (&ty.declaration.key, ty)));
     let mut known = HashSet::new();
-    for ((from, block), at) in found {
+    for ((from, used), at) in found {
         let other = &files[*from].context;
-        let block = &other.user_blocks[*block];
+        let name = match used {
+            Used::Block(block) => other.user_blocks[*block].name.as_str(),
+            Used::Function(Callee::Own(function)) => &other.functions[*function].name,
+            Used::Function(Callee::Other(_)) => continue,
+        };
         if other.profile != own.profile {
             let says = |file: &Context| match file.profile.name() {
                 "iec" => "IEC 61131-3",
@@ -224,16 +159,18 @@ fn agree(own: &Context, files: &[Arc<Analysis>], found: &[(Needed, LineColumn)])
             };
             return Err(WriteError::new(format!(
                 "{at}: `{}` of {} counts and times as {} says, and this program as {} does: draw what it does on rungs of the program",
-                block.name,
+                name,
                 file(&other.name),
                 says(other),
                 says(own)
             )));
         }
-        if let Some(first) = blocks.insert(&block.key, &other.name) {
+        if let Used::Block(block) = used
+            && let Some(first) = blocks.insert(&other.user_blocks[*block].key, &other.name)
+        {
             return Err(WriteError::new(format!(
                 "{at}: there is a `{}` in {} and another one in {}, and what is written has one of a name: rename one of them",
-                block.name,
+                name,
                 file(first),
                 file(&other.name)
             )));
@@ -246,7 +183,7 @@ fn agree(own: &Context, files: &[Arc<Analysis>], found: &[(Needed, LineColumn)])
             if first.declaration.declared != ty.declaration.declared {
                 return Err(WriteError::new(format!(
                     "{at}: `{}` of {} knows another type `{}`, and what is written has one of a name: rename one of them",
-                    block.name,
+                    name,
                     file(&other.name),
                     ty.declaration.name
                 )));

@@ -1,5 +1,5 @@
-//! Programs that use blocks of other files and of the library, for systems that have blocks of one's own: they are written along,
-//! as if the program defined them.
+//! Programs that use functions and blocks of other files and of the library: they are written along, as if the program defined
+//! them.
 
 use crate::whole::{Added, whole};
 use crate::{Entry, Outcome, Report, WriteError, Writing};
@@ -13,8 +13,8 @@ const DEEPEST: usize = 50;
 /// The blocks of other files that a system cannot say whole, with why. They are not to be written, and neither is a call.
 pub type Unwritable = HashMap<Name, String>;
 
-/// Writes a program with the blocks that it uses of other files and of the library. `write` is handed an analysis in which they
-/// are blocks of the program's own. If part of one has no form it is handed the same again, with that block among the
+/// Writes a program with the functions and blocks that it uses of other files and of the library. `write` is handed an analysis in
+/// which they are the program's own. If part of one has no form it is handed the same again, with that block among the
 /// [`Unwritable`].
 ///
 /// # Errors
@@ -33,7 +33,9 @@ pub fn with_other_files(
         let mut writing = write(&whole, &unwritable)?;
         let known = unwritable.len();
         for entry in &writing.report.entries {
-            if let (Outcome::Refused(why), Some(block)) = (&entry.outcome, at(&added, entry)) {
+            if let (Outcome::Refused(why), Some(block)) = (&entry.outcome, at(&added, entry))
+                && block.is_block
+            {
                 let why = format!("`{}` of {} has no form there: {why}", block.name, block.file());
                 unwritable.entry(Name::new(&block.name)).or_insert(why);
             }
@@ -68,7 +70,13 @@ fn tell(report: &mut Report, added: &[Added], unwritable: &Unwritable) {
             continue;
         };
         written.insert(&block.name);
-        if let Outcome::Approximated(why) = entry.outcome
+        if let Outcome::Refused(why) = &entry.outcome
+            && !block.is_block
+        {
+            remarked.insert(&block.name);
+            let why = format!("in `{}` of {}: {why}", block.name, block.file());
+            entries.push(block.entry(Outcome::Refused(why)));
+        } else if let Outcome::Approximated(why) = entry.outcome
             && !unwritable.contains_key(&Name::new(&block.name))
             && said.insert((&block.name, why.clone()))
         {
@@ -93,7 +101,11 @@ impl Added {
     fn entry(&self, outcome: Outcome) -> Entry {
         Entry {
             place: self.used,
-            element: format!("[{}]", self.name),
+            element: if self.is_block {
+                format!("[{}]", self.name)
+            } else {
+                format!("<CALL>( {} )", self.name)
+            },
             outcome,
         }
     }

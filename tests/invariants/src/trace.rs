@@ -131,18 +131,30 @@ fn record(simulation: &mut Simulation, source: &str, stimulus: Stimulus) -> Stri
 /// # Panics
 /// One of the texts is not a program.
 pub fn next_to(text: &str, other: &str, stimulus: Stimulus) -> Option<String> {
-    let start = |text: &str| {
-        let program = compile(text).unwrap_or_else(|| panic!("this is not a program:\n{text}"));
+    let program = |text: &str| compile(text).unwrap_or_else(|| panic!("this is not a program:\n{text}"));
+    programs_next_to((program(text), program(other)), &str::to_owned, stimulus)
+}
+
+/// The same of two programs. `named`: how a tag of the first is called in the second.
+///
+/// # Panics
+/// One of them is refused.
+pub fn programs_next_to(
+    (one, other): (Arc<Program>, Arc<Program>),
+    named: &dyn Fn(&str) -> String,
+    stimulus: Stimulus,
+) -> Option<String> {
+    let start = |program| {
         let options = Options {
             watchdog: WATCHDOG,
             ..Options::default()
         };
-        Simulation::new(program, options).unwrap_or_else(|error| panic!("it is refused: {error:?}\n{text}"))
+        Simulation::new(program, options).unwrap_or_else(|error| panic!("it is refused: {error:?}"))
     };
-    let (mut one, mut two) = (start(text), start(other));
+    let (mut one, mut two) = (start(one), start(other));
     let mut points = Vec::new();
     for point in self::points(&one) {
-        match two.resolve(&point.name) {
+        match two.resolve(&named(&point.name)) {
             Ok(same) => points.push((point, same)),
             Err(_) => return Some(format!("`{}` is gone", point.name)),
         }

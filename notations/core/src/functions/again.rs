@@ -1,14 +1,14 @@
 //! What was written as blocks is functions again: of a block that says which function it is, where it is still called with the tags
 //! of the program by their own names, nothing is lost. One that somebody has changed otherwise stays a block.
 
-use super::{BEGINS, MARK};
+use super::{BEGINS, DEEPEST, MARK};
 use crate::elements::{change, elements, series, with_names, words};
 use ladder_format::Circuit;
 use ladder_format::program::{
     Declaration, Drawing, Element, Item, Network, ProgramSketch, RungPiece, Section, SectionKind,
 };
 use ladder_syntax::Name;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 /// Makes functions of the blocks in the files of a program that say so.
 pub(crate) fn functions_again(files: &mut [&mut ProgramSketch]) {
@@ -17,22 +17,8 @@ pub(crate) fn functions_again(files: &mut [&mut ProgramSketch]) {
         return;
     }
     found.retain_mut(|block| block.is_whole() && block.finds_state(files));
-    let mut calls: HashMap<&Name, Vec<Call>> = HashMap::new();
-    let names: HashSet<Name> = found.iter().map(|block| block.key.clone()).collect();
-    for file in files.iter() {
-        elements(&file.items, &mut |text| {
-            if let Some(call) = Call::of(text)
-                && let Some(name) = names.get(&call.block)
-            {
-                calls.entry(name).or_default().push(call);
-            }
-        });
-    }
-    let none = Vec::new();
-    found.retain(|block| {
-        let calls = calls.get(&block.key).unwrap_or(&none);
-        calls.iter().all(|call| block.is_called(call)) && block.knows_tags(files)
-    });
+    resolve(files, &mut found);
+    found.retain(|block| block.tags.is_some());
     // Functions stand where their program is.
     let Some(home) = found.first().map(|block| block.home) else {
         return;
@@ -60,7 +46,7 @@ pub(crate) fn functions_again(files: &mut [&mut ProgramSketch]) {
         }
         trim(&mut file.items);
     }
-    let mut names: ladder_format::names::Names = declared(&files[home].items);
+    let mut names = declared(&files[home].items);
     let mut locals = Vec::new();
     for block in found {
         let mut own = block.items;
@@ -71,7 +57,8 @@ pub(crate) fn functions_again(files: &mut [&mut ProgramSketch]) {
                 *text = format!("<CALL>( {function} )");
             }
         });
-        let mut renamed = HashMap::new();
+        let mut renamed = block.tags.unwrap_or_default();
+        renamed.retain(|name, tag| *name != Name::new(tag));
         for section in sections(&mut own) {
             if section.kind != SectionKind::Var {
                 continue;
@@ -96,6 +83,9 @@ pub(crate) fn functions_again(files: &mut [&mut ProgramSketch]) {
     declare(&mut files[home].items, locals);
 }
 
+/// What the comment above a block ends with that has another name there.
+const SPELLED: &str = " in the project";
+
 /// A block that says which function it is.
 struct Marked {
     /// `$Rinse`
@@ -109,6 +99,8 @@ struct Marked {
     home: usize,
     state: Name,
     rank: usize,
+    /// The tags of the program that it is handed, by their names in it, once they are known.
+    tags: Option<HashMap<Name, String>>,
 }
 
 /// The blocks of all files that say so.
@@ -127,6 +119,10 @@ fn marked(files: &[&mut ProgramSketch]) -> Vec<Marked> {
                 continue;
             };
             let line = said.remove(mark);
+            // It says how the block is spelled there.
+            if said.first().is_some_and(|line| line.ends_with(SPELLED)) {
+                said.remove(0);
+            }
             let name = &line[MARK.len()..];
             let (name, begins) = match name.strip_suffix(BEGINS) {
                 Some(name) => (name, true),
@@ -141,6 +137,7 @@ fn marked(files: &[&mut ProgramSketch]) -> Vec<Marked> {
                 home,
                 state: Name::new(""),
                 rank: 0,
+                tags: None,
             });
         }
     }
@@ -219,36 +216,120 @@ impl Marked {
             .flat_map(|declared| declared.names.iter().map(move |name| (name, declared)))
     }
 
-    /// Whether a call hands it its state, and each tag as what has the same name.
-    fn is_called(&self, call: &Call) -> bool {
-        let given: HashMap<Name, Name> = call.given.iter().cloned().collect();
-        call.state == Some(self.state.clone())
-            && given.len() == call.given.len()
-            && given.len() == self.handed().count()
-            && self
-                .handed()
-                .all(|(name, _)| given.get(&Name::new(name)) == Some(&Name::new(name)))
+    /// The tags of the program that a call hands it, if it hands it its state and all that it asks for. `tags`: those that
+    /// the caller is handed; none in the program itself.
+    fn handed_by(&self, call: &Call, tags: Option<&HashMap<Name, String>>) -> Option<HashMap<Name, String>> {
+        let in_program = |tag: &str| match tags {
+            Some(tags) => tags.get(&Name::new(tag)).cloned(),
+            None => Some(tag.to_owned()),
+        };
+        let given: HashMap<Name, String> = call
+            .given
+            .iter()
+            .map(|(name, tag)| Some((Name::new(name), in_program(tag)?)))
+            .collect::<Option<_>>()?;
+        let is_all = self
+            .handed()
+            .all(|(name, _)| given.contains_key(&Name::new(name)));
+        let is_state =
+            in_program(call.state.as_deref()?).is_some_and(|state| Name::new(&state) == self.state);
+        (is_state && is_all && given.len() == self.handed().count()).then_some(given)
     }
 
-    /// Whether the tags that it is handed are those of the program.
-    fn knows_tags(&self, files: &[&mut ProgramSketch]) -> bool {
-        let mut types: HashMap<Name, &str> = HashMap::new();
-        for section in files.iter().flat_map(|file| &file.items).filter_map(section) {
+    /// Whether the tags that it is handed have the types of those of the program.
+    fn fits(&self, tags: &HashMap<Name, String>, types: &HashMap<Name, String>) -> bool {
+        self.handed().all(|(name, declared)| {
+            let tag = tags.get(&Name::new(name)).map(|tag| Name::new(tag));
+            tag.and_then(|tag| types.get(&tag))
+                .is_some_and(|ty| is_of(ty, &declared.ty))
+        })
+    }
+}
+
+/// Finds for each block the tags that it is handed: the same wherever it is called, in the program or in another one that is a
+/// function again.
+fn resolve(files: &[&mut ProgramSketch], found: &mut [Marked]) {
+    let by_key: HashMap<Name, usize> = found
+        .iter()
+        .enumerate()
+        .map(|(number, block)| (block.key.clone(), number))
+        .collect();
+    let mut types: HashMap<Name, String> = HashMap::new();
+    // Of each block its calls, with the block that calls.
+    let mut calls: Vec<Vec<(Caller, Call)>> = found.iter().map(|_| Vec::new()).collect();
+    for item in files.iter().flat_map(|file| &file.items) {
+        if let Some(section) = section(item) {
             for declared in &section.declarations {
                 types.extend(
                     declared
                         .names
                         .iter()
-                        .map(|name| (Name::new(name), declared.ty.as_str())),
+                        .map(|name| (Name::new(name), declared.ty.clone())),
                 );
             }
         }
-        self.handed().all(|(name, declared)| {
-            types
-                .get(&Name::new(name))
-                .is_some_and(|ty| is_of(ty, &declared.ty))
-        })
+        let caller = match item {
+            Item::Block { header, .. } => match by_key.get(&Name::new(header.trim_matches(['[', ']']))) {
+                Some(number) => Caller::Function(*number),
+                None => Caller::Block,
+            },
+            _ => Caller::Program,
+        };
+        elements(std::slice::from_ref(item), &mut |text| {
+            if let Some(call) = Call::of(text)
+                && let Some(called) = by_key.get(&call.block)
+            {
+                calls[*called].push((caller, call));
+            }
+        });
     }
+    // One that nothing calls is handed what has the same name.
+    for (block, calls) in found.iter_mut().zip(&calls) {
+        let own: HashMap<Name, String> = block
+            .handed()
+            .map(|(name, _)| (Name::new(name), name.clone()))
+            .collect();
+        if calls.is_empty() && block.fits(&own, &types) {
+            block.tags = Some(own);
+        }
+    }
+    // Callers are known before what they call.
+    for _ in 0..DEEPEST {
+        let mut changes = false;
+        for (number, calls) in calls.iter().enumerate() {
+            if found[number].tags.is_some() {
+                continue;
+            }
+            let mut handed = calls.iter().map(|(caller, call)| {
+                let tags = match caller {
+                    Caller::Program => None,
+                    Caller::Function(caller) => Some(found[*caller].tags.as_ref()?),
+                    Caller::Block => return None,
+                };
+                found[number].handed_by(call, tags)
+            });
+            let first = handed.next().flatten();
+            let first = first.filter(|first| found[number].fits(first, &types));
+            if let Some(first) = first
+                && handed.all(|other| other.as_ref() == Some(&first))
+            {
+                found[number].tags = Some(first);
+                changes = true;
+            }
+        }
+        if !changes {
+            return;
+        }
+    }
+}
+
+/// Where a call stands.
+#[derive(Clone, Copy)]
+enum Caller {
+    Program,
+    /// In a block that says that it is a function.
+    Function(usize),
+    Block,
 }
 
 /// Whether a tag of a type is one of another: the same, a part of its range, or a name for it.
@@ -266,8 +347,8 @@ fn is_power(word: &str) -> bool {
 /// A call of a block: `[$Rinse]( Rinse_state, go := go )`.
 struct Call {
     block: Name,
-    state: Option<Name>,
-    given: Vec<(Name, Name)>,
+    state: Option<String>,
+    given: Vec<(String, String)>,
 }
 
 impl Call {
@@ -278,9 +359,9 @@ impl Call {
         let state = operands
             .next()
             .filter(|state| !state.contains(":="))
-            .map(Name::new);
+            .map(str::to_owned);
         let given = operands.filter_map(|operand| operand.split_once(":="));
-        let given = given.map(|(name, tag)| (Name::new(name.trim()), Name::new(tag.trim())));
+        let given = given.map(|(name, tag)| (name.trim().to_owned(), tag.trim().to_owned()));
         Some(Call {
             block: Name::new(&format!("${block}")),
             state,
@@ -295,10 +376,16 @@ fn function(name: String, begins: bool, said: Vec<String>, items: Vec<Item>) -> 
     let mut out = Vec::new();
     let mut items = items.into_iter().filter(|item| !matches!(item, Item::Section(_)));
     // The guard is in the place of the head.
-    let guard = items.by_ref().find(|item| matches!(item, Item::Network(_)));
     let mut comments = said;
-    if let Some(Item::Network(guard)) = guard {
-        comments.extend(guard.comments);
+    for item in items.by_ref() {
+        match item {
+            Item::Comment(said) if !said.ends_with(SPELLED) => comments.push(said),
+            Item::Network(guard) => {
+                comments.extend(guard.comments);
+                break;
+            }
+            _ => {}
+        }
     }
     let mut rest: Vec<Item> = items.collect();
     let first = rest.iter_mut().find_map(|item| match item {

@@ -36,7 +36,11 @@ impl Writer<'_> {
         let mut has_begun = false;
         let program = self.program;
         let networks = program.networks.iter().enumerate();
-        let mut networks = networks.filter(|(_, network)| network.location.file == 0);
+        let networks = networks.filter(|(_, network)| network.location.file == 0);
+        // Blocks and functions stand in another order in the text.
+        let by_start: HashMap<_, _> = networks
+            .map(|found| (found.1.location.range.start(), found))
+            .collect();
         let parse = self.analysis.context.parse.clone();
         let mut within = None;
         for item in &parse.structure().items {
@@ -67,7 +71,11 @@ impl Writer<'_> {
                 }
                 Item::Network(number) => {
                     has_begun = true;
-                    let Some((index, network)) = networks.next() else {
+                    let start = self.analysis.context.networks.at(number).range.start();
+                    let Some(&(index, network)) = by_start.get(&start) else {
+                        let place = self.at(start.into());
+                        let why = "nothing uses the function or block that it is in";
+                        self.report.refused(place, "network", why);
                         continue;
                     };
                     if self.skipped.contains(&index) {

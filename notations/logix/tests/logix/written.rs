@@ -201,12 +201,13 @@ fn names_and_blocks() {
          VAR größe, a__b, y : BOOL; one : $Twice; END_VAR\n\n+--[ ]( größe )--[$Twice]( one, a__b, out => y )--+\n\n\
          +--[$Twice]( y )--<CALL>( Rinse )--+\n\n+--<FUN>( Rinse )--+\n\n+--[ ]( one.out )--( )( y )--<RET>--+\n",
         expect![[r#"
-            XIC(gr_e)Twice(one,a_b,y);
-            XIC(gr_e)Twice(one,a_b,y);
             XIC(S:FS)OTU(risen);
+            XIC(in)ONS(risen)TON(u,1000,0)XIC(u.DN)OTE(out);
+            XIC(S:FS)OTU(risen);
+            XIC(in)ONS(risen)TON(u,1000,0)XIC(u.DN)OTE(out);
+            XIC(gr_e)Twice(one,a_b,y);
             Twice(Twice,y,unused)JSR(Rinse,0);
             XIC(one.out)OTE(y)RET();
-            XIC(in)ONS(risen)TON(u,1000,0)XIC(u.DN)OTE(out);
             1:1 a__b: Approximated("its name is a_b there")
             1:1 größe: Approximated("its name is gr_e there")"#]],
     );

@@ -6,7 +6,7 @@ use super::tables::{PLCOPEN, SIMATIC};
 use ladder_analysis::{Analysis, Exported, analyze_in, exports, link_files};
 use ladder_format::Options;
 use ladder_invariants::generator::Dice;
-use ladder_invariants::trace::{Stimulus, next_to};
+use ladder_invariants::trace::{Stimulus, compile, next_to, programs_next_to};
 use ladder_notations::{Source, by_name, convert, write_checked};
 use ladder_syntax::{Item, parse};
 use std::sync::Arc;
@@ -43,10 +43,17 @@ fn check(notation: &str, files: &[(&str, &str)]) -> (String, String) {
     let back =
         convert(notation, &source, &Options::default()).unwrap_or_else(|error| panic!("{error}\n{shown}"));
     let ladder = back.written.text;
-    let texts: Vec<&str> = files.iter().map(|(_, text)| *text).collect();
-    let text = texts.join("\n");
+    let program = Arc::clone(linked(files).program().expect("the program is whole"));
+    let read = compile(&ladder).unwrap_or_else(|| panic!("this is no program:\n{ladder}"));
+    // A tag of another file has the name of that before it, and another name in one text.
+    let named = |name: &str| match name.split_once('.') {
+        Some(("rinse", "count")) => "count_2".to_owned(),
+        Some(("rinse" | "help", name)) => name.to_owned(),
+        _ => name.to_owned(),
+    };
     for seed in 0..20 {
-        let different = next_to(&text, &ladder, Stimulus { seed, scans: 60 });
+        let programs = (Arc::clone(&program), Arc::clone(&read));
+        let different = programs_next_to(programs, &named, Stimulus { seed, scans: 60 });
         assert_eq!(different, None, "{ladder}\nof\n{shown}\n{said}");
     }
     (ladder, said)
@@ -84,6 +91,41 @@ fn blocks_and_types_of_other_files_are_written_along() {
     ] {
         let (_, said) = check(notation, PLANT);
         assert_eq!(said, expected, "{notation}");
+    }
+}
+
+/// The functions of other files have tags of their own, which may be called as those of the program are.
+const SHARED: &[(&str, &str)] = &[
+    (
+        "plant.clad",
+        "VAR_INPUT\n    go : BOOL;\nEND_VAR\nVAR_OUTPUT\n    run, lamp : BOOL;\nEND_VAR\nVAR\n    count : INT;\nEND_VAR\n\n\
+         +--[ ]( go )--<CALL>( Rinse )--( )( run )--+\n\
+         +--[P]( go )--[ADD]( count, count, 1 )--+\n\
+         +--[GT]( count, 2 )--<CALL>( Own )--+\n\
+         +--[GT]( total, 4 )--( )( lamp )--+\n\n\
+         +--<FUN>( Own )--<CALL>( Help )--+\n\n\
+         +--<FUN>( Step )--+\n",
+    ),
+    (
+        "rinse.clad",
+        "VAR\n    count : DINT := 3;  # turns #\n    m : $Motor;\n    d : Drive;\nEND_VAR\nVAR_GLOBAL\n    total : DINT;\nEND_VAR\n\n\
+         # Rinses #\n+--<FUN>( Rinse )--[P]( pressed )--[ADD]( count, count, 1 )--+\n\
+         +--[$Motor]( m, pressed )--+\n+--[ ]( pressed )--<CALL>( Help )--<CALL>( Step )--+\n\n\
+         +--<FUN>( Step )--[GT]( count, 5 )--[ADD]( d.speed, d.speed, count )--+\n",
+    ),
+    (
+        "help.clad",
+        "FUNCTION_BLOCK [$Motor]\nVAR_INPUT\n    moves : BOOL;\nEND_VAR\nVAR\n    n : DINT;\nEND_VAR\n+--[ ]( moves )--[ADD]( n, n, 1 )--+\nEND_FUNCTION_BLOCK\n\n\
+         TYPE\n    Drive : STRUCT\n        speed : DINT;\n    END_STRUCT;\nEND_TYPE\n\n\
+         +--<FUN>( Help )--[ADD]( total, total, 1 )--+\n",
+    ),
+];
+
+#[test]
+fn functions_of_other_files_are_written_along() {
+    for notation in ["plcopen", "simatic", "l5x"] {
+        let (ladder, said) = check(notation, SHARED);
+        expect_test::expect_file![format!("{notation}_shared.txt")].assert_eq(&format!("{said}{ladder}"));
     }
 }
 
