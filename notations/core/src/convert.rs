@@ -1,6 +1,7 @@
 //! From a file of another system to ladder text.
 
 use super::functions::again::functions_again;
+use super::loops::again::loops_again;
 use super::{
     Companion, Content, Finding, LineColumn, Notation, ProjectFile, ReadError, Reading, Report, Source,
 };
@@ -57,6 +58,8 @@ pub fn convert(
     } = notation.read(source)?;
     functions_again(&mut [&mut program]);
     functions_again(&mut programs(&mut files).collect::<Vec<_>>());
+    loops_again(&mut program.items);
+    programs(&mut files).for_each(|program| loops_again(&mut program.items));
     files.retain(|file| !matches!(&file.content, Content::Program(program) if program.items.is_empty()));
     let mut written = program.write(options);
     let idle = idle_directives(&program, &written.text);

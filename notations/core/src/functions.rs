@@ -130,7 +130,7 @@ fn as_blocks(analysis: &Analysis) -> Option<(Analysis, Vec<Moved>)> {
 }
 
 /// What an instruction is called; of a block of one's own nothing.
-fn head(block: BlockAt<'_>) -> String {
+pub(crate) fn head(block: BlockAt<'_>) -> String {
     match block.meaning {
         Meaning::Instruction(row) => row.block(),
         _ => String::new(),

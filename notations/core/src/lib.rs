@@ -10,6 +10,7 @@
 //! program. Nothing is dropped silently: the [`Report`] says of each element what became of it.
 #![forbid(unsafe_code)]
 
+mod arrays;
 pub mod circuit;
 pub mod comments;
 mod convert;
@@ -19,6 +20,7 @@ mod finding;
 mod foreign;
 mod functions;
 pub mod guard;
+mod loops;
 mod no_program;
 mod notation;
 pub mod pieces;
@@ -33,6 +35,7 @@ mod with_other_files;
 mod written;
 pub mod xml;
 
+pub use arrays::with_arrays_as_elements;
 pub use convert::{Converted, convert};
 pub use error::{ReadError, WriteError};
 pub use finding::Finding;
@@ -40,6 +43,7 @@ pub use foreign::{Foreign, Mark};
 pub use functions::{is_function, with_functions_as_blocks};
 pub use ladder_format::names::{self, Names};
 pub use ladder_syntax::LineColumn;
+pub use loops::with_loops_as_jumps;
 pub use no_program::no_program;
 pub use notation::{Notation, has_extension};
 pub use place::Lines;

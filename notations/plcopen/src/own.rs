@@ -14,6 +14,26 @@ pub(crate) const POWER_OUT: &str = "ENO of the block in ladder text";
 /// The remark on a variable that power ends in. Generators run a block when something after it asks for it.
 pub(crate) const SINK: &str = "takes power that nothing else takes, so that its block runs in its turn";
 
+/// What a TIME as a number is divided by: some systems count seconds there, others milliseconds.
+const ONE: &str = "TIME_TO_LREAL(T#1ms)";
+
+/// A TIME as a number of milliseconds, in any system.
+pub(crate) fn milliseconds(time: &str) -> String {
+    format!("TIME_TO_LREAL({time}) / {ONE}")
+}
+
+/// The TIME of which an expression is the number of milliseconds.
+pub(crate) fn in_milliseconds(text: &str) -> Option<&str> {
+    let time = text
+        .trim()
+        .strip_suffix(ONE)?
+        .trim_end()
+        .strip_suffix('/')?
+        .trim_end();
+    let time = time.strip_prefix("TIME_TO_LREAL(")?.strip_suffix(')')?;
+    (!time.contains(['(', ')'])).then_some(time)
+}
+
 /// Which of EN and ENO a variable of a block stands for.
 pub(crate) fn power(variable: &Variable) -> Option<&'static str> {
     match (variable.role, variable.comment.as_deref()?) {

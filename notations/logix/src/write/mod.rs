@@ -31,7 +31,8 @@ use ladder_analysis::names::scope::TagFacts;
 use ladder_analysis::program::{Program, TagId};
 use ladder_instructions::Profile;
 use ladder_notation::{
-    LineColumn, Lines, Report, Unwritable, WriteError, Writing, stand_in, with_other_files,
+    LineColumn, Lines, Report, Unwritable, WriteError, Writing, stand_in, with_arrays_as_elements,
+    with_loops_as_jumps, with_other_files,
 };
 use ladder_syntax::{Name, TextSize};
 use names::{Kind, Names};
@@ -104,7 +105,15 @@ struct Writer<'a> {
 
 /// Writes a program.
 pub(crate) fn write(analysis: &Analysis) -> std::result::Result<Writing, WriteError> {
-    with_other_files(analysis, file)
+    with_other_files(analysis, |analysis, unwritable| {
+        // Loops that were read from there are in an instruction again.
+        if analysis.context.profile == Profile::Logix {
+            return file(analysis, unwritable);
+        }
+        with_arrays_as_elements(analysis, true, |analysis| {
+            with_loops_as_jumps(analysis, |analysis| file(analysis, unwritable))
+        })
+    })
 }
 
 fn file(analysis: &Analysis, unwritable: &Unwritable) -> std::result::Result<Writing, WriteError> {

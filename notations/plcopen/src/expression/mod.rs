@@ -3,6 +3,7 @@
 mod tokens;
 
 use super::model::Type;
+use super::own;
 use super::scope::{Scope, Shared, member, trigger};
 use super::standard;
 use ladder_analysis::values::types::{Scalar, passes};
@@ -28,6 +29,8 @@ pub(crate) enum Form {
     Path,
     /// `NOT` of a tag.
     NotPath,
+    /// A TIME of which the number of milliseconds is meant; the text is the TIME.
+    Milliseconds,
     /// Anything else.
     Expression,
 }
@@ -63,6 +66,17 @@ pub(crate) fn operand(text: &str, meaning: Meaning<'_>) -> Result<Operand, Strin
             ty: Some(named(to)),
             ..inner
         });
+    }
+    if let Some(time) = own::in_milliseconds(text) {
+        let time = operand(time, meaning)?;
+        let is_time = time.form != Form::Expression && time.ty == Some(named("TIME"));
+        return is_time
+            .then_some(Operand {
+                form: Form::Milliseconds,
+                ty: Some(named("LREAL")),
+                ..time
+            })
+            .ok_or_else(|| "a number of milliseconds is that of a TIME".to_owned());
     }
     let tokens = tokens(text)?;
     let mut parser = Parser {

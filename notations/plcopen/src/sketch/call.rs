@@ -28,12 +28,19 @@ impl Body<'_> {
                 if operands.is_empty() {
                     return Err("nothing is wired to its inputs".to_owned());
                 }
-                let mut given = operand_pins(self, node).into_iter();
-                let is_formula = given.any(|pin| {
-                    let operand = self.operands.get(&(node, pin));
-                    operand.is_some_and(|operand| operand.form == Form::Expression)
-                });
-                let mnemonic = if is_formula { "CALC" } else { mnemonic };
+                let has = |form: Form| {
+                    let mut given = operand_pins(self, node).into_iter();
+                    given.any(|pin| {
+                        self.operands
+                            .get(&(node, pin))
+                            .is_some_and(|operand| operand.form == form)
+                    })
+                };
+                let mnemonic = match mnemonic {
+                    _ if has(Form::Expression) => "CALC",
+                    _ if has(Form::Milliseconds) => "TYP",
+                    mnemonic => mnemonic,
+                };
                 one(format!("[{}]( {result}, {} )", mnemonic, operands.join(", ")))
             }
             Class::Convert => {

@@ -304,7 +304,9 @@ impl Pencil<'_, '_> {
                     ..operand
                 })
             }
-            Form::Literal | Form::Expression => Err((node, "it is no variable".to_owned())),
+            Form::Literal | Form::Expression | Form::Milliseconds => {
+                Err((node, "it is no variable".to_owned()))
+            }
         }
     }
 

@@ -92,6 +92,7 @@ impl Pencil<'_, '_> {
             },
             Form::Path => format!("{}( {} )", contact(negated), operand.text),
             Form::NotPath => format!("{}( {} )", contact(!negated), &operand.text[4..]),
+            Form::Milliseconds => return Err((end.node, "it is no power".to_owned())),
             Form::Expression => {
                 let tag = self.body.results.get(&end);
                 let tag = tag.ok_or_else(|| (end.node, "its value is not known here".to_owned()))?;

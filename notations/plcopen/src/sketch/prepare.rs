@@ -114,7 +114,7 @@ impl Body<'_> {
         let is_invertible = match &source.kind {
             Kind::Value(text, _) => self
                 .operand(text)
-                .is_ok_and(|operand| operand.form != Form::Expression),
+                .is_ok_and(|operand| !matches!(operand.form, Form::Expression | Form::Milliseconds)),
             Kind::Contact(_, modifier) if modifier.edge == Edge::None => {
                 let before = source.inputs.first().map_or(&[][..], |pin| &pin.from);
                 matches!(before, [end] if self.graph.nodes[end.node].kind == Kind::LeftRail)
@@ -319,6 +319,14 @@ impl Body<'_> {
                             return Ok(operand);
                         }
                         (Form::Expression, false) => return self.computed(*end),
+                        (Form::Milliseconds, false)
+                            if matches!(self.class(node), Some(Class::Value("MOV") | Class::Convert)) =>
+                        {
+                            return Ok(operand);
+                        }
+                        (Form::Milliseconds, _) => {
+                            return Err("a TIME as a number has no counterpart in such an operand".to_owned());
+                        }
                         _ => {}
                     }
                 }

@@ -6,6 +6,7 @@ use super::functions::Function;
 use super::rung::{Rung, modifier, pin};
 use super::touched::Touched;
 use crate::graph::{Edge, End, Pin};
+use crate::own;
 use ladder_analysis::program::ParameterKind::{InOut, Input, Output};
 use ladder_analysis::program::{Argument, Bound, Expr};
 use ladder_analysis::values::types::Scalar;
@@ -112,6 +113,14 @@ impl Writer<'_> {
                         Scalar::Enum(_) | Scalar::Time | Scalar::Date | Scalar::Tod | Scalar::Dt
                     )
                 };
+                if from == Scalar::Time && (to.is_integer() || to.is_real()) {
+                    let name = match to {
+                        Scalar::Lreal => "MOVE".to_owned(),
+                        to => format!("LREAL_TO_{}", to.name()),
+                    };
+                    let value = rung.value(own::milliseconds(text));
+                    return self.call(rung, &name, vec![pin("IN", value)], power);
+                }
                 if !is_plain(from) || !is_plain(*to) {
                     return Err("times, dates and names are converted otherwise there".to_owned());
                 }

@@ -161,7 +161,7 @@ impl Networks<'_, '_> {
             *under = Under::Loop;
         }
         let drawn = match (*under, self.unit.context().bodies[facts.index]) {
-            (Under::Loop, _) => Err("the standard has no loops of networks".to_owned()),
+            (Under::Loop, _) => Err("the standard has no loops of networks, and jumps cannot stand for this one: something jumps into it, or an <MCR> is around".to_owned()),
             (Under::MasterControl, _) => {
                 Err("the standard has no <MCR>, which this is or stands after".to_owned())
             }

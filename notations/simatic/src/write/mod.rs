@@ -14,7 +14,7 @@ use ladder_analysis::program::{Network, Program};
 use ladder_instructions::Profile;
 use ladder_notation::{
     Companion, LineColumn, Lines, Report, Unwritable, WriteError, Writing, no_program,
-    with_functions_as_blocks, with_other_files,
+    with_arrays_as_elements, with_functions_as_blocks, with_loops_as_jumps, with_other_files,
 };
 use ladder_syntax::{Name, TextSize};
 use power::Power;
@@ -47,7 +47,11 @@ struct Writer<'a> {
 /// Writes a program.
 pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     with_other_files(analysis, |analysis, unwritable| {
-        with_functions_as_blocks(analysis, |analysis| documents(analysis, unwritable))
+        with_arrays_as_elements(analysis, false, |analysis| {
+            with_loops_as_jumps(analysis, |analysis| {
+                with_functions_as_blocks(analysis, |analysis| documents(analysis, unwritable))
+            })
+        })
     })
 }
 

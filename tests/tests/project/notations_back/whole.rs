@@ -168,6 +168,37 @@ fn functions_are_blocks_and_functions_again() {
     }
 }
 
+/// The text with a loop around its last networks, or around those of its last function.
+fn with_loop(text: &str, dice: &mut Dice) -> String {
+    let parsed = parse(text);
+    let networks = &parsed.structure().networks;
+    let is_function = |number: &usize| {
+        let lines = networks[*number].lines.clone();
+        lines
+            .into_iter()
+            .any(|line| parsed.lines()[line].text().contains("<FUN>"))
+    };
+    let after = (0..networks.len())
+        .rev()
+        .find(is_function)
+        .map_or(0, |function| function + 1);
+    let first = networks.get(after).map(|network| network.lines.start);
+    let head = ["<FOR>( 3 )", "<FOR>( 2, I => m )", "<FOR>( n )"][dice.below(3)];
+    let before = ["", "[ ]( start )--", "[/]( level )--[ADD]( n, 1, 2 )--"][dice.below(3)];
+    let mut out = String::new();
+    for line in 0..parsed.lines().len() {
+        if Some(line) == first {
+            out.push_str(&format!("+--{before}{head}--+\n\n"));
+        }
+        out.push_str(parsed.lines()[line].text());
+    }
+    if first.is_none() {
+        out.push_str(&format!("\n+--{before}{head}--+\n"));
+    }
+    out.push_str("\n+--<NEXT>--+\n");
+    out
+}
+
 /// A generated program whose last networks are functions, which its first networks call; one calls the other.
 fn with_functions(says: &Says, seed: u64) -> String {
     let mut dice = Dice::new(seed);
@@ -203,12 +234,16 @@ fn with_functions(says: &Says, seed: u64) -> String {
 }
 
 #[test]
-fn generated_functions_come_back() {
+fn generated_functions_and_loops_come_back() {
     for says in [&PLCOPEN, &SIMATIC] {
         let notation = by_name(says.notation).expect("the notation is registered");
         let mut same = 0;
-        for seed in 0..100 {
-            let text = with_functions(says, seed);
+        for seed in 0..60 {
+            let mut text = with_functions(says, seed);
+            let has_loop = seed % 2 == 1;
+            if has_loop {
+                text = with_loop(&text, &mut Dice::new(seed));
+            }
             let analysis = ladder_analysis::analyze(&Arc::new(parse(&text)), "test.clad");
             assert!(
                 !analysis.has_errors(),
@@ -219,7 +254,9 @@ fn generated_functions_come_back() {
                 .write(&analysis)
                 .unwrap_or_else(|error| panic!("{error}\n{text}"));
             let remarks: Vec<_> = writing.report.remarks().collect();
-            assert!(remarks.is_empty(), "{remarks:?}\n{text}");
+            // Jumps are remarked on.
+            let is_whole = remarks.is_empty() || has_loop && writing.report.tally().refused == 0;
+            assert!(is_whole, "{remarks:?}\n{text}");
             let shown = String::from_utf8_lossy(&writing.bytes).into_owned();
             let source = Source {
                 companions: writing.companions,
@@ -230,6 +267,8 @@ fn generated_functions_come_back() {
                 .unwrap_or_else(|error| panic!("{error}\n{shown}"))
                 .written
                 .text;
+            let loops = ladder.matches("<NEXT>").count();
+            assert_eq!(loops, usize::from(has_loop), "seed {seed}\n{ladder}\nof\n{text}");
             assert_eq!(
                 ladder.matches("<FUN>").count(),
                 2,

@@ -140,9 +140,9 @@ VAR  a, b : BOOL;  k : DINT;  Step, Größe : BOOL;  END_VAR
 ",
         expect![[r#"
             3:1: approximated <JMP>( out ): the generators of Beremiz and OpenPLC Editor up to 3 pass over jumps, labels and returns, and say nothing
-            5:1: refused network: the standard has no loops of networks
-            6:1: refused network: the standard has no loops of networks
-            7:1: refused network: the standard has no loops of networks
+            5:1: refused network: the standard has no loops of networks, and jumps cannot stand for this one: something jumps into it, or an <MCR> is around
+            6:1: refused network: the standard has no loops of networks, and jumps cannot stand for this one: something jumps into it, or an <MCR> is around
+            7:1: refused network: the standard has no loops of networks, and jumps cannot stand for this one: something jumps into it, or an <MCR> is around
             8:1: refused network: the standard has no SYS.FIRST_SCAN
             9:1: approximated <RET>: the generators of Beremiz and OpenPLC Editor up to 3 pass over jumps, labels and returns, and say nothing
             10:1: refused network: the standard has no <MCR>, which this is or stands after
@@ -162,11 +162,11 @@ VAR  a, b : BOOL;  k : DINT;  Step, Größe : BOOL;  END_VAR
 
             +--[ ]( Step_1 )--------------------------------------------------( )( Gr_e )--+
 
-            # Not written, because the standard has no loops of networks: #
+            # Not written, because the standard has no loops of networks, and jumps cannot stand for this one: something jumps into it, or an <MCR> is around: #
             # +--[ ]( a )--<FOR>( 3, I => k )--+ #
-            # Not written, because the standard has no loops of networks: #
+            # Not written, because the standard has no loops of networks, and jumps cannot stand for this one: something jumps into it, or an <MCR> is around: #
             # +--[ ]( b )--( )( a )--+ #
-            # Not written, because the standard has no loops of networks: #
+            # Not written, because the standard has no loops of networks, and jumps cannot stand for this one: something jumps into it, or an <MCR> is around: #
             # +--<NEXT>--+ #
             +--<LBL>( out )----------------------------------------------------------------+
 

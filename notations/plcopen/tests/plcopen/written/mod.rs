@@ -237,8 +237,7 @@ VAR  a : BOOL;  i : INT;  n, m : DINT;  r : REAL;  t : TIME;  s : STRING;  w : W
             3:1: approximated [DIV]( r, r, 2 ): what is a fault here (a division by zero, a value that does not fit) is there whatever the other system makes of it
             4:1: approximated [CALC]( r, (r + 1) * i - r / 3 ): what is a fault here (a division by zero, a value that does not fit) is there whatever the other system makes of it
             5:1: approximated [TYP]( i, r ): what is a fault here (a division by zero, a value that does not fit) is there whatever the other system makes of it
-            7:1: refused network: the standard has no [UNPACK]
-            8:1: refused network: times, dates and names are converted otherwise there
+            8:1: approximated [TYP]( n, t ): what is a fault here (a division by zero, a value that does not fit) is there whatever the other system makes of it
             # plant #
             # ladder: cycle 10ms #
 
@@ -262,10 +261,9 @@ VAR  a : BOOL;  i : INT;  n, m : DINT;  r : REAL;  t : TIME;  s : STRING;  w : W
 
             +-------[CONCAT]( s, s, 'a$'b' )--[LEN]( n, s )--[CALC]( a, n > 3 AND NOT a )--+
 
-            # Not written, because the standard has no [UNPACK]: #
-            # +--[UNPACK]( bits[1..4], w )--+ #
-            # Not written, because times, dates and names are converted otherwise there: #
-            # +--[TYP]( n, t )--+ #
+            +------[MOV]( bits[1], w.0 )--[MOV]( bits[2], w.1 )--[MOV]( bits[3], w.2 )--[MOV]( bits[4], w.3 )--+
+
+            +---------------------------------------------------------------[TYP]( n, t )--+
         "#]],
     );
 }

@@ -331,17 +331,13 @@ fn blocks_of_the_library_are_function_blocks() {
     }
     expect![[r#"
         $Alarm: true
-        $Alternate: false
-            11:1 network: Refused("`[$Alternate]( wanted, pumps, swap, healthy, pump1, pump2, pump3 )`: `$Alternate` of the library has no form there: `[UNPACK]( fit[0..7], available )`: `[UNPACK]` has no counterpart")
-            11:33 [$Alternate]: Refused("`$Alternate` of the library has no form there: `[UNPACK]( fit[0..7], available )`: `[UNPACK]` has no counterpart")
+        $Alternate: true
         $Average: false
-            10:1 network: Refused("`[$Average]( weight, pieces, begin, average )`: `$Average` of the library has no form there: `[FILL]( values[1..64], 0.0 )`: `[FILL]` has no counterpart")
-            10:34 [$Average]: Refused("`$Average` of the library has no form there: `[FILL]( values[1..64], 0.0 )`: `[FILL]` has no counterpart")
+            10:1 network: Refused("`[$Average]( weight, pieces, begin, average )`: `$Average` of the library has no form there: `[CALC]( count, MIN(count + 1, size) )`: Calculate has no `MIN`")
+            10:34 [$Average]: Refused("`$Average` of the library has no form there: `[CALC]( count, MIN(count + 1, size) )`: Calculate has no `MIN`")
         $Blink: true
         $Debounce: true
-        $Drum: false
-            15:1 network: Refused("`[$Drum]( patterns, times, count, valves, step, finished, arrived, again, jog, reset )`: `$Drum` of the library has no form there: `[UNPACK]( event[1..16], events )`: `[UNPACK]` has no counterpart")
-            15:33 [$Drum]: Refused("`$Drum` of the library has no form there: `[UNPACK]( event[1..16], events )`: `[UNPACK]` has no counterpart")
+        $Drum: true
         $FirstOut: true
         $Hysteresis: true
         $Interval: true

@@ -1,0 +1,129 @@
+//! Programs with instructions on arrays, for systems that have none: `[UNPACK]` and `[FILL]` become a `[MOV]` for each element, and
+//! `SUM(a[1..9])` in a formula the sum of its elements.
+
+use crate::{WriteError, Writing};
+use ladder_analysis::program::{Argument, Block, BlockKind};
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::{Analysis, analyze_in};
+use ladder_syntax::{TextRange, parse};
+
+/// No instruction becomes more of them.
+const MOST: i64 = 64;
+
+/// Writes a program without these instructions. One that cannot be said by elements stays for `write`; so does a `[FILL]` of numbers
+/// where `fills` says that the system has one.
+///
+/// # Errors
+///
+/// Those of `write`.
+pub fn with_arrays_as_elements(
+    analysis: &Analysis,
+    fills: bool,
+    write: impl Fn(&Analysis) -> Result<Writing, WriteError>,
+) -> Result<Writing, WriteError> {
+    match by_elements(analysis, fills) {
+        Some(elements) => write(&elements),
+        None => write(analysis),
+    }
+}
+
+fn by_elements(analysis: &Analysis, fills: bool) -> Option<Analysis> {
+    let program = analysis.program()?;
+    let context = &analysis.context;
+    let mut text = context.parse.to_string();
+    let networks = program
+        .networks
+        .iter()
+        .filter(|network| network.location.file == 0);
+    let mut edits: Vec<(TextRange, String)> = Vec::new();
+    for block in networks.flat_map(|network| &network.blocks) {
+        if let Some(edit) = edit(block, &text, fills) {
+            edits.push(edit);
+        }
+    }
+    if edits.is_empty() {
+        return None;
+    }
+    edits.sort_by_key(|(at, _)| at.start());
+    for (at, with) in edits.into_iter().rev() {
+        text.replace_range(std::ops::Range::<usize>::from(at), &with);
+    }
+    // All lines are where they were.
+    let elements = analyze_in(&parse(&text).into(), &context.name, &context.others);
+    elements.program().is_some().then_some(elements)
+}
+
+/// What stands in the place of a block, or of a sum in it.
+fn edit(block: &Block, text: &str, fills: bool) -> Option<(TextRange, String)> {
+    let BlockKind::Instruction(row) = block.kind else {
+        return None;
+    };
+    let [to, from] = &block.arguments[..] else {
+        return None;
+    };
+    let value = text[from.range].trim();
+    if row.block() == "[CALC]" {
+        let at = value.find("SUM(")?;
+        let end = at + value[at..].find(')')? + 1;
+        let range = Range::of(&value[at + "SUM(".len()..end - 1])?;
+        let sum: Vec<String> = range.elements().collect();
+        let formula = format!("{}({}){}", &value[..at], sum.join(" + "), &value[end..]);
+        return Some((from.range, formula));
+    }
+    let range = Range::of(text[to.range].trim())?;
+    let Argument::Range(array) = &to.argument else {
+        return None;
+    };
+    // All operands are read before the first element is written.
+    let reads =
+        crate::elements::words(&format!("[ ]( {value} )")).any(|word| word.eq_ignore_ascii_case(range.array));
+    if reads {
+        return None;
+    }
+    let values: Vec<String> = match row.block().as_str() {
+        "[FILL]" if !fills || array.element == Scalar::Bool => {
+            range.elements().map(|_| value.to_owned()).collect()
+        }
+        "[UNPACK]" if array.element == Scalar::Bool && is_name(value) => {
+            let Argument::Value(bits) = &from.argument else {
+                return None;
+            };
+            let width = i64::from(bits.ty.width());
+            let count = range.last - range.first + 1;
+            (count <= width).then(|| (0..count).map(|bit| format!("{value}.{bit}")).collect())?
+        }
+        _ => return None,
+    };
+    let moves: Vec<String> = range
+        .elements()
+        .zip(values)
+        .map(|(element, value)| format!("[MOV]( {element}, {value} )"))
+        .collect();
+    Some((block.location.range, moves.join("--")))
+}
+
+/// `fit[0..7]`
+struct Range<'t> {
+    array: &'t str,
+    first: i64,
+    last: i64,
+}
+
+impl<'t> Range<'t> {
+    fn of(text: &'t str) -> Option<Range<'t>> {
+        let (array, bounds) = text.trim().strip_suffix(']')?.split_once('[')?;
+        let (first, last) = bounds.split_once("..")?;
+        let (first, last): (i64, i64) = (first.trim().parse().ok()?, last.trim().parse().ok()?);
+        let is_small = first <= last && last.checked_sub(first)? < MOST;
+        (is_small && is_name(array)).then_some(Range { array, first, last })
+    }
+
+    fn elements(&self) -> impl Iterator<Item = String> {
+        (self.first..=self.last).map(|index| format!("{}[{index}]", self.array))
+    }
+}
+
+fn is_name(text: &str) -> bool {
+    text.starts_with(|c: char| c.is_alphabetic() || c == '_')
+        && text.chars().all(|c| c.is_alphanumeric() || c == '_')
+}

@@ -1,0 +1,286 @@
+//! Programs with loops (`<FOR>` .. `<NEXT>`), for systems that have jumps: two tags count the turns, and the networks of the loop
+//! stand between two labels. The comment on the tag that holds how many turns there are says so, for people and for [`again`], which
+//! makes a loop of it where such a program is read.
+
+pub(crate) mod again;
+
+use crate::functions::{edited_line, head};
+use crate::{WriteError, Writing};
+use ladder_analysis::context::{Body, Context};
+use ladder_analysis::program::{Argument, Block, Expr, ExprKind, Program};
+use ladder_analysis::values::types::{Scalar, passes};
+use ladder_analysis::values::value::Value;
+use ladder_analysis::{Analysis, analyze_in};
+use ladder_syntax::{Item, LineKind, TextRange, TextSize, parse};
+use std::collections::HashMap;
+
+/// Writes a program whose loops are jumps. One that cannot be, because something outside jumps into it or an `<MCR>` rules it, stays
+/// a loop for `write`.
+///
+/// # Errors
+///
+/// Those of `write`.
+pub fn with_loops_as_jumps(
+    analysis: &Analysis,
+    write: impl Fn(&Analysis) -> Result<Writing, WriteError>,
+) -> Result<Writing, WriteError> {
+    let Some((jumps, lines)) = as_jumps(analysis) else {
+        return write(analysis);
+    };
+    let mut writing = write(&jumps)?;
+    for entry in &mut writing.report.entries {
+        let after = (entry.place.line as usize).min(lines.len());
+        if let Some(line) = after.checked_sub(1).map(|line| lines[line]) {
+            entry.place.line = line;
+        }
+    }
+    writing.report.entries.sort_by_key(|entry| entry.place);
+    writing.report.entries.dedup();
+    Ok(writing)
+}
+
+/// The comment on the tag with the turns.
+const MARK: &str = "how often a loop runs, which is <FOR> in ladder text";
+/// The comment on the tag that counts them.
+const TURN: &str = "the turn that it is in";
+
+/// A loop on its way to jumps.
+struct Loop {
+    /// `loop_1`, the first of its labels; what else it needs is called so, too.
+    name: String,
+    ty: Scalar,
+    /// The networks: the one with the FOR, and the one with the NEXT.
+    first: usize,
+    last: usize,
+    /// The FOR, and how many turns there are.
+    place: TextRange,
+    count: TextRange,
+    /// The tag that has the number of the turn.
+    turn: Option<TextRange>,
+    next: TextRange,
+}
+
+/// The program with jumps, and for each line of it the line that it was. None: it has no loops that can be.
+fn as_jumps(analysis: &Analysis) -> Option<(Analysis, Vec<u32>)> {
+    let context = &analysis.context;
+    let program = analysis.program()?;
+    let text = context.parse.to_string();
+    let loops = loops(context, program, &text.to_lowercase());
+    if loops.is_empty() {
+        return None;
+    }
+    let (text, lines) = written(context, &text, &loops);
+    let jumps = analyze_in(&parse(&text).into(), &context.name, &context.others);
+    jumps.program().is_some().then_some((jumps, lines))
+}
+
+/// The loops of a file that can be jumps.
+fn loops(context: &Context, program: &Program, text: &str) -> Vec<Loop> {
+    let blocks = program
+        .networks
+        .iter()
+        .filter(|network| network.location.file == 0);
+    let blocks = blocks.flat_map(|network| &network.blocks);
+    let by_start: HashMap<TextSize, &Block> = blocks
+        .map(|block| (block.location.range.start(), block))
+        .collect();
+    let mut loops = Vec::new();
+    let mut number = 0;
+    for network in &context.networks {
+        let mut found = network.blocks().filter(|block| head(*block) == "<FOR>");
+        let (Some(begin), None) = (found.next(), found.next()) else {
+            continue;
+        };
+        let body = context.bodies[network.index];
+        let has = |index: usize, op: &str| context.networks.at(index).blocks().any(|block| head(block) == op);
+        let of_body = |index: &usize| context.bodies[*index] == body;
+        let mut behind = (network.index + 1..context.networks.len()).take_while(of_body);
+        let Some(last) = behind.find(|index| has(*index, "<NEXT>")) else {
+            continue;
+        };
+        let is_ruled = (0..context.networks.len())
+            .filter(of_body)
+            .any(|index| has(index, "<MCR>"));
+        let nests = (network.index + 1..=last).any(|index| has(index, "<FOR>"));
+        if is_ruled
+            || nests
+            || has(network.index, "<LBL>")
+            || is_entered(context, body, (network.index, last))
+        {
+            continue;
+        }
+        let Some(block) = by_start.get(&begin.range().start()) else {
+            continue;
+        };
+        let Some((ty, count, turn)) = counted(block) else {
+            continue;
+        };
+        let next = context
+            .networks
+            .at(last)
+            .blocks()
+            .find(|block| head(*block) == "<NEXT>");
+        let Some(next) = next else { continue };
+        let name = loop {
+            number += 1;
+            let name = format!("loop_{number}");
+            if !text.contains(&name) {
+                break name;
+            }
+        };
+        loops.push(Loop {
+            name,
+            ty,
+            first: network.index,
+            last,
+            place: begin.range(),
+            count,
+            turn,
+            next: next.range(),
+        });
+    }
+    loops
+}
+
+/// Whether something outside of a loop jumps into it.
+fn is_entered(context: &Context, body: Body, (first, last): (usize, usize)) -> bool {
+    let names = |inside: bool, op: &'static str| {
+        let networks = context.networks.iter();
+        let networks = networks.filter(move |network| {
+            context.bodies[network.index] == body && (first + 1..=last).contains(&network.index) == inside
+        });
+        let blocks = networks.flat_map(|network| network.blocks().collect::<Vec<_>>());
+        let blocks = blocks.filter(move |block| head(*block) == op);
+        blocks.filter_map(|block| {
+            let operand = block.facts.operands.first()?;
+            Some(
+                context
+                    .parse
+                    .text_in(block.absolute(operand.value.range))
+                    .to_lowercase(),
+            )
+        })
+    };
+    let labels: Vec<String> = names(true, "<LBL>").collect();
+    names(false, "<JMP>").any(|label| labels.contains(&label))
+}
+
+/// The type that counts, how many turns there are, and the tag that has their number.
+fn counted(head: &Block) -> Option<(Scalar, TextRange, Option<TextRange>)> {
+    let count = head.arguments.first()?;
+    let Argument::Value(number) = &count.argument else {
+        return None;
+    };
+    let turn = head
+        .arguments
+        .iter()
+        .find(|bound| bound.operand.is_some_and(|operand| operand.name == "I"));
+    let ty = match turn.map(|turn| &turn.argument) {
+        Some(Argument::Place(_, ty)) => *ty,
+        Some(_) => return None,
+        None if fits(number, Scalar::Dint) => Scalar::Dint,
+        None => Scalar::Lint,
+    };
+    fits(number, ty).then_some((ty, count.range, turn.map(|turn| turn.range)))
+}
+
+/// Whether a number of turns is one of this type.
+fn fits(number: &Expr, ty: Scalar) -> bool {
+    match (&number.kind, ty.bounds()) {
+        (ExprKind::Constant(Value::Int(number)), Some((low, high))) => {
+            (low..=high).contains(&i128::from(*number))
+        }
+        (ExprKind::Pass(inner), _) => fits(inner, ty),
+        _ => passes(number.ty, ty) && ty.is_integer(),
+    }
+}
+
+/// The text with jumps, and for each line of it the line that it was.
+fn written(context: &Context, text: &str, loops: &[Loop]) -> (String, Vec<u32>) {
+    let parse = &context.parse;
+    let structure = parse.structure();
+    let mut edits: Vec<(TextRange, String)> = Vec::new();
+    // What stands before and after lines, and lines that go.
+    let (mut before, mut after) = (HashMap::<usize, String>::new(), HashMap::<usize, String>::new());
+    let mut gone = Vec::new();
+    for it in loops {
+        let Loop { name, .. } = it;
+        edits.push((it.place, format!("[MOV]( {name}_count, {} )", &text[it.count])));
+        let own = &structure.networks[it.first].lines;
+        let above = (0..own.start).rev();
+        let above = above
+            .take_while(|line| parse.lines()[*line].kind == LineKind::Comment)
+            .count();
+        before.entry(own.start - above).or_default().push_str(&format!(
+            "+--[MOV]( {name}_count, 0 )--+\n\n+--[MOV]( {name}_turn, 0 )--+\n\n"
+        ));
+        let turn = it.turn.map(|turn| {
+            // `I => k`
+            let turn = text[turn].rsplit(['>', '=']).next().unwrap_or_default().trim();
+            format!("+--[MOV]( {turn}, {name}_turn )--+\n\n")
+        });
+        after.entry(own.end - 1).or_default().push_str(&format!(
+            "\n+--<LBL>( {name} )--+\n\n+--[GE]( {name}_turn, {name}_count )--<JMP>( {name}_end )--+\n\n\
+             +--[ADD]( {name}_turn, {name}_turn, 1 )--+\n\n{}",
+            turn.unwrap_or_default()
+        ));
+        let last = &structure.networks[it.last].lines;
+        let ends = format!("\n+--<JMP>( {name} )--+\n\n+--<LBL>( {name}_end )--+\n\n");
+        after.entry(last.end - 1).or_default().push_str(&ends);
+        if context.networks.at(it.last).blocks().count() == 1 {
+            gone.extend(last.clone());
+        } else {
+            edits.push((it.next, "-".repeat(it.next.len().into())));
+        }
+    }
+    edits.sort_by_key(|(at, _)| at.start());
+    let declared = |body: Option<usize>| {
+        let own = loops.iter().filter(|it| match context.bodies[it.first] {
+            Body::Block(block) => Some(block) == body,
+            _ => body.is_none(),
+        });
+        let tags: Vec<String> = own
+            .map(|Loop { name, ty, .. }| {
+                let ty = ty.name();
+                format!("    {name}_count : {ty};  # {MARK} #\n    {name}_turn : {ty};  # {TURN} #\n")
+            })
+            .collect();
+        let tags = tags.concat();
+        if tags.is_empty() {
+            tags
+        } else {
+            format!("VAR\n{tags}END_VAR\n")
+        }
+    };
+    for item in &structure.items {
+        if let Item::BlockHeader(block) = item {
+            let line = structure.blocks[*block].lines.start;
+            after.entry(line).or_default().push_str(&declared(Some(*block)));
+        }
+    }
+    let (mut out, mut lines) = (String::new(), Vec::new());
+    let mut push = |more: &str, from: u32, is_more: bool| {
+        for (number, _) in more.split_inclusive('\n').enumerate() {
+            lines.push(if is_more { from } else { from + number as u32 });
+        }
+        out.push_str(more);
+    };
+    for line in 0..parse.lines().len() {
+        let from = context.line_number(parse.line_start(line)) as u32;
+        if let Some(more) = before.get(&line) {
+            push(more, from, true);
+        }
+        if !gone.contains(&line) {
+            let mut own = edited_line(context, line, &edits);
+            if !own.ends_with('\n') {
+                own.push('\n');
+            }
+            push(&own, from, false);
+        }
+        if let Some(more) = after.get(&line) {
+            push(more, from, true);
+        }
+    }
+    push(&format!("\n{}", declared(None)), 1, true);
+    (out, lines)
+}
