@@ -57,7 +57,7 @@ struct Moved {
     most: u32,
 }
 
-/// The comment on a block that is a function. Behind it stands the name.
+/// The comment on a block that is a function. The name follows.
 const MARK: &str = "In ladder text this is the function ";
 /// What follows the name if the function begins on a network that does more.
 const BEGINS: &str = ", from its first network on";

@@ -94,8 +94,8 @@ fn loops(context: &Context, program: &Program, text: &str) -> Vec<Loop> {
         let body = context.bodies[network.index];
         let has = |index: usize, op: &str| context.networks.at(index).blocks().any(|block| head(block) == op);
         let of_body = |index: &usize| context.bodies[*index] == body;
-        let mut behind = (network.index + 1..context.networks.len()).take_while(of_body);
-        let Some(last) = behind.find(|index| has(*index, "<NEXT>")) else {
+        let mut after = (network.index + 1..context.networks.len()).take_while(of_body);
+        let Some(last) = after.find(|index| has(*index, "<NEXT>")) else {
             continue;
         };
         let is_ruled = (0..context.networks.len())

@@ -1,5 +1,5 @@
 //! What was written as blocks is functions again: of a block that says which function it is, where it is still called with the tags
-//! of the program by their own names, nothing is lost. One that somebody has changed otherwise stays a block.
+//! of the program by their own names, nothing is lost. One that was changed otherwise stays a block.
 
 use super::{BEGINS, DEEPEST, MARK};
 use crate::elements::{change, elements, series, with_names, words};
@@ -16,7 +16,9 @@ pub(crate) fn functions_again(files: &mut [&mut ProgramSketch]) {
     if found.is_empty() {
         return;
     }
-    found.retain_mut(|block| block.is_whole() && block.finds_state(files));
+    found.retain(Marked::is_whole);
+    find_states(files, &mut found);
+    found.retain(|block| block.state != Name::new(""));
     resolve(files, &mut found);
     found.retain(|block| block.tags.is_some());
     // Functions stand where their program is.
@@ -180,31 +182,6 @@ impl Marked {
         is_name && is_plain && !knows_power && guard.is_some_and(|guard| guard == ["[/]( EN )", "<RET>"])
     }
 
-    /// Looks for the tag of its state: one, which nothing else is said of.
-    fn finds_state(&mut self, files: &[&mut ProgramSketch]) -> bool {
-        let mut found = 0;
-        for (home, file) in files.iter().enumerate() {
-            let mut rank = 0;
-            for section in file.items.iter().filter_map(section) {
-                for declared in &section.declarations {
-                    rank += 1;
-                    if Name::new(&declared.ty) != self.key {
-                        continue;
-                    }
-                    let is_plain = section.kind == SectionKind::Var && section.qualifier.is_none();
-                    if let [name] = &declared.names[..]
-                        && is_plain
-                        && declared.initial.is_none()
-                    {
-                        (self.home, self.state, self.rank) = (home, Name::new(name), rank);
-                    }
-                    found += 1;
-                }
-            }
-        }
-        found == 1 && self.state != Name::new("")
-    }
-
     /// What it is handed, with the types.
     fn handed(&self) -> impl Iterator<Item = (&String, &Declaration)> {
         let own = self
@@ -243,6 +220,39 @@ impl Marked {
             tag.and_then(|tag| types.get(&tag))
                 .is_some_and(|ty| is_of(ty, &declared.ty))
         })
+    }
+}
+
+/// Looks for the tag of each block's state: one, which nothing else is said of.
+fn find_states(files: &[&mut ProgramSketch], found: &mut [Marked]) {
+    let by_key = found.iter().enumerate();
+    let by_key: HashMap<Name, usize> = by_key
+        .map(|(number, block)| (block.key.clone(), number))
+        .collect();
+    let mut count = vec![0; found.len()];
+    for (home, file) in files.iter().enumerate() {
+        let declared = file.items.iter().filter_map(section);
+        let declared =
+            declared.flat_map(|section| section.declarations.iter().map(move |one| (section, one)));
+        for (rank, (section, declared)) in declared.enumerate() {
+            let Some(&number) = by_key.get(&Name::new(&declared.ty)) else {
+                continue;
+            };
+            count[number] += 1;
+            let is_plain = section.kind == SectionKind::Var && section.qualifier.is_none();
+            if let [name] = &declared.names[..]
+                && is_plain
+                && declared.initial.is_none()
+            {
+                let block = &mut found[number];
+                (block.home, block.state, block.rank) = (home, Name::new(name), rank);
+            }
+        }
+    }
+    for (block, count) in found.iter_mut().zip(count) {
+        if count != 1 {
+            block.state = Name::new("");
+        }
     }
 }
 

@@ -5,6 +5,9 @@ use crate::elements::{change, elements, series};
 use ladder_format::Circuit;
 use ladder_format::program::{Drawing, Element, Item, Network, Section};
 
+/// Of more loops none is looked for: each is looked for in the whole text.
+const MOST: usize = 50;
+
 /// Makes loops of the jumps in some items, and in the blocks among them.
 pub(crate) fn loops_again(items: &mut Vec<Item>) {
     for item in items.iter_mut() {
@@ -24,6 +27,9 @@ pub(crate) fn loops_again(items: &mut Vec<Item>) {
             _ => None,
         })
         .collect();
+    if names.len() > MOST {
+        return;
+    }
     for name in names {
         if let Some(found) = Found::of(items, &name) {
             found.restore(items, &name);

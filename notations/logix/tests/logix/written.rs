@@ -231,9 +231,7 @@ fn blocks_of_the_library_are_add_on_instructions() {
             3:5 tag delay: Approximated("there a time is a DINT in milliseconds")
             11:33 [$Alarm]: Approximated("there a time is a DINT in milliseconds")
         $Alternate: true
-        $Average: false
-            10:1 network: Refused("`[$Average]( weight, pieces, begin, average )`: `$Average` of the library has no form there: `[CALC]( count, MIN(count + 1, size) )`: this function has no counterpart there")
-            10:34 [$Average]: Refused("`$Average` of the library has no form there: `[CALC]( count, MIN(count + 1, size) )`: this function has no counterpart there")
+        $Average: true
         $Blink: true
             3:5 tag on: Approximated("there a time is a DINT in milliseconds")
             4:5 tag off: Approximated("there a time is a DINT in milliseconds")

@@ -332,9 +332,7 @@ fn blocks_of_the_library_are_function_blocks() {
     expect![[r#"
         $Alarm: true
         $Alternate: true
-        $Average: false
-            10:1 network: Refused("`[$Average]( weight, pieces, begin, average )`: `$Average` of the library has no form there: `[CALC]( count, MIN(count + 1, size) )`: Calculate has no `MIN`")
-            10:34 [$Average]: Refused("`$Average` of the library has no form there: `[CALC]( count, MIN(count + 1, size) )`: Calculate has no `MIN`")
+        $Average: true
         $Blink: true
         $Debounce: true
         $Drum: true
