@@ -10,24 +10,24 @@ use ladder_syntax::{TextRange, parse};
 /// No instruction becomes more of them.
 const MOST: i64 = 64;
 
-/// Writes a program without these instructions. One that cannot be said by elements stays for `write`; so does a `[FILL]` of numbers
-/// where `fills` says that the system has one.
+/// Writes a program without these instructions, which are among `[UNPACK]` and `[FILL]`, and without sums of arrays. One that cannot
+/// be said by elements stays for `write`.
 ///
 /// # Errors
 ///
 /// Those of `write`.
 pub fn with_arrays_as_elements(
     analysis: &Analysis,
-    fills: bool,
+    instructions: &[&str],
     write: impl Fn(&Analysis) -> Result<Writing, WriteError>,
 ) -> Result<Writing, WriteError> {
-    match by_elements(analysis, fills) {
+    match by_elements(analysis, instructions) {
         Some(elements) => write(&elements),
         None => write(analysis),
     }
 }
 
-fn by_elements(analysis: &Analysis, fills: bool) -> Option<Analysis> {
+fn by_elements(analysis: &Analysis, instructions: &[&str]) -> Option<Analysis> {
     let program = analysis.program()?;
     let context = &analysis.context;
     let mut text = context.parse.to_string();
@@ -37,7 +37,7 @@ fn by_elements(analysis: &Analysis, fills: bool) -> Option<Analysis> {
         .filter(|network| network.location.file == 0);
     let mut edits: Vec<(TextRange, String)> = Vec::new();
     for block in networks.flat_map(|network| &network.blocks) {
-        if let Some(edit) = edit(block, &text, fills) {
+        if let Some(edit) = edit(block, &text, instructions) {
             edits.push(edit);
         }
     }
@@ -54,7 +54,7 @@ fn by_elements(analysis: &Analysis, fills: bool) -> Option<Analysis> {
 }
 
 /// What stands in the place of a block, or of a sum in it.
-fn edit(block: &Block, text: &str, fills: bool) -> Option<(TextRange, String)> {
+fn edit(block: &Block, text: &str, instructions: &[&str]) -> Option<(TextRange, String)> {
     let BlockKind::Instruction(row) = block.kind else {
         return None;
     };
@@ -70,6 +70,9 @@ fn edit(block: &Block, text: &str, fills: bool) -> Option<(TextRange, String)> {
         let formula = format!("{}({}){}", &value[..at], sum.join(" + "), &value[end..]);
         return Some((from.range, formula));
     }
+    if !instructions.contains(&row.block().as_str()) {
+        return None;
+    }
     let range = Range::of(text[to.range].trim())?;
     let Argument::Range(array) = &to.argument else {
         return None;
@@ -81,9 +84,7 @@ fn edit(block: &Block, text: &str, fills: bool) -> Option<(TextRange, String)> {
         return None;
     }
     let values: Vec<String> = match row.block().as_str() {
-        "[FILL]" if !fills || array.element == Scalar::Bool => {
-            range.elements().map(|_| value.to_owned()).collect()
-        }
+        "[FILL]" => range.elements().map(|_| value.to_owned()).collect(),
         "[UNPACK]" if array.element == Scalar::Bool && is_name(value) => {
             let Argument::Value(bits) = &from.argument else {
                 return None;

@@ -132,16 +132,20 @@ fn record(simulation: &mut Simulation, source: &str, stimulus: Stimulus) -> Stri
 /// One of the texts is not a program.
 pub fn next_to(text: &str, other: &str, stimulus: Stimulus) -> Option<String> {
     let program = |text: &str| compile(text).unwrap_or_else(|| panic!("this is not a program:\n{text}"));
-    programs_next_to((program(text), program(other)), &str::to_owned, stimulus)
+    programs_next_to(
+        (program(text), program(other)),
+        &|name| Some(name.to_owned()),
+        stimulus,
+    )
 }
 
-/// The same of two programs. `named`: how a tag of the first is called in the second.
+/// The same of two programs. `named`: how a tag of the first is called in the second; one that has no name there is not compared.
 ///
 /// # Panics
 /// One of them is refused.
 pub fn programs_next_to(
     (one, other): (Arc<Program>, Arc<Program>),
-    named: &dyn Fn(&str) -> String,
+    named: &dyn Fn(&str) -> Option<String>,
     stimulus: Stimulus,
 ) -> Option<String> {
     let start = |program| {
@@ -154,7 +158,8 @@ pub fn programs_next_to(
     let (mut one, mut two) = (start(one), start(other));
     let mut points = Vec::new();
     for point in self::points(&one) {
-        match two.resolve(&named(&point.name)) {
+        let Some(name) = named(&point.name) else { continue };
+        match two.resolve(&name) {
             Ok(same) => points.push((point, same)),
             Err(_) => return Some(format!("`{}` is gone", point.name)),
         }

@@ -110,7 +110,7 @@ pub(crate) fn write(analysis: &Analysis) -> std::result::Result<Writing, WriteEr
         if analysis.context.profile == Profile::Logix {
             return file(analysis, unwritable);
         }
-        with_arrays_as_elements(analysis, true, |analysis| {
+        with_arrays_as_elements(analysis, &[], |analysis| {
             with_loops_as_jumps(analysis, |analysis| file(analysis, unwritable))
         })
     })

@@ -46,7 +46,7 @@ const CYCLE: i64 = 10_000_000;
 /// If the program has errors, or needs files that are not there.
 pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     with_other_files(analysis, |analysis, unwritable| {
-        with_arrays_as_elements(analysis, false, |analysis| {
+        with_arrays_as_elements(analysis, &["[UNPACK]", "[FILL]"], |analysis| {
             with_loops_as_jumps(analysis, |analysis| {
                 with_functions_as_blocks(analysis, |analysis| {
                     let (project, report) = project(analysis, unwritable)?;

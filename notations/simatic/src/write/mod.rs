@@ -47,7 +47,7 @@ struct Writer<'a> {
 /// Writes a program.
 pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     with_other_files(analysis, |analysis, unwritable| {
-        with_arrays_as_elements(analysis, false, |analysis| {
+        with_arrays_as_elements(analysis, &["[UNPACK]", "[FILL]"], |analysis| {
             with_loops_as_jumps(analysis, |analysis| {
                 with_functions_as_blocks(analysis, |analysis| documents(analysis, unwritable))
             })

@@ -346,5 +346,6 @@ fn blocks_of_the_library_are_function_blocks() {
         $Step: true
         $Toggle: true
         $Total: true
-    "#]].assert_eq(&out);
+    "#]]
+    .assert_eq(&out);
 }
