@@ -11,6 +11,8 @@ pub struct Project {
     pub comments: Vec<String>,
     /// How its own system runs a network.
     pub evaluation: Evaluation,
+    /// Whether it was written of ladder text: its standard blocks mean those of ladder text.
+    pub is_own: bool,
     /// The types that it declares.
     pub types: Vec<TypeDeclaration>,
     /// The variables that all units see.
@@ -192,6 +194,8 @@ pub enum Body {
     Graph(Graph),
     /// ST or IL: the language and the text.
     Text(&'static str, String),
+    /// In ladder text: a block that is brought along.
+    Ladder(String),
     /// SFC: its steps and transitions as they are written, with their places.
     Chart(Vec<(LineColumn, String)>),
     /// Nothing.

@@ -4,6 +4,10 @@
 use crate::graph::Kind;
 use crate::model::{Body, Role, Unit, Variable};
 
+/// The company of a project that is written: editors put something there. In such a project standard blocks mean those of
+/// ladder text, as counters that go on past PV.
+pub(crate) const COMPANY: &str = "";
+
 /// The remark on the input of a block that is its EN: an IEC block without power does not run at all, one of ladder text
 /// always does.
 pub(crate) const POWER_IN: &str = "EN of the block in ladder text";

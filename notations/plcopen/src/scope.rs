@@ -1,6 +1,7 @@
 //! What names mean: the variables of a unit and of the project, its types, its blocks.
 
-use super::model::{Project, Role, Type, Unit, UnitKind, Variable};
+use super::brought;
+use super::model::{Body, Evaluation, Project, Role, Type, Unit, UnitKind, Variable};
 use super::own;
 use super::standard::{self, StandardBlock};
 use ladder_notation::Names;
@@ -28,6 +29,8 @@ pub(crate) struct Shared<'p> {
     pub(crate) globals: Scope,
     /// The types, by their names in small letters: how each is spelled, and what it is.
     pub(crate) types: HashMap<String, (String, &'p Type)>,
+    /// What is compiled as Beremiz and OpenPLC do: a function without power at EN has 0.
+    pub(crate) is_compiled: bool,
     /// The functions and function blocks, by their names in small letters.
     pub(crate) blocks: HashMap<String, BlockOf<'p>>,
 }
@@ -121,7 +124,11 @@ impl<'p> Shared<'p> {
             if unit.kind == UnitKind::Program || blocks.contains_key(&unit.name.to_lowercase()) {
                 continue;
             }
-            let name = block_name(&unit.name, &mut taken);
+            let name = match &unit.body {
+                Body::Ladder(text) => brought::name(text).unwrap_or(&unit.name),
+                _ => &unit.name,
+            };
+            let name = block_name(name, &mut taken);
             let mut scope = Scope::next_to(&globals);
             let power = Type::Named("BOOL".to_owned());
             scope.alias("EN", "EN", &power);
@@ -138,6 +145,7 @@ impl<'p> Shared<'p> {
             blocks.insert(unit.name.to_lowercase(), BlockOf { name, unit, scope });
         }
         Shared {
+            is_compiled: project.evaluation == Evaluation::EachOutput && !project.is_own,
             globals,
             types,
             blocks,

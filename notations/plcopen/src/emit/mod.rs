@@ -29,7 +29,7 @@ pub(super) fn project(project: Project) -> String {
     ];
     xml.around("project", &namespaces, |xml| {
         let head = [
-            ("companyName", ""),
+            ("companyName", crate::own::COMPANY),
             ("productName", "Unnamed"),
             ("productVersion", env!("CARGO_PKG_VERSION")),
             ("creationDateTime", WHEN),

@@ -5,6 +5,7 @@ mod interface;
 mod ten;
 
 use super::model::{Body, Evaluation, Part, Project, Role, Task, Unit, UnitKind};
+use super::own;
 use ladder_notation::ReadError;
 use ladder_notation::xml::{Element, Xml};
 use roxmltree::Node;
@@ -91,6 +92,8 @@ impl<'x> Reader<'x, '_> {
         {
             self.project.evaluation = Evaluation::Once;
         }
+        let company = head.and_then(|head| head.attribute("companyName"));
+        self.project.is_own = company == Some(own::COMPANY) && product.as_deref() == Some("Unnamed");
         let is_telling = |name: &String| !name.trim().is_empty() && !name.eq_ignore_ascii_case("unnamed");
         let name = attribute(root.child("contentHeader"), "name").filter(is_telling);
         let product = product.filter(|product| is_telling(product) && Some(product) != name.as_ref());

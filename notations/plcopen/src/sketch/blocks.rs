@@ -2,6 +2,7 @@
 
 use super::body::Body;
 use super::declare::type_text;
+use crate::brought;
 use crate::graph::{Edge, End, Kind, Modifier, Node, Output, Pin, Storage};
 use crate::model::{Type, UnitKind};
 use crate::scope::Shared;
@@ -131,7 +132,7 @@ pub(super) fn power_pins(body: &Body<'_>, node: usize) -> Vec<usize> {
     let mut pins: Vec<usize> = Vec::new();
     let is_own = |pin: &str| named_in_unit(body, node, pin) == Some("EN");
     let enables = |pin: &Pin| is_enable(&pin.name) || is_own(&pin.name);
-    pins.extend(drawn.inputs.iter().position(enables));
+    pins.extend((0..drawn.inputs.len()).filter(|pin| enables(&drawn.inputs[*pin])));
     let first = match body.class(node) {
         Some(Class::Standard(StandardBlock::Stateful(_, pin, _))) => pin,
         Some(Class::Standard(_)) => "CLK",
@@ -170,10 +171,20 @@ pub(super) fn power_output(body: &Body<'_>, node: usize) -> Option<usize> {
         }),
         Class::Gate(_) | Class::Compare(_) => result_output(&body.graph.nodes[node]),
         Class::Unknown => named("ENO").or(Some(0)),
-        _ => named("ENO").or_else(|| {
-            let mut outputs = outputs.iter();
-            outputs.position(|output| named_in_unit(body, node, &output.name) == Some("ENO"))
-        }),
+        _ => named("ENO")
+            .or_else(|| {
+                let mut outputs = outputs.iter();
+                outputs.position(|output| named_in_unit(body, node, &output.name) == Some("ENO"))
+            })
+            .or_else(|| {
+                let Kind::Block { name, .. } = &body.graph.nodes[node].kind else {
+                    return None;
+                };
+                let block = body.shared.blocks.get(&name.to_lowercase())?;
+                outputs
+                    .iter()
+                    .position(|output| brought::is_power(block.unit, &output.name))
+            }),
     }
 }
 

@@ -534,7 +534,7 @@ impl<'b> Body<'b> {
         out
     }
 
-    fn push(&mut self, circuit: Circuit<Element>) {
+    pub(super) fn push(&mut self, circuit: Circuit<Element>) {
         self.made.items.push(Item::Blank);
         self.made.items.push(Item::Network(Network {
             comments: std::mem::take(&mut self.comments),

@@ -6,6 +6,7 @@ mod call;
 mod declare;
 mod draw;
 mod duration;
+mod enabled;
 mod initial;
 mod power;
 mod prepare;
@@ -29,6 +30,7 @@ pub fn reading(project: Project) -> Reading {
         ..Reading::default()
     };
     project.units.iter_mut().for_each(crate::own::without_sinks);
+    crate::brought::along(&mut project);
     let project = &project;
     let shared = Shared::of(project);
     let types = declare::types(&shared, project, &mut reading);
@@ -119,6 +121,12 @@ fn blocks(shared: &Shared<'_>, project: &Project, reading: &mut Reading) -> Vec<
                 .refused(unit.place, format!("unit {}", unit.name), why);
             continue;
         };
+        if let Body::Ladder(text) = &unit.body {
+            let own = crate::brought::name(text).unwrap_or_default();
+            let text = text.replace(&format!("[${own}]"), &format!("[{}]", block.name));
+            items.extend([Item::Blank, Item::Text(text)]);
+            continue;
+        }
         let scope = block.scope.clone();
         let Inside {
             sections,

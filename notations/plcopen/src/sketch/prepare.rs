@@ -270,7 +270,7 @@ impl Body<'_> {
                 self.merged[*user] = true;
                 operand.text.clone()
             } else {
-                let ty = self.out_type(end).or(taken);
+                let ty = self.out_type(end).or(taken).or_else(|| self.type_taken(end));
                 let ty = ty.ok_or("the type of its result is not known")?;
                 let ty = self.type_text(&ty)?;
                 let Kind::Block { name, .. } = &self.graph.nodes[node].kind else {
@@ -278,6 +278,7 @@ impl Body<'_> {
                 };
                 let comment = format!("the result of {name}");
                 let tag = self.helper(&name.to_lowercase(), &ty, &comment);
+                self.begin_with_nothing(node, end, &tag);
                 // Without power at EN nothing is written.
                 if is_enabled {
                     for (user, operand) in variables {

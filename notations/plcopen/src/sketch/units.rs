@@ -91,7 +91,7 @@ fn body(
 ) {
     match body {
         Body::Graph(graph) => Networks::draw(shared, project.evaluation, graph, made, reading),
-        Body::Empty => {}
+        Body::Empty | Body::Ladder(_) => {}
         Body::Text(language, text) => {
             let why = format!("a body in {language} is not run here: its text is a comment");
             not_run(reading, place, format!("body of {name}"), &why);

@@ -196,6 +196,54 @@ fn gates() {
 }
 
 #[test]
+fn counters_whose_count_is_read_stop_as_there() {
+    let body = "leftPowerRail 1\ncontact 2 from=1 a\ninVariable 3 2\nblock 4 CTU c CU=2 PV=3 / Q CV\ncoil 5 from=4.Q q\noutVariable 6 from=4.CV n";
+    check(
+        &project("", &program("a : BOOL\nq : BOOL\nn : INT\nc : CTU", body), ""),
+        expect![[r#"
+            # Counts up as the compilers of Beremiz and OpenPLC do: no further than PV. Q is high from PV on. #
+            FUNCTION_BLOCK [$CountUp]
+            VAR_INPUT
+                R  : BOOL := FALSE;
+                PV : INT  := 0;
+            END_VAR
+            VAR_OUTPUT
+                Q  : BOOL;
+                CV : INT;
+            END_VAR
+            +--[ ]( EN )--[OSR]--[/]( R )--[LT]( CV, PV )--------------[ADD]( CV, CV, 1 )--+
+            +--[ ]( R )----------------------------------------------------[MOV]( CV, 0 )--+
+            +--[GE]( CV, PV )----------------------------------------( )( Q )--( )( ENO )--+
+            END_FUNCTION_BLOCK
+
+            VAR
+                a : BOOL;
+                q : BOOL;
+                n : INT;
+                c : $CountUp;
+            END_VAR
+
+            +--[ ]( a )--------------------------------[$CountUp]( c, PV := 2 )--( )( q )--+
+
+            +------------------------------------------------------------[TYP]( n, c.CV )--+
+        "#]],
+    );
+    let body = "leftPowerRail 1\ncontact 2 from=1 a\ninVariable 3 2\nblock 4 CTU c CU=2 PV=3 / Q CV\ncoil 5 from=4.Q q";
+    check(
+        &project("", &program("a : BOOL\nq : BOOL\nc : CTU", body), ""),
+        expect![[r#"
+            VAR
+                a : BOOL;
+                q : BOOL;
+                c : CTU;
+            END_VAR
+
+            +--[ ]( a )-------------------------------------------[CTU]( c, 2 )--( )( q )--+
+        "#]],
+    );
+}
+
+#[test]
 fn functions() {
     body(
         "a : BOOL
@@ -236,6 +284,8 @@ fn functions() {
                 value : INT;  # the value of an expression #
                 sel   : INT;  # the result of SEL #
             END_VAR
+
+            +-------------------------------------------------------------[MOV]( add, 0 )--+
 
             +--[ ]( a )---------------------[ADD]( add, n, 2 )--[MOV]( m, add )--( )( q )--+
 
@@ -300,6 +350,21 @@ fn timers_counters_and_edges() {
          block 23 TON EN=20 IN=2 PT=3 / ENO Q ET
          coil 24 from=23.Q q",
         expect![[r#"
+            # Counts up as the compilers of Beremiz and OpenPLC do: no further than PV. Q is high from PV on. #
+            FUNCTION_BLOCK [$CountUp]
+            VAR_INPUT
+                R  : BOOL := FALSE;
+                PV : INT  := 0;
+            END_VAR
+            VAR_OUTPUT
+                Q  : BOOL;
+                CV : INT;
+            END_VAR
+            +--[ ]( EN )--[OSR]--[/]( R )--[LT]( CV, PV )--------------[ADD]( CV, CV, 1 )--+
+            +--[ ]( R )----------------------------------------------------[MOV]( CV, 0 )--+
+            +--[GE]( CV, PV )----------------------------------------( )( Q )--( )( ENO )--+
+            END_FUNCTION_BLOCK
+
             VAR
                 a    : BOOL;
                 b    : BOOL;
@@ -307,7 +372,7 @@ fn timers_counters_and_edges() {
                 n    : INT;
                 t    : TIME;
                 T1   : TON;
-                C1   : CTU;
+                C1   : $CountUp;
                 S1   : SR;
                 E1_Q : BOOL;  # the output of E1 #
                 _ton : TON;  # a block that the project does not declare #
@@ -320,7 +385,7 @@ fn timers_counters_and_edges() {
 
             +--[ ]( b )--[ ]( a )---------------------------------------------( )( C1_R )--+
 
-            +--[ ]( a )------------------------------[CTU]( C1, 10, R := C1_R )--(S)( q )--+
+            +--[ ]( a )-------------------[$CountUp]( C1, R := C1_R, PV := 10 )--(S)( q )--+
 
             +--\-----------------------------------------------------[TYP]( n, C1.CV )--\--+
             |  /--[ ]( a )--\--------------------------[SR]( S1, R := b )--( )( q )--\--/  |

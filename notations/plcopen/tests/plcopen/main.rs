@@ -4,6 +4,7 @@ mod broken;
 mod corpus;
 mod elements;
 mod harness;
+mod oracle;
 mod projects;
 mod ten;
 mod traces;
