@@ -28,6 +28,7 @@ const TEXTS: &[(&str, &str)] = texts![
     "ONS",
     "OSF",
     "OSR",
+    "OTEBIT",
     "RTO",
     "SQI",
     "SQL",
@@ -38,6 +39,9 @@ const TEXTS: &[(&str, &str)] = texts![
     "TON",
     "TimerRES",
 ];
+
+/// The block that is a coil on a computed bit.
+pub(crate) const OTE_BIT: &str = "OTEBIT";
 
 /// The blocks that a program uses.
 #[derive(Debug, Default)]
@@ -70,6 +74,19 @@ impl Blocks {
                 .replace("{TYPE}", &ty)
                 .replace("{BITS}", &bits.to_string())
                 .replace("{LOWEST}", &lowest.to_string())
+        })
+    }
+
+    /// One for words of a type.
+    pub(crate) fn on_word(&mut self, name: &str, elem: Elem) -> String {
+        let ty = elem.text();
+        let suffix = if elem == Elem::Dint {
+            String::new()
+        } else {
+            ty.clone()
+        };
+        self.take(name, suffix.clone(), |text| {
+            text.replace("{NAME}", &suffix).replace("{TYPE}", &ty)
         })
     }
 

@@ -66,7 +66,14 @@ impl Tags {
                 let right = self.within(scope, right, if is_relation { 6 } else { tight + 1 })?;
                 (format!("{left} {spelled} {right}"), tight)
             }
-            Expr::Call(name, inner) => {
+            Expr::Call(name, all) => {
+                if let ("ATAN2", [y, x]) = (name.as_str(), &all[..]) {
+                    let (y, x) = (self.within(scope, y, TIGHTEST)?, self.within(scope, x, TIGHTEST)?);
+                    return Ok((crate::words::angle(&y, &x), TIGHTEST));
+                }
+                let [inner] = &all[..] else {
+                    return Err(format!("the function {name} has other operands"));
+                };
                 let name = match name.as_str() {
                     "SQR" => "SQRT",
                     "ASN" => "ASIN",

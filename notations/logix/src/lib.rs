@@ -26,6 +26,7 @@ mod scope;
 mod sketch;
 mod slc;
 mod survey;
+mod times;
 mod translate;
 mod types;
 mod unit;

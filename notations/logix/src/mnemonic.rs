@@ -26,6 +26,7 @@ pub(crate) enum Op {
     Binary(&'static str),
     /// A function of one value, or a sign before it.
     Unary(&'static str),
+    Atan2,
     Trunc,
     Cpt,
     Mov,
@@ -65,6 +66,9 @@ pub(crate) enum Op {
     Pid,
     /// A function of strings: its name here.
     Strings(&'static str),
+    /// A number as text, and back.
+    ToText,
+    FromText,
 }
 
 /// What an operand is.
@@ -99,7 +103,7 @@ const fn row(names: &'static [&'static str], op: Op, operands: &'static str) -> 
 const ROWS: &[Row] = &[
     row(&["XIC"], Op::Xic, "b"),
     row(&["XIO"], Op::Xio, "b"),
-    row(&["OTE"], Op::Ote, "b"),
+    row(&["OTE", "EOT"], Op::Ote, "b"),
     row(&["OTL"], Op::Otl, "b"),
     row(&["OTU"], Op::Otu, "b"),
     row(&["ONS"], Op::Ons, "b"),
@@ -139,6 +143,7 @@ const ROWS: &[Row] = &[
     row(&["ASN", "ASIN"], Op::Unary("ASIN"), "vv"),
     row(&["ACS", "ACOS"], Op::Unary("ACOS"), "vv"),
     row(&["ATN", "ATAN"], Op::Unary("ATAN"), "vv"),
+    row(&["ATAN2"], Op::Atan2, "vvv"),
     row(&["LN"], Op::Unary("LN"), "vv"),
     row(&["LOG"], Op::Unary("LOG"), "vv"),
     row(&["DEG"], Op::Unary("DEG"), "vv"),
@@ -188,6 +193,8 @@ const ROWS: &[Row] = &[
     row(&["DELETE"], Op::Strings("DELETE"), "$vv$"),
     row(&["INSERT"], Op::Strings("INSERT"), "$$v$"),
     row(&["FIND"], Op::Strings("FIND"), "$$vv"),
+    row(&["DTOS"], Op::ToText, "v$"),
+    row(&["STOD", "STOR"], Op::FromText, "$v"),
 ];
 
 /// The rows by the names in capitals.

@@ -10,7 +10,7 @@ pub(crate) enum Expr {
     Path(Path),
     Unary(&'static str, Box<Expr>),
     Binary(&'static str, Box<Expr>, Box<Expr>),
-    Call(String, Box<Expr>),
+    Call(String, Vec<Expr>),
     /// The value is in the tag.
     Unset,
 }
@@ -92,6 +92,9 @@ pub(crate) fn number(text: &str) -> Option<Expr> {
         Some(digits) => (true, digits),
         None => (false, text),
     };
+    if let Some(span) = crate::times::duration(digits) {
+        return Some(Expr::Int(if negative { -span } else { span }));
+    }
     let digits: String = digits.chars().filter(|c| *c != '_').collect();
     let int = |digits: &str, radix| i64::from_str_radix(digits, radix).ok();
     let unsigned = match digits.split_once('#') {
@@ -285,6 +288,11 @@ impl<'t> Reader<'t> {
                 self.literal(false)
                     .ok_or_else(|| format!("`{}` is no number", shown(rest)))
             }
+            c if c.is_ascii_alphabetic() && crate::times::begins(self.rest()) => {
+                let rest = self.rest();
+                self.literal(false)
+                    .ok_or_else(|| format!("`{}` is no time", shown(rest)))
+            }
             c if c.is_alphabetic() || matches!(c, '_' | '\\' | '#' | '$') => self.path(),
             _ => Err(format!("`{}` is not expected in an operand", shown(self.rest()))),
         }
@@ -322,10 +330,13 @@ impl<'t> Reader<'t> {
         }
         if self.rest().starts_with('(') {
             self.at += 1;
-            let inner = self.level(0)?;
+            let mut inner = vec![self.level(0)?];
+            while self.eat(",") && inner.len() < 2 {
+                inner.push(self.level(0)?);
+            }
             self.depth -= 1;
             return if self.eat(")") {
-                Ok(Expr::Call(name.to_ascii_uppercase(), Box::new(inner)))
+                Ok(Expr::Call(name.to_ascii_uppercase(), inner))
             } else {
                 Err("a parenthesis is not closed".to_owned())
             };
@@ -397,7 +408,9 @@ mod tests {
             Expr::Unset => "?".to_owned(),
             Expr::Unary(op, a) => format!("({op} {})", shown(a)),
             Expr::Binary(op, a, b) => format!("({} {op} {})", shown(a), shown(b)),
-            Expr::Call(name, a) => format!("{name}({})", shown(a)),
+            Expr::Call(name, all) => {
+                format!("{name}({})", all.iter().map(shown).collect::<Vec<_>>().join(";"))
+            }
             Expr::Path(path) => {
                 let mut out = path.root.clone();
                 for step in &path.steps {
@@ -442,6 +455,7 @@ mod tests {
     fn formulas() {
         check("a + b * -2 ** 2", expect!["(a + (b * (- (2 ** 2))))"]);
         check("ATAN(_Test) > 1.0", expect!["(ATAN(_Test) > 1.0)"]);
+        check("ATAN2(y, -x)", expect!["ATAN2(y;(- x))"]);
         check("x MOD 100 > 1", expect!["((x MOD 100) > 1)"]);
         check("NOT a AND b OR c", expect!["(((NOT a) AND b) OR c)"]);
         check("(a && b) || !c", expect!["((a AND b) OR (NOT c))"]);

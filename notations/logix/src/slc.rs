@@ -162,7 +162,8 @@ fn reached(expr: &Expr, length: u32, sizes: &mut BTreeMap<String, u32>) {
                 reached(index, 0, sizes);
             }
         }
-        Expr::Unary(_, inner) | Expr::Call(_, inner) => reached(inner, 0, sizes),
+        Expr::Unary(_, inner) => reached(inner, 0, sizes),
+        Expr::Call(_, all) => all.iter().for_each(|inner| reached(inner, 0, sizes)),
         Expr::Binary(_, left, right) => {
             reached(left, 0, sizes);
             reached(right, 0, sizes);

@@ -75,7 +75,8 @@ impl Surveyor<'_> {
                     self.tags.pass(self.scope, &instance, symbol);
                 }
             }
-            Expr::Unary(_, inner) | Expr::Call(_, inner) => self.paths(inner, Role::Value),
+            Expr::Unary(_, inner) => self.paths(inner, Role::Value),
+            Expr::Call(_, all) => all.iter().for_each(|inner| self.paths(inner, Role::Value)),
             Expr::Binary(_, left, right) => {
                 self.paths(left, Role::Value);
                 self.paths(right, Role::Value);

@@ -40,6 +40,9 @@ impl Elem {
             "REAL" => Elem::Real,
             "LREAL" => Elem::Lreal,
             "STRING" => Elem::String(STRING),
+            // Numbers of microseconds and nanoseconds.
+            "TIME32" => Elem::Dint,
+            "TIME" | "LTIME" | "DT" | "LDT" => Elem::Lint,
             _ => return None,
         })
     }

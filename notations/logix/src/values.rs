@@ -206,7 +206,8 @@ fn scalar(text: &str, elem: Elem) -> Option<Value> {
         }
         return Some(Value::Int(elem.wrap(characters_as_number(characters))));
     }
-    match number(text)? {
+    let found = number(text).or_else(|| crate::times::date(text).map(Expr::Int));
+    match found? {
         Expr::Int(int) if elem.is_real() => Some(Value::Real(int as f64)),
         Expr::Int(int) => Some(Value::Int(elem.wrap(int))),
         // A real has 32 bits: what is written is its nearest.

@@ -41,6 +41,13 @@ pub(crate) fn from_bcd(source: &str, bits: u32) -> String {
     all.join(" + ")
 }
 
+/// `ATAN2`: the angle of the point whose height is `y`, from -PI to PI. Nothing is divided by 0, which is a fault.
+pub(crate) fn angle(y: &str, x: &str) -> String {
+    let upright = format!("SEL({y} > 0, SEL({y} < 0, 0, -PI / 2), PI / 2)");
+    let turned = format!("SEL({x} < 0, 0, SEL({y} < 0, PI, -PI))");
+    format!("SEL({x} = 0, ATAN({y} / SEL({x} = 0, {x}, 1)) + {turned}, {upright})")
+}
+
 /// An element of a copy between arrays of words of other widths: the low bytes come first. `number` is which one it is,
 /// `from` the array with the index where it begins, each with its width in bits.
 pub(crate) fn element(number: u32, width: u32, from: (&str, i64), own: u32) -> String {

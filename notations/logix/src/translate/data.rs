@@ -19,7 +19,8 @@ fn divides(formula: &Expr) -> bool {
             };
             (*operator == "/" && may_be_zero) || divides(left) || divides(right)
         }
-        Expr::Unary(_, inner) | Expr::Call(_, inner) => divides(inner),
+        Expr::Unary(_, inner) => divides(inner),
+        Expr::Call(_, all) => all.iter().any(divides),
         _ => false,
     }
 }
@@ -189,7 +190,7 @@ impl Translator<'_> {
                 let place = self.tags.place(self.scope, path, Role::Value);
                 place.is_ok_and(|place| place.elem().is_some_and(Elem::is_real))
             }
-            Expr::Call(name, inner) => name != "ABS" || self.is_real(inner),
+            Expr::Call(name, all) => name != "ABS" || all.iter().any(|inner| self.is_real(inner)),
             Expr::Unary(_, inner) => self.is_real(inner),
             Expr::Binary(_, left, right) => self.is_real(left) || self.is_real(right),
             Expr::Int(_) | Expr::Text(_) | Expr::Unset => false,
@@ -230,9 +231,35 @@ impl Translator<'_> {
         let (to, _) = self.number(operands[1])?;
         let formula = match operator {
             "NOT" | "-" => unary(operator, inner),
-            name => Expr::Call(name.to_owned(), Box::new(inner)),
+            name => Expr::Call(name.to_owned(), vec![inner]),
         };
         self.compute_at(&to, &formula)
+    }
+
+    /// `ATAN2`: the angle of a point, first its `y`.
+    pub(super) fn angle(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
+        let point = vec![self.expr(operands[0])?, self.expr(operands[1])?];
+        self.compute(operands[2], &Expr::Call("ATAN2".to_owned(), point))
+    }
+
+    /// `DTOS` and `STOD`: between a number and its digits. The number is the first operand, or else the text.
+    pub(super) fn spelled(&mut self, operands: &[&str], is_text: bool) -> Result<Circuit<Element>> {
+        let (from, to) = (self.expr(operands[0])?, self.target(operands[1], Role::Value)?);
+        let (value, own) = self.value(&from, Elem::Dint)?;
+        let is_string = |elem: Option<Elem>| matches!(elem, Some(Elem::String(_)));
+        let (text, number) = if is_text {
+            (own, to.elem())
+        } else {
+            (to.elem(), own)
+        };
+        let is_number = number.is_some_and(|elem| elem.is_integer() || elem.is_real());
+        if !is_string(text) || !(is_number || matches!(from, Expr::Int(_))) {
+            return Err("it takes a number and a text".to_owned());
+        }
+        if is_text {
+            self.note("a text that is no number is a fault here; there the first digits in it count");
+        }
+        Ok(self.block(format!("[TYP]( {}, {value} )", to.text)))
     }
 
     pub(super) fn truncate(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {

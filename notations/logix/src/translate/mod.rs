@@ -7,7 +7,7 @@ mod flow;
 mod loops;
 mod states;
 
-use crate::blocks::Blocks;
+use crate::blocks::{Blocks, OTE_BIT};
 use crate::mnemonic::{Op, Role, instruction, is_known};
 use crate::model::{Family, Project};
 use crate::neutral::Instruction;
@@ -133,6 +133,9 @@ impl<'p> Translator<'p> {
             Op::Cmp => self.compare_formula(operands[0]),
             Op::Binary(operator) => self.binary(operator, operands),
             Op::Unary(operator) => self.unary(operator, operands),
+            Op::Atan2 => self.angle(operands),
+            Op::ToText => self.spelled(operands, false),
+            Op::FromText => self.spelled(operands, true),
             Op::Trunc => self.truncate(operands),
             Op::Cpt => {
                 let formula = self.expr(operands[1])?;
@@ -230,15 +233,7 @@ impl<'p> Translator<'p> {
 
     fn contact(&mut self, text: &str, open: bool) -> Result<Circuit<Element>> {
         let sign = if open { "[ ]" } else { "[/]" };
-        if let Expr::Path(path) = self.expr(text)?
-            && let Some((Step::ComputedBit(index), word)) = path.steps.split_last()
-        {
-            let word = crate::operand::Path {
-                root: path.root.clone(),
-                steps: word.to_vec(),
-            };
-            let word = self.tags.place(self.scope, &word, Role::Value)?;
-            let index = self.tags.formula(self.scope, index)?;
+        if let Some((word, index)) = self.computed_bit(text)? {
             let helper = self.helper("bit", Elem::Bool, text);
             let formula = format!("[CALC]( {helper}, ({} SHR ({index}) AND 1) <> 0 )", word.text);
             return Ok(self.blocks([formula, format!("{sign}( {helper} )")]));
@@ -247,7 +242,50 @@ impl<'p> Translator<'p> {
         Ok(self.block(format!("{sign}( {} )", place.text)))
     }
 
+    /// The word and the number of a bit that is computed, `w.[i]`.
+    fn computed_bit(&mut self, text: &str) -> Result<Option<(Place, String)>> {
+        let Expr::Path(path) = self.expr(text)? else {
+            return Ok(None);
+        };
+        let Some((Step::ComputedBit(index), word)) = path.steps.split_last() else {
+            return Ok(None);
+        };
+        let word = crate::operand::Path {
+            root: path.root.clone(),
+            steps: word.to_vec(),
+        };
+        let word = self.tags.place(self.scope, &word, Role::Value)?;
+        if !word.elem().is_some_and(Elem::is_integer) {
+            return Err(format!("`{}` has no bits", word.text));
+        }
+        let index = self.tags.formula(self.scope, index)?;
+        Ok(Some((word, index)))
+    }
+
+    /// A coil on a bit that is computed. One that also clears is a block, which runs without power too.
+    fn coil_on_computed(&mut self, sign: &str, word: &Place, index: &str) -> Result<Circuit<Element>> {
+        let text = &word.text;
+        if let (Some(_), _) | (None, true) = (&word.parameter, text.contains("SYS.")) {
+            return Err(format!("`{text}` cannot be written here"));
+        }
+        Ok(match sign {
+            "(S)" => self.block(format!("[CALC]( {text}, {text} OR 1 SHL ({index}) )")),
+            "(R)" => self.block(format!("[CALC]( {text}, {text} AND NOT (1 SHL ({index})) )")),
+            _ => {
+                if index.contains(' ') {
+                    return Err(format!("the number of a bit of `{text}` is a formula"));
+                }
+                let elem = word.elem().unwrap_or(Elem::Dint);
+                let block = self.blocks.on_word(OTE_BIT, elem);
+                self.block(format!("[{block}]( {text}, {index} )"))
+            }
+        })
+    }
+
     fn coil(&mut self, sign: &str, text: &str) -> Result<Circuit<Element>> {
+        if let Some((word, index)) = self.computed_bit(text)? {
+            return self.coil_on_computed(sign, &word, &index);
+        }
         let place = self.target(text, Role::Bit)?;
         match place.elem() {
             Some(Elem::Bool) => Ok(self.block(format!("{sign}( {} )", place.text))),

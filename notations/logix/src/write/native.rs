@@ -3,7 +3,7 @@
 use super::names::Kind;
 use super::rung::{Series, it};
 use super::{Result, Writer};
-use crate::blocks::Blocks;
+use crate::blocks::{Blocks, OTE_BIT};
 use crate::types::Elem;
 use ladder_analysis::program::{Argument, Block, Bound, Expr, ExprKind, ParameterKind};
 use ladder_analysis::values::types::Scalar;
@@ -35,7 +35,10 @@ fn native(name: &str, definition: &str) -> Option<&'static str> {
     let name = name.trim_start_matches('$');
     let (own, suffix) = Blocks::named(name)?;
     let mut blocks = Blocks::default();
-    if suffix.is_empty() {
+    if own == OTE_BIT {
+        let ty = if suffix.is_empty() { "DINT" } else { suffix };
+        blocks.on_word(own, Elem::named(ty)?);
+    } else if suffix.is_empty() {
         blocks.plain(own);
     } else {
         let digits = suffix.find(|c: char| c.is_ascii_digit())?;
@@ -200,6 +203,7 @@ impl Writer<'_> {
             }
             ("TimerRES" | "CounterRES" | "ControlRES", [state]) => it("RES", &[state]),
             ("ONS" | "OSR" | "OSF", all) => it(own, all),
+            (OTE_BIT, [w, bit]) => it("OTE", &[&format!("{w}.[{bit}]")]),
             ("BSL" | "BSR", [array, control, bit]) => it(own, &[&begin(array), control, bit, "?"]),
             ("FFL" | "LFL", [value, array, control]) => it(own, &[value, &begin(array), control, "?", "?"]),
             ("FFU" | "LFU", [array, value, control]) => it(own, &[&begin(array), value, control, "?", "?"]),

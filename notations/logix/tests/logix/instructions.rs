@@ -515,3 +515,97 @@ fn what_has_no_counterpart_is_a_block_that_does_nothing() {
         22:16 info: GSV has no counterpart here: it does nothing, and power passes"#]]
     .assert_eq(&findings.collect::<Vec<_>>().join("\n"));
 }
+
+/// The same for what is written in another way, which does the same.
+#[track_caller]
+fn check_one_way(
+    tags: &[(&str, &str, &str)],
+    rungs: &[&str],
+    inputs: &str,
+    scans: u64,
+    watched: &str,
+    expected: Expect,
+) {
+    let text = converted(&L5x, controller(tags, rungs).as_bytes()).written.text;
+    expected.assert_eq(&trace(&text, inputs, scans, watched));
+}
+
+#[test]
+fn computed_bits_are_written() {
+    check(
+        &[
+            ("a", "BOOL", ""),
+            ("i", "DINT", "3"),
+            ("w", "DINT", "1"),
+            ("s", "SINT", ""),
+            ("l", "DINT", ""),
+            ("y", "BOOL", ""),
+        ],
+        &[
+            "XIC(a)OTE(w.[i])OTE(s.[i])OTE(y);",
+            "XIC(a)OTL(l.[i])ADD(i,1,i);",
+            "XIO(a)OTU(l.[3]);",
+        ],
+        "a\n0\n1\n1\n0\n0\n",
+        5,
+        "w,s,l,i,y",
+        expect![[r#"
+            w,s,l,i,y
+            1,0,0,3,0
+            9,8,8,4,1
+            25,24,24,5,1
+            25,24,16,5,0
+            25,24,16,5,0"#]],
+    );
+}
+
+#[test]
+fn angles_of_points() {
+    check_one_way(
+        &[
+            ("y", "REAL", "1.0"),
+            ("x", "REAL", "-1.0"),
+            ("n", "DINT", "0"),
+            ("a", "REAL", ""),
+            ("b", "REAL", ""),
+            ("c", "REAL", ""),
+            ("d", "REAL", ""),
+            ("e", "DINT", ""),
+        ],
+        &[
+            "ATAN2(y,x,a)ATAN2(-1,x,b)ATAN2(y,n,c)CPT(d,ATAN2(0,x) * 2 + ATAN2(n,n))ATAN2(-2.0,0,e);",
+            "EOT(f);",
+        ],
+        "",
+        1,
+        "a,b,c,d,e,f",
+        expect![[r#"
+            a,b,c,d,e,f
+            2.356194496154785,-2.356194496154785,1.5707963705062866,6.2831854820251465,-2,1"#]],
+    );
+}
+
+#[test]
+fn numbers_become_texts_and_times_numbers() {
+    check_one_way(
+        &[
+            ("n", "DINT", "-42"),
+            ("s", "STRING", ""),
+            ("m", "DINT", ""),
+            ("t", "TIME", ""),
+            ("u", "TIME32", ""),
+            ("l", "LTIME", ""),
+        ],
+        &[
+            "DTOS(n,s)STOD(s,m);",
+            "MOV(T#1s_5ms,t)MOV(T32#2ms,u)ADD(l,LT#3us,l);",
+        ],
+        "",
+        2,
+        "s,m,t,u,l",
+        expect![[r#"
+            s,m,t,u,l
+            Text([45, 52, 50]),-42,1005000,2000,3000
+            Text([45, 52, 50]),-42,1005000,2000,6000"#]],
+    );
+}
