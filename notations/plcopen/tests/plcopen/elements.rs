@@ -244,6 +244,29 @@ fn counters_whose_count_is_read_stop_as_there() {
 }
 
 #[test]
+fn blocks_that_are_brought_along_have_no_errors() {
+    let counter = |id: usize, ty: &str, first: &str| {
+        format!(
+            "contact {id}1 from=1 a\ninVariable {id}2 2\nblock {id}3 {ty} c{id} {first}={id}1 PV={id}2 / Q QU CV\noutVariable {id}4 from={id}3.CV n{id}\n"
+        )
+    };
+    let counters = [("CTU_DINT", "CU"), ("CTD_UDINT", "CD"), ("CTUD_LINT", "CU")];
+    let mut body = "leftPowerRail 1\ninVariable 2 a\ninVariable 3 DT#2026-01-31-12:30:00\nblock 4 RTC clock IN=2 PDT=3 / Q CDT\noutVariable 5 from=4.Q q\n".to_owned();
+    let mut variables = "a : BOOL\nq : BOOL\nclock : RTC".to_owned();
+    for (number, (ty, first)) in counters.iter().enumerate() {
+        let id = number + 1;
+        body.push_str(&counter(id, ty, first));
+        let own = ty.split('_').nth(1).unwrap_or_default();
+        variables.push_str(&format!("\nc{id} : {ty}\nn{id} : <{own}/>"));
+    }
+    let text = crate::harness::text(&project("", &program(&variables, &body), ""));
+    assert!(!text.contains("\nerror") && !text.contains("\nrefused"), "{text}");
+    for name in ["$IecRTC", "$CountUpDINT", "$CountDownUDINT", "$CountUpDownLINT"] {
+        assert!(text.contains(name), "{text}");
+    }
+}
+
+#[test]
 fn functions() {
     body(
         "a : BOOL

@@ -20,7 +20,8 @@ pub(super) fn run(name: &str, values: &mut HashMap<String, f64>) {
         }
         "hysteresis" => {
             let (one, other, eps) = (all("xin1"), all("xin2"), all("eps"));
-            let high = if q != 0.0 {
+            let is_high = q != 0.0;
+            let high = if is_high {
                 one >= other - eps
             } else {
                 one > other + eps

@@ -187,7 +187,7 @@ fn unit<'x>(pou: Node<'x, 'x>) -> Found<Unit> {
             let name = variable.attribute("name").unwrap_or_default().to_lowercase();
             let ty = kids(variable, "type")
                 .flat_map(|ty| ty.children())
-                .find(|ty| ty.is_element());
+                .find(Node::is_element);
             let ty = ty.ok_or("a variable without a type")?;
             let ty = match ty.tag_name().name() {
                 "derived" => ty.attribute("name").unwrap_or_default(),
@@ -208,13 +208,13 @@ fn unit<'x>(pou: Node<'x, 'x>) -> Found<Unit> {
     }
     let body = kids(pou, "body")
         .flat_map(|body| body.children())
-        .find(|body| body.is_element());
+        .find(Node::is_element);
     let body = body
         .filter(|body| matches!(body.tag_name().name(), "LD" | "FBD"))
         .ok_or("no drawing")?;
     let mut elements = HashMap::new();
     let mut ids = Vec::new();
-    for node in body.children().filter(|node| node.is_element()) {
+    for node in body.children().filter(Node::is_element) {
         let id = node.attribute("localId").unwrap_or_default().to_owned();
         if elements.insert(id.clone(), element(node)).is_none() {
             ids.push(id);
@@ -290,12 +290,11 @@ impl<'e> Generator<'e> {
         let mut others: Vec<&String> = all.into_iter().filter(|id| !ordered(id)).collect();
         others.sort_by(|one, other| {
             let (one, other) = (self.elements[*one].at, self.elements[*other].at);
-            let by_row = if (one.1 - other.1).abs() < 10 {
+            if (one.1 - other.1).abs() < 10 {
                 one.0.cmp(&other.0)
             } else {
                 one.1.cmp(&other.1)
-            };
-            by_row
+            }
         });
         for id in first.into_iter().chain(others) {
             let element = &self.elements[id];
@@ -416,7 +415,7 @@ impl<'e> Generator<'e> {
                     }));
                 }
                 "coil" => {
-                    paths.extend(self.paths(source.inputs.first().map_or(&[][..], |pin| &pin.from), order)?)
+                    paths.extend(self.paths(source.inputs.first().map_or(&[][..], |pin| &pin.from), order)?);
                 }
                 other => return Err(format!("power from {other}")),
             }

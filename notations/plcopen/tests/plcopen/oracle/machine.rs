@@ -237,19 +237,19 @@ impl Frame {
             state = 0.0;
             self.set("et", 0.0);
             self.set("q", 0.0);
-        } else if state == 1.0 {
+        } else if state as i8 == 1 {
             self.set("et", passed);
             if is_over {
                 state = 2.0;
                 self.set("q", truth(self.unit == "ton"));
             }
         }
-        if self.unit == "tp" && state == 2.0 && !input {
+        if self.unit == "tp" && state as i8 == 2 && !input {
             state = 0.0;
             self.set("et", 0.0);
         }
         if self.unit == "tof" {
-            self.set("q", truth(input || state == 1.0));
+            self.set("q", truth(input || state as i8 == 1));
         }
         self.set("state", state);
         self.set("was", truth(input));
@@ -275,8 +275,8 @@ fn function(name: &str, terms: &[f64]) -> Result<f64, String> {
         "GE" => pairs(|a, b| a >= b),
         "LT" => pairs(|a, b| a < b),
         "LE" => pairs(|a, b| a <= b),
-        "EQ" => pairs(|a, b| a == b),
-        "NE" => pairs(|a, b| a != b),
+        "EQ" => pairs(|a, b| a.total_cmp(&b).is_eq()),
+        "NE" => pairs(|a, b| a.total_cmp(&b).is_ne()),
         "SEL" if terms.len() == 3 => terms[1 + usize::from(terms[0] != 0.0)],
         "LIMIT" if terms.len() == 3 => terms[1].min(terms[2]).max(terms[0]),
         other => return Err(format!("a function {other}")),
