@@ -6,12 +6,15 @@
 //!
 //! Those of properties may name the past, too: `rises(e)`, `falls(e)`, `was(e)`.
 
+mod elements;
+mod enumerations;
 mod past;
 mod small_program;
 
 use crate::simulation::{Instance, Simulation};
 use crate::tags::Point;
 use crate::value_text;
+use ladder_analysis::program::Tag;
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
 use ladder_syntax::Name;
@@ -32,7 +35,7 @@ pub struct Scope<'s> {
     pub instance: Option<&'s Instance>,
 }
 
-impl Scope<'_> {
+impl<'s> Scope<'s> {
     /// The place that a text names.
     ///
     /// # Errors
@@ -50,6 +53,12 @@ impl Scope<'_> {
 
     /// A whole tag by its name, and the name that its parts begin with.
     pub fn tag(self, text: &str) -> Option<(String, Type)> {
+        let (before, tag) = self.find(text)?;
+        Some((format!("{before}{}", tag.name), tag.ty))
+    }
+
+    /// A tag by its name, and what is before its name in those of its parts.
+    fn find(self, text: &str) -> Option<(String, &'s Tag)> {
         let program = self.simulation.program();
         let (instance, rest) = match text.trim().rsplit_once('.') {
             Some((place, rest)) if place.starts_with('$') => {
@@ -63,12 +72,12 @@ impl Scope<'_> {
         let of_instance = instance.and_then(|instance| {
             let mut tags = instance.tags().map(|tag| &program.tags[tag.0 as usize]);
             let tag = tags.find(|tag| Name::new(&tag.name) == wanted)?;
-            Some((format!("{}.{}", instance.name, tag.name), tag.ty))
+            Some((format!("{}.", instance.name), tag))
         });
         of_instance.or_else(|| {
             let mut tags = program.tags.iter().filter(|tag| tag.block.is_none());
             let tag = tags.find(|tag| Name::new(&tag.name) == wanted)?;
-            Some((tag.name.clone(), tag.ty))
+            Some((String::new(), tag))
         })
     }
 }
@@ -133,7 +142,7 @@ impl Expression {
         if let Ok(point) = scope.resolve(text) {
             return Ok(Expression::of_point(point));
         }
-        Small::of(text, scope, false)?.compile(text)
+        Small::of(text, scope, false)?.compile(text, None)
     }
 
     /// Compiles a condition that may name the past.
@@ -145,21 +154,22 @@ impl Expression {
             simulation,
             instance: None,
         };
-        let expression = Expression::with_past(text, scope)?;
+        let expression = Expression::of_type(text, scope, Some(Scalar::Bool))?;
         match expression.ty() {
             Scalar::Bool => Ok(expression),
             ty => Err(format!("a condition is TRUE or FALSE, and this is of type {ty}")),
         }
     }
 
-    fn with_past(text: &str, scope: Scope<'_>) -> Result<Expression, Problem> {
+    /// Compiles an expression that may name the past. What is wrong is told of the type that is wanted.
+    fn of_type(text: &str, scope: Scope<'_>, wanted: Option<Scalar>) -> Result<Expression, Problem> {
         let text = text.trim();
         if text.is_empty() {
             return Err("write an expression, such as count > 5".into());
         }
         match scope.resolve(text) {
             Ok(point) => Ok(Expression::of_point(point)),
-            Err(_) => Small::of(text, scope, true)?.compile(text),
+            Err(_) => Small::of(text, scope, true)?.compile(text, wanted),
         }
     }
 

@@ -1,12 +1,15 @@
 //! The small program that computes an expression over tags, while it is written.
 
+use super::elements::Elements;
+use super::enumerations;
 use super::past::{Past, PastKind};
 use super::{Expression, Kind, Problem, Scope, Source};
 use crate::simulation::{Options, Simulation};
 use crate::tags::Point;
 use ladder_analysis::analyze;
-use ladder_analysis::program::Program;
-use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::program::{Program, Tag, element_name};
+use ladder_analysis::values::compound::Enumeration;
+use ladder_analysis::values::types::Scalar;
 use ladder_instructions::Profile;
 use ladder_syntax::{SyntaxKind, SyntaxNode, TextRange, TextSize, parse};
 use std::ops::Range;
@@ -15,6 +18,8 @@ use std::sync::Arc;
 /// What is before the expression in the small program.
 const BEFORE: &str = "+--[CALC]( result, ";
 const AFTER: &str = " )--+\n";
+/// What the names of its tags begin with.
+const OPERAND: &str = "operand_";
 
 /// Where the expression ends that a text begins with: what comes after it may be anything.
 pub(crate) fn expression_end(text: &str) -> Option<usize> {
@@ -94,9 +99,6 @@ fn add_names(node: &SyntaxNode, found: &mut Vec<Range<usize>>) {
     }
 }
 
-/// No expression reads more elements of arrays than this.
-const MOST_ELEMENTS: i64 = 100_000;
-
 /// The small program while it is written.
 pub(super) struct Small<'s> {
     scope: Scope<'s>,
@@ -112,6 +114,8 @@ pub(super) struct Small<'s> {
     with_past: bool,
     /// The names of its tags, and what stands for them in the expression.
     names: Vec<(String, String)>,
+    /// Those of the program, where the expression may need them.
+    enumerations: Option<Vec<Arc<Enumeration>>>,
 }
 
 impl<'s> Small<'s> {
@@ -125,6 +129,7 @@ impl<'s> Small<'s> {
             types: vec![Scalar::Bool],
             with_past,
             names: Vec::new(),
+            enumerations: None,
         };
         let text = small.without_instances(text)?;
         let whole = format!("{BEFORE}{text}{AFTER}");
@@ -141,6 +146,12 @@ impl<'s> Small<'s> {
         }
         let mut replaced = Vec::new();
         small.names_in(expression, &mut replaced)?;
+        if replaced.is_empty()
+            && let Some(all) = small.enumerations.as_deref()
+            && let Some(problem) = enumerations::not_asked_for(all, &text)
+        {
+            return Err(problem);
+        }
         let mut rewritten = String::new();
         let mut at = range.start();
         for (place, name) in replaced {
@@ -213,8 +224,15 @@ impl<'s> Small<'s> {
                         replaced.push((node.text_range(), name));
                         Ok(())
                     }
-                    Err(_) if node.kind() == INDEX_EXPR => self.array(node, replaced),
-                    Err(problem) => Err(problem),
+                    Err(problem) => {
+                        let is_known = enumerations::with_value(self.enumerations(), &text).is_some();
+                        match is_known || self.elements(node, replaced)? {
+                            true => Ok(()),
+                            false => {
+                                Err(enumerations::no_value(self.enumerations(), &text).unwrap_or(problem))
+                            }
+                        }
+                    }
                 }
             }
             CALL_EXPR if self.with_past && past_of(node).is_some() => {
@@ -246,7 +264,7 @@ impl<'s> Small<'s> {
         };
         let of = of.text().to_string();
         let inner = match kind {
-            PastKind::Was => Expression::with_past(&of, self.scope)?,
+            PastKind::Was => Expression::of_type(&of, self.scope, None)?,
             PastKind::Rises | PastKind::Falls => Expression::condition(&of, self.scope.simulation)?,
         };
         let past = Past::new(kind, inner);
@@ -256,38 +274,49 @@ impl<'s> Small<'s> {
         Ok(name)
     }
 
-    /// An array with an index that is a tag, or with a range.
-    fn array(&mut self, node: &SyntaxNode, replaced: &mut Vec<(TextRange, String)>) -> Result<(), Problem> {
-        let mut parts = node.children();
-        let array = parts
-            .next()
-            .map_or(String::new(), |array| array.text().to_string());
-        let array: String = array.split_whitespace().collect();
-        let found = self.scope.tag(&array);
-        let Some((whole, Type::Array { first, last, element })) = found else {
-            return self.scope.resolve(&array).map(|_| ());
+    /// Parts of an array with an index that is computed, or with a range. False: the path names none.
+    fn elements(
+        &mut self,
+        node: &SyntaxNode,
+        replaced: &mut Vec<(TextRange, String)>,
+    ) -> Result<bool, Problem> {
+        let Some(elements) = Elements::of(node, self.scope)? else {
+            return Ok(false);
         };
-        if last - first >= MOST_ELEMENTS {
-            return Err(format!(
-                "{whole} is too large for an expression with an index that is not a number"
-            ));
-        }
-        let name = self.name(&whole, element);
+        let Some(ty) = elements.points.first().map(|point| point.ty) else {
+            return Ok(false);
+        };
+        let name = self.name(&elements.name, ty);
+        let dimensions = &elements.dimensions;
+        let bounds = dimensions.iter().map(|(first, last)| format!("{first}..{last}"));
+        let bounds: Vec<String> = bounds.collect();
         self.declarations
-            .push_str(&format!("{name} : ARRAY[{first}..{last}] OF {element};\n"));
-        for index in first..=last {
-            let point = self.scope.simulation.resolve(&format!("{whole}[{index}]"));
-            let point = point.map_err(|unknown| unknown.message)?;
-            self.inputs
-                .push((Source::Point(point), format!("{name}[{index}]")));
+            .push_str(&format!("{name} : ARRAY[{}] OF {ty};\n", bounds.join(", ")));
+        for (number, point) in elements.points.into_iter().enumerate() {
+            let own = element_name(&format!("{name}{}", "[]".repeat(dimensions.len())), dimensions, {
+                let first = if dimensions.len() == 1 { dimensions[0].0 } else { 0 };
+                first + number as i64
+            });
+            self.inputs.push((Source::Point(point), own));
         }
-        if let Some(array) = node.children().next() {
-            replaced.push((array.text_range(), name));
+        let mut at = node.text_range().start();
+        let mut between = format!("{name}[");
+        for index in &elements.indices {
+            let range = index.text_range();
+            replaced.push((TextRange::new(at, range.start()), between));
+            self.names_in(index, replaced)?;
+            at = range.end();
+            between = String::from(", ");
         }
-        for index in parts {
-            self.names_in(&index, replaced)?;
-        }
-        Ok(())
+        replaced.push((TextRange::new(at, node.text_range().end()), String::from("]")));
+        Ok(true)
+    }
+
+    /// The enumerations of the program, which are declared from now on.
+    fn enumerations(&mut self) -> &[Arc<Enumeration>] {
+        let program = self.scope.simulation.program();
+        self.enumerations
+            .get_or_insert_with(|| enumerations::of_program(program))
     }
 
     fn scalar(&mut self, point: Point) -> String {
@@ -299,7 +328,10 @@ impl<'s> Small<'s> {
 
     fn name(&mut self, stands_for: &str, ty: Scalar) -> String {
         self.tags += 1;
-        let name = format!("operand_{}", self.tags);
+        if ty.is_enumeration() {
+            self.enumerations();
+        }
+        let name = format!("{OPERAND}{}", self.tags);
         self.names.push((name.clone(), stands_for.to_owned()));
         if !self.types.contains(&ty) {
             self.types.push(ty);
@@ -308,14 +340,15 @@ impl<'s> Small<'s> {
     }
 
     /// The first type in which the expression makes sense is its own.
-    pub(super) fn compile(self, text: &str) -> Result<Expression, Problem> {
+    pub(super) fn compile(self, text: &str, wanted: Option<Scalar>) -> Result<Expression, Problem> {
         let mut problem = None;
+        let told = wanted.unwrap_or_else(|| self.likeliest());
         let profile = self.scope.simulation.program().profiles.first().copied();
         for &ty in &self.types {
             match self.program(ty, profile.unwrap_or_default()) {
                 Ok(program) => return self.finish(program),
                 // What is wrong in the type that is likeliest.
-                Err(wrong) if problem.is_none() || ty == self.likeliest() => problem = Some(wrong),
+                Err(wrong) if problem.is_none() || ty == told => problem = Some(wrong),
                 Err(_) => {}
             }
         }
@@ -340,8 +373,10 @@ impl<'s> Small<'s> {
             Profile::Iec => String::new(),
             other => format!("# ladder: profile {} #\n", other.name()),
         };
-        let text =
-            format!("{directive}VAR\n{declarations}result : {ty};\nEND_VAR\n{BEFORE}{expression}{AFTER}");
+        let types = enumerations::declaration(self.enumerations.as_deref().unwrap_or_default());
+        let text = format!(
+            "{directive}{types}VAR\n{declarations}result : {ty};\nEND_VAR\n{BEFORE}{expression}{AFTER}"
+        );
         let analysis = analyze(&Arc::new(parse(&text)), "expression");
         if let Some(error) = analysis.errors().next() {
             let mut message = error.message.clone();
@@ -350,10 +385,16 @@ impl<'s> Small<'s> {
             }
             return Err(message);
         }
-        analysis
-            .program()
-            .cloned()
-            .ok_or_else(|| "the expression cannot be evaluated".to_owned())
+        let program = analysis.program().cloned();
+        let program = program.ok_or_else(|| "the expression cannot be evaluated".to_owned())?;
+        // A name that is none of its own tags is a value where nothing asks for one.
+        let is_own = |tag: &&Tag| tag.name == "result" || tag.name.starts_with(OPERAND);
+        if let Some(value) = program.tags.iter().find(|tag| !is_own(tag)) {
+            let all = self.enumerations.as_deref().unwrap_or_default();
+            return Err(enumerations::not_asked_for(all, &value.name)
+                .unwrap_or_else(|| format!("there is no tag `{}` in this program", value.name)));
+        }
+        Ok(program)
     }
 
     fn finish(self, program: Arc<Program>) -> Result<Expression, Problem> {

@@ -1,7 +1,7 @@
 //! What the lines of a scenario file say, before anything is known of the program.
 
 use super::error::ScenarioError;
-use super::property::{self, PROPERTY, Property, Written, is_of_property};
+use super::property::{self, FORMS, PROPERTY, Property, Written, is_of_property};
 use super::tolerance::Tolerance;
 use super::words::{Word, lines, range};
 use crate::value_text;
@@ -177,19 +177,22 @@ impl Reader {
             "step" | "interval" => self.duration(first, rest),
             "tolerance" => self.tolerance(first, rest),
             other => {
-                let wanted = HEADINGS
-                    .iter()
-                    .find(|heading| heading.eq_ignore_ascii_case(other));
-                let help = match wanted {
-                    Some(heading) => format!("write it in small letters: {heading}"),
+                let mut words = HEADINGS.iter().chain(&FORMS).chain([&PROPERTY]);
+                let help = match words.find(|word| word.eq_ignore_ascii_case(other)) {
+                    Some(word) if *word != other => format!("write it in small letters: {word}"),
+                    Some(&"no") => "write it as: no faults".to_owned(),
+                    Some(&PROPERTY) => "its name is in quotes, as in: property \"never both\"".to_owned(),
+                    Some(word) => format!("say what is so, as in: {word} up and down"),
                     None if rest.is_empty() => "a comment begins with #".to_owned(),
-                    None => "rows are after a line as in: scenario \"what is shown\"".to_owned(),
+                    None => "a property begins with always, never, when, after, within, possible or no faults; rows \
+                             are after a line as in: scenario \"what is shown\""
+                        .to_owned(),
                 };
                 self.error(
                     first.range(),
                     format!(
-                        "`{other}` is before the first scenario, where only program, step, interval and \
-                         tolerance are"
+                        "`{other}` is before the first scenario, where only program, step, interval, \
+                         tolerance and properties are"
                     ),
                     help,
                 );

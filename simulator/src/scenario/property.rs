@@ -189,6 +189,12 @@ impl<'t> Reader<'t> {
 
     /// Takes an expression.
     pub(super) fn expression(&mut self) -> Result<Written> {
+        if let Some((at, sign, own)) = foreign_sign(self.text) {
+            return self.after(at).error(
+                format!("`{sign}` is a sign of other languages"),
+                format!("write it here as: {own}"),
+            );
+        }
         let Some(end) = expression_end(self.text) else {
             return self.error(
                 "an expression is missing here",
@@ -302,6 +308,32 @@ impl<'t> Reader<'t> {
         self.end()?;
         Ok(form)
     }
+}
+
+/// Signs and words of other languages, and what they are here.
+const FOREIGN: [(&str, &str); 8] = [
+    ("&&", "a and b"),
+    ("||", "a or b"),
+    ("==", "a = b"),
+    ("!=", "a <> b"),
+    ("->", "when a: b"),
+    ("=>", "when a: b"),
+    ("!", "not a"),
+    ("implies ", "when a: b"),
+];
+
+/// The first of them outside of texts: where it is, and what to write.
+fn foreign_sign(text: &str) -> Option<(usize, &'static str, &'static str)> {
+    let mut quoted = false;
+    text.char_indices().find_map(|(at, c)| {
+        quoted ^= c == '\'';
+        let is_word = text[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_');
+        let is_it = |(sign, _): &&(&str, &str)| {
+            text[at..].starts_with(sign) && !(is_word && sign.starts_with(char::is_alphabetic))
+        };
+        let (sign, own) = FOREIGN.iter().find(is_it).filter(|_| !quoted)?;
+        Some((at, sign.trim_end(), *own))
+    })
 }
 
 impl<E> Form<E> {

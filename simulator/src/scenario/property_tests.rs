@@ -1,6 +1,7 @@
 //! Properties as texts: what is read, what is reported, and what runs violate.
 
 use super::{bind_properties, parse};
+use crate::expression::Expression;
 use crate::simulation::{Options, Simulation};
 use expect_test::{Expect, expect};
 use ladder_analysis::values::value::Value;
@@ -146,4 +147,115 @@ fn runs_are_watched() {
     // A fault makes an expression FALSE.
     assert_eq!(violated("always 10 / level > 1", "____", "____"), [3]);
     assert_eq!(violated("no faults", "__________", "----------"), nothing);
+}
+
+const CELLS: &str = "\
+TYPE
+    Mode : (OFF, HEAT := 5, COOL);
+    Cell : STRUCT
+        mode : Mode;
+        temp : INT := 20;
+        wait : TON;
+    END_STRUCT;
+END_TYPE
+VAR_INPUT k : INT; mode : Mode; END_VAR
+VAR cells : ARRAY[1..2] OF Cell; grid : ARRAY[0..1, 0..2] OF INT := [1, 2, 3, 4, 5, 6]; END_VAR
++--[MOV]( cells[2].mode, mode )--[MOV]( cells[2].temp, k )--+
++--[EQ]( mode, HEAT )--[TON]( cells[1].wait, 10ms )--+
++--[TON]( cells[2].wait, 0s )--+
+";
+
+/// For each condition in which scans of a run it holds: `k` is 1, 2, 1, and `mode` is off, heat, heat.
+fn holds(conditions: &[&str]) -> String {
+    let analysis = ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(CELLS)), "cells.clad");
+    let program = analysis.program().cloned().expect("it has no errors");
+    let mut simulation = Simulation::new(program, Options::default()).expect("it compiles");
+    let [k, mode] = ["k", "mode"].map(|name| simulation.resolve(name).expect(name));
+    let mut out = String::new();
+    for condition in conditions {
+        let mut compiled = match Expression::condition(condition, &simulation) {
+            Ok(compiled) => compiled,
+            Err(problem) => {
+                out.push_str(&format!("{condition}: {problem}\n"));
+                continue;
+            }
+        };
+        simulation.reset();
+        let scans = [(1, 0), (2, 5), (1, 5)].map(|values| {
+            simulation.set(&k, Value::Int(values.0)).expect("it fits");
+            simulation.set(&mode, Value::Int(values.1)).expect("it fits");
+            simulation.scan();
+            match compiled.holds(&simulation) {
+                Ok(true) => '-',
+                Ok(false) => '_',
+                Err(_) => '?',
+            }
+        });
+        out.push_str(&format!("{condition}: {}\n", scans.iter().collect::<String>()));
+    }
+    out
+}
+
+#[test]
+fn enumerations_and_computed_indices() {
+    expect![[r#"
+        mode = HEAT: _--
+        mode = Mode.heat: _--
+        mode <> OFF and was(mode) = OFF: _-_
+        rises(mode = HEAT): _-_
+        cells[k].mode = HEAT: _-_
+        cells[k].mode = mode: --_
+        cells[k + 1].temp = 1: -?-
+        cells[k].wait.Q: _--
+        cells[k].wait.ET = T#10ms: __-
+        grid[k, 2] = 6: -?-
+        grid[k - 1, k] = 2: -_-
+        SUM(grid[0, k..2]) = 5: -_-
+        MAX(grid[k - 1, 0], grid[0, k]) = 4: _-_
+    "#]]
+    .assert_eq(&holds(&[
+        "mode = HEAT",
+        "mode = Mode.heat",
+        "mode <> OFF and was(mode) = OFF",
+        "rises(mode = HEAT)",
+        "cells[k].mode = HEAT",
+        "cells[k].mode = mode",
+        "cells[k + 1].temp = 1",
+        "cells[k].wait.Q",
+        "cells[k].wait.ET = T#10ms",
+        "grid[k, 2] = 6",
+        "grid[k - 1, k] = 2",
+        "SUM(grid[0, k..2]) = 5",
+        "MAX(grid[k - 1, 0], grid[0, k]) = 4",
+    ]));
+}
+
+#[test]
+fn what_is_wrong_with_values_and_conditions_is_said() {
+    expect![[r#"
+        HEAT: `HEAT` is a value of Mode, and nothing here asks for one; compare a tag with it, as in: tag = Mode.HEAT
+        mode: a condition is TRUE or FALSE, and this is of type Mode
+        mode > HEAT: values of Mode are equal or not: none is greater than another
+        mode = WARM: there is no tag `WARM` in this program
+        mode = Mode.WARM: Mode has no value `WARM`: its values are OFF HEAT COOL
+        k = HEAT: `HEAT` is a value of Mode, and nothing here asks for one; compare a tag with it, as in: tag = Mode.HEAT
+        k = TRUE: INT and BOOL cannot be compared
+        cells[k].speed = 1: cells has parts: name one of them, as in cells[1].mode
+        cells[k] = cells[1]: cells has parts: name one of them, as in cells[1].mode
+        grid[k] = 1: grid has parts: name one of them, as in grid[0, 0]
+        not k: a condition is TRUE or FALSE, and this is of type INT
+    "#]]
+    .assert_eq(&holds(&[
+        "HEAT",
+        "mode",
+        "mode > HEAT",
+        "mode = WARM",
+        "mode = Mode.WARM",
+        "k = HEAT",
+        "k = TRUE",
+        "cells[k].speed = 1",
+        "cells[k] = cells[1]",
+        "grid[k] = 1",
+        "not k",
+    ]));
 }
