@@ -1,14 +1,15 @@
 //! The answers: what is known of each property, and why no more.
 
 use crate::causes::{left_open, what_takes_long};
-use crate::decide::{Depth, Known, Seeks, decide};
+use crate::decide::{CONFLICTS, Depth, Known, Seeks, decide};
 use crate::encode;
 use crate::graph::Lit;
 use crate::lemmas;
-use crate::limits::End;
+use crate::limits::{End, LATE};
 use crate::model::{Model, Target, build};
 pub use crate::replay::Shown;
 use crate::replay::{Wanted, replay};
+use crate::wanted::is_wanted;
 use ladder_analysis::program::Location;
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{Form, Watched};
@@ -98,17 +99,19 @@ pub fn prove(
     let end = End::from(began + options.time);
     let mut answers: Vec<Option<Answer>> = vec![None; watched.properties.len()];
     // First with times that may be anything: what holds then needs no counting.
-    let open = build(simulation, watched, encode::Times::Open);
+    let open = build(simulation, watched, encode::Times::Open, end);
     let targets: Vec<Lit> = open.properties.iter().map(|property| property.bad).collect();
     let depth = Depth {
         base: 5,
         step: 5,
         end,
         seeks: Seeks::Every,
+        conflicts: OPEN_CONFLICTS,
     };
     let (known, clauses) = decide(&open, &targets, depth);
+    let is_late = end.is_over();
     for (n, known) in known.into_iter().enumerate() {
-        if matches!(known, Known::Never(_) | Known::Vacuous) {
+        if is_late || matches!(known, Known::Never(_) | Known::Vacuous) {
             let cause = left_open(&open, targets[n]);
             let answer = answer(watched, n, known, Times::Any, cause);
             answers[n] = Some(answer.after(clauses, began));
@@ -116,10 +119,12 @@ pub fn prove(
     }
     let rest: Vec<usize> = (0..answers.len()).filter(|n| answers[*n].is_none()).collect();
     let may_be_noted = |property: &Target| property.trigger.is_some() || property.fault != Lit::FALSE;
-    if rest.is_empty() && !open.properties.iter().any(may_be_noted) {
-        return Ok(answers.into_iter().flatten().collect());
+    if is_late || rest.is_empty() && !open.properties.iter().any(may_be_noted) {
+        let mut answers: Vec<Answer> = answers.into_iter().flatten().collect();
+        answers.iter_mut().for_each(|answer| note_late(answer, end));
+        return Ok(answers);
     }
-    let mut exact = build(simulation, watched, encode::Times::Exact);
+    let mut exact = build(simulation, watched, encode::Times::Exact, end);
     if !rest.is_empty() {
         let targets: Vec<Lit> = rest.iter().map(|n| exact.properties[*n].bad).collect();
         lemmas::add(&mut exact, &targets, end);
@@ -128,6 +133,7 @@ pub fn prove(
             step: 20,
             end,
             seeks: Seeks::Every,
+            conflicts: CONFLICTS,
         };
         let (known, clauses) = decide(&exact, &targets, depth);
         for (n, known) in rest.into_iter().zip(known) {
@@ -160,6 +166,11 @@ pub fn prove(
         if let Verdict::Unknown(scans) = answer.verdict {
             let long = what_takes_long(simulation, &exact, property.bad, scans);
             answer.open.extend(long);
+            note_late(answer, end);
+            if answer.open.is_empty() && scans < options.scans {
+                let why = format!("what happens in scan {scans} is too hard for the solver");
+                answer.open.push((why, None));
+            }
         }
     }
     note_untriggered(&exact, &mut answers, end);
@@ -225,6 +236,25 @@ fn answer(
     }
 }
 
+/// Conflicts that a question may have while times may be anything: it comes back with those that they are.
+const OPEN_CONFLICTS: u64 = 20_000;
+/// Conflicts that a question may have of which no verdict depends.
+const NOTE_CONFLICTS: u64 = 5_000;
+
+/// Says of what is not known that more time may help.
+fn note_late(answer: &mut Answer, end: End) {
+    let is_said = answer.open.iter().any(|(what, _)| what == LATE);
+    if !matches!(answer.verdict, Verdict::Unknown(_)) || !end.is_over() || is_said {
+        return;
+    }
+    let why = if is_wanted() {
+        "the time was over"
+    } else {
+        "it was stopped"
+    };
+    answer.open.push((why.to_owned(), None));
+}
+
 /// Asks of what is proved and has a left side whether that is ever so.
 fn note_untriggered(model: &Model, answers: &mut [Answer], end: End) {
     let asked: Vec<(usize, Lit)> = (answers.iter().zip(&model.properties).enumerate())
@@ -238,8 +268,9 @@ fn note_untriggered(model: &Model, answers: &mut [Answer], end: End) {
     let depth = Depth {
         base: 8,
         step: 8,
-        end: end.within(Duration::from_secs(2)),
+        end,
         seeks: Seeks::Every,
+        conflicts: NOTE_CONFLICTS,
     };
     for ((n, _), known) in asked.into_iter().zip(decide(model, &targets, depth).0) {
         answers[n].never_triggered = matches!(known, Known::Never(_));
@@ -266,8 +297,9 @@ fn note_faults(
     let depth = Depth {
         base: 20,
         step: 4,
-        end: end.within(Duration::from_secs(2)),
+        end,
         seeks: Seeks::Every,
+        conflicts: NOTE_CONFLICTS,
     };
     for ((n, _), known) in asked.into_iter().zip(decide(model, &targets, depth).0) {
         if let Known::Found(run) = known {

@@ -5,6 +5,7 @@
 
 use crate::encode::{Kept, Twins, World};
 use crate::graph::{Lit, Node};
+use crate::limits::End;
 use crate::model::{Followed, Model, follow_into};
 use crate::number::Number;
 use crate::shown_tags::{Shared, Watched};
@@ -35,11 +36,12 @@ pub(crate) fn both(
     new: &Simulation,
     shared: &Shared,
     assumptions: &[Expression],
+    end: End,
 ) -> Result<Both, String> {
     let counterparts = counterparts(old, new);
     let mut apart: FxHashSet<Twin> = FxHashSet::default();
     loop {
-        let two = Two::follow((old, new), (shared, assumptions), &counterparts, &apart)?;
+        let two = Two::follow((old, new), (shared, assumptions), &counterparts, &apart, end)?;
         let different = two.different();
         if different.is_empty() {
             return Ok(two.finish(&shared.watched));
@@ -68,8 +70,9 @@ impl Two {
         (shared, assumptions): (&Shared, &[Expression]),
         counterparts: &[(Cell, Cell)],
         apart: &FxHashSet<Twin>,
+        end: End,
     ) -> Result<Two, String> {
-        let mut world = World::default();
+        let mut world = World::until(end);
         let watched = &shared.watched;
         let points: Vec<Point> = watched.iter().map(|watched| watched.old.clone()).collect();
         let before = follow_into(&mut world, old, &points, assumptions);

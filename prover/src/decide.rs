@@ -9,8 +9,8 @@ use crate::lanes::Lanes;
 use crate::limits::End;
 use crate::model::Model;
 use crate::unrolled::{Found, From, Unrolled};
+use crate::wanted::{Progress, tell};
 use rustc_hash::FxHashSet;
-use std::time::Duration;
 
 /// How far is looked.
 #[derive(Debug, Clone, Copy)]
@@ -22,6 +22,8 @@ pub(crate) struct Depth {
     /// When it must be done.
     pub(crate) end: End,
     pub(crate) seeks: Seeks,
+    /// Conflicts that one question may have.
+    pub(crate) conflicts: u64,
 }
 
 /// Which runs are wanted.
@@ -57,12 +59,15 @@ pub(crate) struct Run {
 /// After so many scans runs are tried before the solver goes on: they reach further.
 const TRIED_AT: usize = 40;
 const TRIED_SCANS: usize = 3_000;
-const TRIED_TIME: Duration = Duration::from_millis(1_500);
+/// The steps of all of these runs.
+const TRIED_STEPS: usize = 150_000_000;
 
-/// Conflicts that one question may have.
-const CONFLICTS: u64 = 200_000;
-/// The same for a question of the induction, after which the next scan may help.
-const STEP_CONFLICTS: u64 = 20_000;
+/// Conflicts that one question may have where an answer is worth it.
+pub(crate) const CONFLICTS: u64 = 200_000;
+/// The same before all other questions have been asked.
+const CHEAP: u64 = 2_000;
+/// The part of them for a question of the induction, after which the next scan may help.
+const STEP_PART: u64 = 10;
 
 /// The properties whose literals are given, each of which is to be low in every scan.
 pub(crate) fn decide(model: &Model, targets: &[Lit], depth: Depth) -> (Vec<Known>, u64) {
@@ -86,7 +91,13 @@ pub(crate) fn decide(model: &Model, targets: &[Lit], depth: Depth) -> (Vec<Known
         if known.iter().all(Option::is_some) || is_late || is_found {
             break;
         }
-        let goes_on = base.add_scan() && (model.assumed.is_empty() || base.ask(&[], CONFLICTS) != Found::No);
+        tell(Progress {
+            scan,
+            decided: known.iter().flatten().count(),
+            of: known.len(),
+        });
+        let goes_on =
+            base.add_scan() && (model.assumed.is_empty() || base.ask(&[], depth.conflicts) != Found::No);
         if !goes_on {
             if scan == 0 {
                 return (vec![Known::Vacuous; targets.len()], base.clauses());
@@ -99,39 +110,47 @@ pub(crate) fn decide(model: &Model, targets: &[Lit], depth: Depth) -> (Vec<Known
             }
             break;
         }
-        for (n, &target) in targets.iter().enumerate() {
-            if known[n].is_some() || given_up.contains(&n) {
-                continue;
+        let is_open = |n: &usize| known[*n].is_none() && !given_up.contains(n);
+        let mut left: Vec<usize> = (0..targets.len()).filter(is_open).collect();
+        let can_induce =
+            scan < depth.step && !step.is_full() && prepare(&mut step, targets, &selectors, scan);
+        // What is hard to answer comes after what is not, and after what that proves.
+        for conflicts in [depth.conflicts.min(CHEAP), depth.conflicts] {
+            if left.is_empty() {
+                break;
             }
-            let bad = base.lit(scan, target);
-            match base.ask(&[bad], CONFLICTS) {
-                Found::Yes => {
-                    if depth.seeks == Seeks::One {
+            for n in std::mem::take(&mut left) {
+                let target = targets[n];
+                let bad = base.lit(scan, target);
+                match base.ask(&[bad], conflicts) {
+                    Found::Yes if depth.seeks == Seeks::One => {
                         let run = read(&base, model, &inputs_of(model, &[target]), scan);
                         known[n] = Some(Known::Found(run));
+                        left.clear();
                         break;
                     }
-                    let run = readable(&mut base, model, scan, (target, bad), depth.end);
-                    known[n] = Some(Known::Found(run));
+                    Found::Yes => {
+                        let run = readable(&mut base, model, scan, (target, bad), depth.end);
+                        known[n] = Some(Known::Found(run));
+                    }
+                    Found::No => {
+                        base.require(!bad);
+                        reached[n] = scan + 1;
+                    }
+                    Found::Unknown => left.push(n),
                 }
-                Found::No => {
-                    base.require(!bad);
-                    reached[n] = scan + 1;
-                }
-                Found::Unknown => {
-                    given_up.insert(n);
+            }
+            if can_induce {
+                // Only what this scan does not violate.
+                let is_open = |n: &usize| known[*n].is_none() && reached[*n] == scan + 1;
+                let open = (0..targets.len()).filter(is_open).collect();
+                for n in induce(&mut step, targets, &selectors, (&states, depth), open, scan) {
+                    known[n] = Some(Known::Never(scan));
+                    step.require(selectors[n]);
                 }
             }
         }
-        if scan < depth.step && !step.is_full() {
-            let open: Vec<usize> = (0..targets.len())
-                .filter(|n| known[*n].is_none() && !given_up.contains(n))
-                .collect();
-            for n in induce(&mut step, targets, &selectors, &states, open, scan) {
-                known[n] = Some(Known::Never(scan));
-                step.require(selectors[n]);
-            }
-        }
+        given_up.extend(left);
     }
     let answers = known.into_iter().zip(reached);
     let answers = answers.map(|(known, reached)| known.unwrap_or(Known::NotIn(reached)));
@@ -145,10 +164,9 @@ fn try_runs(model: &Model, targets: &[Lit], known: &mut [Option<Known>], end: En
     if wanted.is_empty() {
         return;
     }
-    let end = end.within(TRIED_TIME);
     for (round, hold) in [(1u64, 64u64), (2, 512), (3, 8)] {
         let mut lanes = Lanes::new(model, &wanted, round * 0x1234_5677, hold);
-        for _ in 0..TRIED_SCANS {
+        for _ in 0..TRIED_SCANS.min(TRIED_STEPS / 3 / lanes.steps()) {
             if end.is_over() || open.iter().all(|n| known[*n].is_some()) {
                 return;
             }
@@ -164,17 +182,10 @@ fn try_runs(model: &Model, targets: &[Lit], known: &mut [Option<Known>], end: En
     }
 }
 
-/// Those of the open properties that cannot be violated in this scan if none of them was in the scans before.
-fn induce(
-    step: &mut Unrolled<'_>,
-    targets: &[Lit],
-    selectors: &[Lit],
-    states: &[Lit],
-    mut open: Vec<usize>,
-    scan: usize,
-) -> Vec<usize> {
+/// Adds a scan to those of the induction, before which none of the chosen properties is violated. False: none can be.
+fn prepare(step: &mut Unrolled<'_>, targets: &[Lit], selectors: &[Lit], scan: usize) -> bool {
     if !step.add_scan() {
-        return open;
+        return false;
     }
     if let Some(before) = scan.checked_sub(1) {
         for (&target, &selector) in targets.iter().zip(selectors) {
@@ -182,6 +193,18 @@ fn induce(
             step.require_one(&[!selector, !bad]);
         }
     }
+    true
+}
+
+/// Those of the open properties that cannot be violated in this scan if none of them was in the scans before.
+fn induce(
+    step: &mut Unrolled<'_>,
+    targets: &[Lit],
+    selectors: &[Lit],
+    (states, depth): (&[Lit], Depth),
+    mut open: Vec<usize>,
+    scan: usize,
+) -> Vec<usize> {
     loop {
         let before = open.clone();
         for n in before.iter().copied() {
@@ -190,7 +213,7 @@ fn induce(
             question.push(bad);
             let mut repeats = 0;
             loop {
-                match step.ask(&question, STEP_CONFLICTS) {
+                match step.ask(&question, depth.conflicts / STEP_PART) {
                     Found::No => break,
                     // A run that comes back to where it was need not be followed.
                     Found::Yes if repeats < MOST_REPEATS && forbid_repeat(step, states, scan) => repeats += 1,
@@ -274,21 +297,21 @@ const MOST_REPEATS: usize = 100;
 const MOST_COMPARED: usize = 4_000;
 
 /// How long a run is made more readable.
-const READABLE: Duration = Duration::from_secs(2);
+const READABLE: u64 = 20_000_000;
 const READABLE_CONFLICTS: u64 = 1_000;
 
 /// The run that was found, with as few changes of its inputs as can be had by asking for each whether it may be as before.
 fn readable(base: &mut Unrolled<'_>, model: &Model, last: usize, (target, bad): (Lit, Lit), end: End) -> Run {
     let inputs = inputs_of(model, &[target]);
     let mut run = read(base, model, &inputs, last);
-    let end = end.within(READABLE);
+    let most = base.work().saturating_add(READABLE);
     let mut fixed = vec![bad];
     for (number, input) in model.world.inputs.iter().enumerate() {
         if !inputs[number] {
             continue;
         }
         for scan in 0..=last {
-            if end.is_over() {
+            if end.is_over() || base.work() > most {
                 return run;
             }
             let Some(as_before) = as_before(base, input, scan) else {

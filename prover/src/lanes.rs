@@ -54,6 +54,13 @@ impl<'m> Lanes<'m> {
         lanes
     }
 
+    /// About how many steps a scan is.
+    pub(crate) fn steps(&self) -> usize {
+        let inputs = self.model.world.inputs.iter();
+        let bits = inputs.map(|input| input.bits.len()).sum::<usize>();
+        1 + self.nodes.len() + self.model.world.states.len() + 8 * bits
+    }
+
     /// Some number: xorshift, the same on every machine.
     fn any(&mut self) -> u64 {
         self.dice ^= self.dice << 13;

@@ -20,9 +20,11 @@ const MOST_PAIRS: usize = 200;
 const MOST_VALUES: usize = 8;
 /// Of more numbers the rest is not looked into.
 const MOST_NUMBERS: usize = 60;
-/// The part of the time that guesses may take.
-const TIME_DIVISOR: u32 = 4;
 const CONFLICTS: u64 = 5_000;
+/// Steps of the solver for all of its questions, and of the runs from which is guessed.
+const MOST_WORK: u64 = 50_000_000;
+const MOST_STEPS: usize = 100_000_000;
+const SCANS: usize = 60;
 
 /// What was seen of numbers in runs: for each wait and age by how much the wait was longer at most.
 struct Pair {
@@ -33,7 +35,6 @@ struct Pair {
 
 /// Finds what always holds and adds it to the model.
 pub(crate) fn add(model: &mut Model, targets: &[Lit], end: End) {
-    let end = end.part(TIME_DIVISOR);
     let guesses = guess(model, targets, end);
     model.lemmas = keep(model, guesses, end);
 }
@@ -81,7 +82,7 @@ fn guess(model: &mut Model, targets: &[Lit], end: End) -> Vec<Lit> {
     all.extend(&bits);
     for round in 0..4u64 {
         let mut lanes = Lanes::new(model, &all, 0x9E37_79B9 + round * 77, 4 << round);
-        for _ in 0..60 {
+        for _ in 0..SCANS.min(MOST_STEPS / 4 / lanes.steps()) {
             if end.is_over() {
                 break;
             }
@@ -238,7 +239,7 @@ fn keep(model: &Model, mut guesses: Vec<Lit>, end: End) -> Vec<Lit> {
         let after = step.lit(1, *guess);
         held.push((selector, after));
     }
-    while !guesses.is_empty() {
+    while !guesses.is_empty() && step.work() < MOST_WORK {
         let breaks = step.selector();
         let mut clause: Vec<Lit> = held.iter().map(|(_, after)| !*after).collect();
         clause.push(!breaks);
@@ -259,7 +260,7 @@ fn keep(model: &Model, mut guesses: Vec<Lit>, end: End) -> Vec<Lit> {
         let mut which = stays.iter();
         held.retain(|_| *which.next().unwrap_or(&false));
     }
-    guesses
+    Vec::new()
 }
 
 #[cfg(test)]
@@ -271,6 +272,7 @@ mod tests {
     use ladder_simulator::scenario::{bind_properties, parse};
     use ladder_simulator::{Options, Simulation};
     use std::sync::Arc;
+    use std::time::{Duration, Instant};
 
     /// What is known of the first property of a program without what always holds, and with it.
     fn without_and_with(program: &str, property: &str) -> [Known; 2] {
@@ -283,13 +285,19 @@ mod tests {
         let simulation = Simulation::new(program, options).expect("it compiles");
         let suite = parse(&format!("program p.clad\n{property}\n"));
         let (watched, _) = bind_properties(&suite, &simulation);
-        let mut model = build(&simulation, &watched, Times::Exact);
+        let mut model = build(
+            &simulation,
+            &watched,
+            Times::Exact,
+            (Instant::now() + Duration::from_secs(20)).into(),
+        );
         let targets = vec![model.properties[0].bad];
         let depth = Depth {
             base: 5,
             step: 5,
-            end: (std::time::Instant::now() + std::time::Duration::from_secs(20)).into(),
+            end: (Instant::now() + Duration::from_secs(20)).into(),
             seeks: Seeks::Every,
+            conflicts: CONFLICTS,
         };
         let without = decide(&model, &targets, depth).0.remove(0);
         add(&mut model, &targets, depth.end);

@@ -42,4 +42,4 @@ pub use programs::{
 };
 pub use said::drawn;
 pub use scenario_text::{found_scenario, rows_of, scenario_file, scenario_of_difference};
-pub use wanted::{is_wanted, while_wanted};
+pub use wanted::{Progress, is_wanted, telling, while_wanted};

@@ -1,40 +1,31 @@
 //! When a search must be done, and how much a solver may do for one question.
+//!
+//! Only the whole has a time. What its parts may do is counted in steps, so that a busy machine says the same as an idle one.
 
 use crate::wanted::is_wanted;
 use batsat::Callbacks;
 use std::cell::Cell;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
-/// When all must be done.
-#[derive(Debug, Clone, Copy)]
+/// Why nothing more of a program is followed once that is so.
+pub(crate) const LATE: &str = "the time was over before all of the program was followed";
+
+/// When all must be done; without a time, when nobody waits.
+#[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct End {
-    at: Instant,
+    at: Option<Instant>,
 }
 
 impl End {
-    /// In so long, if not before.
-    #[must_use]
-    pub(crate) fn within(self, time: Duration) -> End {
-        End {
-            at: self.at.min(Instant::now() + time),
-        }
-    }
-
-    /// After a part of the time that is left.
-    #[must_use]
-    pub(crate) fn part(self, divisor: u32) -> End {
-        self.within(self.at.saturating_duration_since(Instant::now()) / divisor)
-    }
-
     /// No time is left, or nobody waits.
     pub(crate) fn is_over(self) -> bool {
-        Instant::now() >= self.at || !is_wanted()
+        self.at.is_some_and(|at| Instant::now() >= at) || !is_wanted()
     }
 }
 
 impl From<Instant> for End {
     fn from(at: Instant) -> End {
-        End { at }
+        End { at: Some(at) }
     }
 }
 

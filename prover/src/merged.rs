@@ -13,6 +13,8 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// Conflicts that the question about all merged states may have, and about one of them.
 const CONFLICTS: u64 = 5_000;
 const CONFLICTS_OF_ONE: u64 = 200;
+/// How many nodes are merged in all until nothing more is given up.
+const MOST_STEPS: usize = 20_000_000;
 
 /// A model in which states have been merged.
 pub(crate) struct Merged {
@@ -110,9 +112,10 @@ pub(crate) fn keep(
     mut pairs: Vec<(usize, usize)>,
     end: End,
 ) -> Vec<(usize, usize)> {
-    loop {
+    let most = MOST_STEPS / model.world.graph.len();
+    for _ in 0..most.max(10) {
         if pairs.is_empty() || end.is_over() {
-            return Vec::new();
+            break;
         }
         let merged = merge(model, &pairs);
         let asked = asked(model, &merged, wanted, &pairs);
@@ -122,6 +125,7 @@ pub(crate) fn keep(
         }
         pairs.retain(|pair| !broken.contains(pair));
     }
+    Vec::new()
 }
 
 /// A pair, and what both of it are next.

@@ -3,6 +3,7 @@
 
 use crate::encode::{Cells, Gap, Kept, Memory, Scan, Times, World};
 use crate::graph::Lit;
+use crate::limits::End;
 use crate::number::Number;
 use crate::system;
 use ladder_analysis::values::types::Scalar;
@@ -38,7 +39,7 @@ pub(crate) struct Target {
 }
 
 /// Builds the model of a program; one that cannot be followed is blocked, and its properties mean nothing.
-pub(crate) fn build(simulation: &Simulation, watched: &Watched, times: Times) -> Model {
+pub(crate) fn build(simulation: &Simulation, watched: &Watched, times: Times, end: End) -> Model {
     let mut seen = Vec::new();
     let mut see = |expression: &Expression| {
         expression.for_each_point(&mut |point| seen.push(point.slot()));
@@ -50,7 +51,7 @@ pub(crate) fn build(simulation: &Simulation, watched: &Watched, times: Times) ->
     watched.assumptions.iter().for_each(|assumption| {
         let _: Result<(), ()> = see(assumption);
     });
-    follow(&mut World::default(), simulation, &seen, times, |builder| {
+    follow(&mut World::until(end), simulation, &seen, times, |builder| {
         builder.properties(watched)
     })
 }
@@ -133,7 +134,10 @@ fn follow<T>(
     let cells = Cells::of(simulation.program(), compiled, seen);
     let options = simulation.options();
     // The longest presets must be known before ages have their room.
-    let mut first = World::default();
+    let mut first = World {
+        end: world.end,
+        ..World::default()
+    };
     Builder::scan(&mut first, compiled, &cells, Times::Open, options);
     world.presets = first.presets;
     let numbers = compiled

@@ -7,7 +7,7 @@
 //! ```
 
 use crate::both::{Both, both};
-use crate::decide::{Depth, Known, Run, Seeks, decide, inputs_of, reach};
+use crate::decide::{CONFLICTS, Depth, Known, Run, Seeks, decide, inputs_of, reach};
 use crate::divergence::Stage;
 pub use crate::divergence::{Differing, Divergence, Row, Which};
 use crate::graph::Lit;
@@ -66,6 +66,8 @@ const SOON_NODES: usize = 2_000_000;
 /// The same later, where the solver has found nothing near.
 const LATE: [u64; 3] = [64, 512, 16];
 const LATE_SCANS: usize = 2_000;
+/// The steps of all runs of either kind.
+const MOST_STEPS: usize = 150_000_000;
 /// So many scans are searched before guesses about what always holds are made.
 const SHORT: usize = 3;
 /// How many runs with a difference are played, where something was left open that may not be so.
@@ -102,7 +104,7 @@ pub fn compare_programs_assuming(
         Ok(shared) => shared,
         Err(why) => return Ok(Whole::Unknown(why)),
     };
-    let both = match both(old, new, &shared, &assumed.assumptions) {
+    let both = match both(old, new, &shared, &assumed.assumptions, end) {
         Ok(both) => both,
         Err(why) => return Ok(Whole::Unknown(why)),
     };
@@ -154,7 +156,7 @@ impl Search<'_> {
         if let Some(found) = self.try_runs(&model, &differs, &mut pairs, (&SOON, scans))? {
             return Ok(Whole::Differs(Box::new(found)));
         }
-        let kept = keep(&model, &differs, pairs, self.end.part(2));
+        let kept = keep(&model, &differs, pairs, self.end);
         let merged = merge(&model, &kept);
         let mut wanted: Vec<Lit> = differs.iter().map(|lit| merged.lit(*lit)).collect();
         wanted.retain(|lit| *lit != Lit::FALSE);
@@ -169,13 +171,12 @@ impl Search<'_> {
         pairs: &mut Vec<(usize, usize)>,
         (holds, scans): (&[u64], usize),
     ) -> Result<Option<Divergence>, NotReproduced> {
-        let end = self.end.part(4);
         let inputs = inputs_of(model, wanted);
         let mut played = 0;
         for (round, hold) in (1u64..).zip(holds.iter().copied()) {
             let mut lanes = Lanes::new(model, wanted, round * 0x9E37_79B9, hold);
-            for _ in 0..scans {
-                if end.is_over() || played == MOST_PLAYED {
+            for _ in 0..scans.min(MOST_STEPS / holds.len() / lanes.steps()) {
+                if self.end.is_over() || played == MOST_PLAYED {
                     return Ok(None);
                 }
                 lanes.scan();
@@ -236,6 +237,7 @@ impl Search<'_> {
                     step,
                     end,
                     seeks,
+                    conflicts: CONFLICTS,
                 };
                 let known = decide(&model, &wanted, depth).0;
                 let mut left = Vec::new();

@@ -247,6 +247,11 @@ impl<'m> Unrolled<'m> {
         self.graph.len() > MOST_NODES
     }
 
+    /// How many steps the solver has made: what follows from what it tried.
+    pub(crate) fn work(&self) -> u64 {
+        self.solver.num_propagations()
+    }
+
     /// How many clauses the solver was given.
     pub(crate) fn clauses(&self) -> u64 {
         self.solver.num_clauses()

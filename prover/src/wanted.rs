@@ -1,12 +1,14 @@
-//! Whether anybody still waits for a proof: an editor whose text has changed does not.
+//! Who waits for a proof: whether anybody still does, as an editor whose text has changed does not, and how far it has come.
 
 use std::cell::RefCell;
 
 type IsWanted = Box<dyn Fn() -> bool>;
+type Tell = Box<dyn Fn(Progress)>;
 
 thread_local! {
     /// Of the proof that this thread is about.
     static WANTED: RefCell<Option<IsWanted>> = const { RefCell::new(None) };
+    static TOLD: RefCell<Option<Tell>> = const { RefCell::new(None) };
 }
 
 /// Forgets at the end of a job, and after a panic in it, too.
@@ -15,6 +17,7 @@ struct Forget;
 impl Drop for Forget {
     fn drop(&mut self) {
         WANTED.set(None);
+        TOLD.set(None);
     }
 }
 
@@ -24,6 +27,33 @@ pub fn while_wanted<T>(is_wanted: impl Fn() -> bool + 'static, job: impl FnOnce(
     WANTED.set(Some(Box::new(is_wanted)));
     let _forget = Forget;
     job()
+}
+
+/// How far a search has come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// The scan that is searched.
+    pub scan: usize,
+    /// How many questions are answered.
+    pub decided: usize,
+    /// Of how many.
+    pub of: usize,
+}
+
+/// Does a job on this thread, and tells in each scan that is searched how far it is.
+pub fn telling<T>(tell: impl Fn(Progress) + 'static, job: impl FnOnce() -> T) -> T {
+    TOLD.set(Some(Box::new(tell)));
+    let _forget = Forget;
+    job()
+}
+
+/// Tells who waits for what this thread does.
+pub(crate) fn tell(progress: Progress) {
+    TOLD.with_borrow(|tell| {
+        if let Some(tell) = tell {
+            tell(progress);
+        }
+    });
 }
 
 /// Whether anybody waits for what this thread does.

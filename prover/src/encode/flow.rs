@@ -2,9 +2,11 @@
 
 use super::{MOST_NODES, Region, Scan};
 use crate::graph::Lit;
+use crate::limits::LATE;
 use crate::never::is_never;
 use crate::number::Number;
 use ladder_simulator::compiled::{CALL_DEPTH, Instr};
+use std::collections::BTreeMap;
 
 /// What a call, or the body of a user-defined block, has of its own.
 #[derive(Debug, Clone)]
@@ -29,8 +31,48 @@ impl Default for Frame {
 
 impl Scan<'_, '_> {
     /// Follows code from an instruction on: to the end of the main program or the function, or of a turn, whose last
-    /// instruction is returned.
+    /// instruction is returned. Who jumps back in it goes through it once more, after all others.
     pub(super) fn stretch(&mut self, start: u32) -> Option<u32> {
+        let outer = std::mem::take(&mut self.back);
+        let last = self.pass(start);
+        let mut done = self.act;
+        let mut further = BTreeMap::new();
+        for round in 1.. {
+            let all = std::mem::take(&mut self.back);
+            let (back, out): (BTreeMap<_, _>, _) = all.into_iter().partition(|(to, _)| *to >= start);
+            further.extend(out);
+            let Some((&first, _)) = back.first_key_value() else {
+                break;
+            };
+            let who = self.world.graph.any(back.values().map(|back| back.who));
+            if round % ASKED_EVERY == 0 && self.is_never(who) {
+                break;
+            }
+            let is_affordable =
+                self.budget / 2 > self.code.instrs.len() && self.world.graph.len() < MOST_NODES / 4;
+            if round == MOST_TURNS || !is_affordable {
+                for (to, Back { who, from }) in back {
+                    self.lose(who, to, "a jump may go back more often than is followed", from);
+                }
+                break;
+            }
+            self.act = Lit::FALSE;
+            for (to, back) in back {
+                self.leave(back.who, to);
+            }
+            self.pass(first);
+            done = self.world.graph.or(done, self.act);
+        }
+        self.act = done;
+        self.back = outer;
+        for (to, back) in further {
+            self.park(to, back);
+        }
+        last
+    }
+
+    /// The same once.
+    fn pass(&mut self, start: u32) -> Option<u32> {
         let mut pc = start;
         loop {
             self.arrive(pc);
@@ -39,6 +81,10 @@ impl Scan<'_, '_> {
             }
             let instr = *self.code.instrs.get(pc as usize)?;
             if self.is_stopped || self.world.blocked.is_some() {
+                return None;
+            }
+            if self.budget.is_multiple_of(LATE_EVERY) && self.world.end.is_over() {
+                self.stop(LATE, pc);
                 return None;
             }
             let Some(budget) = self.budget.checked_sub(1) else {
@@ -161,15 +207,29 @@ impl Scan<'_, '_> {
             self.regions.iter_mut().for_each(|region| region.leaks = true);
             return self.leave(taken, to);
         }
-        if to <= from {
-            return self.lose(taken, to, "a jump goes back", from);
+        if to <= from && !self.frames.is_empty() {
+            return self.lose(taken, to, "a jump goes back in the body of a block", from);
         }
         let enters =
             |&(body, after): &(u32, u32)| (body + 1..after).contains(&to) && !(body..after).contains(&from);
         if self.loops.iter().any(enters) {
             return self.lose(taken, from.min(to), "a jump goes into a loop", from);
         }
-        self.leave(taken, to);
+        if to > from {
+            return self.leave(taken, to);
+        }
+        self.regions.iter_mut().for_each(|region| region.leaks = true);
+        self.act = self.world.graph.and(self.act, !taken);
+        self.park(to, Back { who: taken, from });
+    }
+
+    /// These wait for the next round.
+    fn park(&mut self, to: u32, back: Back) {
+        let known = self.back.entry(to).or_insert(Back {
+            who: Lit::FALSE,
+            ..back
+        });
+        known.who = self.world.graph.or(known.who, back.who);
     }
 
     /// A function is followed where it is called. It calls nobody that is open: that would have no end here.
@@ -187,11 +247,13 @@ impl Scan<'_, '_> {
         let regions = std::mem::take(&mut self.regions);
         let frame = std::mem::take(&mut self.frame);
         let frames = std::mem::take(&mut self.frames);
+        let back = std::mem::take(&mut self.back);
         let ended = std::mem::replace(&mut self.ended, Lit::FALSE);
         self.stretch(to);
         let ends_here = self.ended;
         self.open.pop();
         (self.pending, self.regions, self.frame, self.frames) = (pending, regions, frame, frames);
+        self.back = back;
         self.ended = self.world.graph.or(ended, ends_here);
         self.act = self.world.graph.and(act, !ends_here);
     }
@@ -202,7 +264,7 @@ impl Scan<'_, '_> {
             return lit == Lit::FALSE;
         };
         self.questions = left;
-        is_never(&self.world.graph, lit)
+        is_never(&self.world.graph, lit, self.world.end)
     }
 
     /// The turns of a loop, one after the other. Returns where it goes on.
@@ -249,7 +311,16 @@ impl Scan<'_, '_> {
     }
 }
 
-/// Of a loop whose turns a tag says so many are followed.
+/// Who jumps back, and at which instruction.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Back {
+    who: Lit,
+    from: u32,
+}
+
+/// After so many instructions it is asked whether there is time for more.
+const LATE_EVERY: usize = 64;
+/// Of a loop whose turns a tag says so many are followed, and as many rounds of who jumps back.
 const MOST_TURNS: i64 = 64;
 /// After so many turns it is asked whether one more can be made.
 const ASKED_EVERY: i64 = 8;

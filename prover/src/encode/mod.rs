@@ -37,7 +37,7 @@ pub(crate) use memory::{Kept, Memory};
 pub(crate) use world::{Gap, Input, State, Twins, World};
 
 use crate::graph::Lit;
-use flow::Frame;
+use flow::{Back, Frame};
 use ladder_simulator::compiled::{Code, Instr, Memory as Banks, Word};
 use lost::Lost;
 use slots::Reach;
@@ -67,6 +67,8 @@ pub(crate) struct Scan<'w, 'c> {
     pub(crate) ended: Lit,
     /// Who goes on at an instruction that is still ahead.
     pending: BTreeMap<u32, Lit>,
+    /// Who goes on at an instruction that it has passed, in the next round.
+    back: BTreeMap<u32, Back>,
     /// The blocks that are passed over without power, the innermost last.
     regions: Vec<Region>,
     frame: Frame,
@@ -132,6 +134,7 @@ impl<'w, 'c> Scan<'w, 'c> {
             faulted: Lit::FALSE,
             ended: Lit::FALSE,
             pending: BTreeMap::new(),
+            back: BTreeMap::new(),
             regions: Vec::new(),
             frame: Frame::default(),
             frames: Vec::new(),

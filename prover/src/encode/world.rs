@@ -3,6 +3,7 @@
 use super::cells::InputTag;
 use super::memory::Kept;
 use crate::graph::{Graph, Lit};
+use crate::limits::End;
 use crate::number::Number;
 use ladder_analysis::program::Location;
 use ladder_analysis::values::types::Scalar;
@@ -81,6 +82,8 @@ pub(crate) struct World {
     pub(crate) constants: Vec<i64>,
     /// What the program that is followed may share with another one.
     pub(crate) twins: Twins,
+    /// When nothing more may be followed.
+    pub(crate) end: End,
 }
 
 /// Of a program that is followed after another one: what of it is remembered in the same variables as there.
@@ -95,6 +98,14 @@ pub(crate) struct Twins {
 }
 
 impl World {
+    /// An empty one, for what is followed until then.
+    pub(crate) fn until(end: End) -> World {
+        World {
+            end,
+            ..World::default()
+        }
+    }
+
     /// Bits that may be anything, since what they would be is not followed.
     pub(crate) fn open_bits(&mut self, gap: Gap, count: usize) -> Vec<Lit> {
         let number = match self.gaps.iter().position(|known| *known == gap) {

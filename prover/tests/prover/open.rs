@@ -16,24 +16,56 @@ fn check(program: &str, properties: &str, expected: Expect) {
 }
 
 #[test]
-fn a_jump_back() {
+fn jumps_back() {
     check(
-        "+--[ ]( a )--[/]( down )--( )( up )--+
+        "VAR_INPUT few : USINT; go : BOOL; END_VAR
+VAR n, sum : INT; END_VAR
++--[ ]( a )--[/]( down )--( )( up )--+
 +--[ ]( b )--[/]( up )--( )( down )--+
-+--<LBL>( again )--[ADD]( n, n, 1 )--[LT]( n, 10 )--<JMP>( again )--+
++--[MOV]( n, 0 )--[MOV]( sum, 0 )--+
++--<LBL>( again )--[ADD]( n, n, 1 )--[ADD]( sum, sum, n )--+
++--[ ]( go )--[LT]( n, few )--[LT]( n, 4 )--<JMP>( again )--+
 +--[ ]( go )--( )( gone )--+
-+--[ ]( gone )--( )( late )--+
 ",
         "program p.clad
 never up and down
 never gone and not go
-never n < 0
+always n >= 1 and n <= 4
+possible sum = 10
+never sum > 9
+when n = 3: sum = 6
+when not go: n = 1
+",
+        expect![[r#"
+            never up and down: proved
+            never gone and not go: proved
+            always n >= 1 and n <= 4: proved
+            possible sum = 10: possible
+            never sum > 9: violated
+            when n = 3: sum = 6: proved
+            when not go: n = 1: proved
+        "#]],
+    );
+}
+
+#[test]
+fn a_jump_back_that_may_not_end() {
+    check(
+        "+--[ ]( a )--[/]( down )--( )( up )--+
++--[ ]( b )--[/]( up )--( )( down )--+
++--<LBL>( again )--[ADD]( n, n, 1 )--[ ]( more )--<JMP>( again )--+
++--[ ]( go )--( )( gone )--+
+",
+        "program p.clad
+never up and down
+never gone and not go
+when not more: n = was(n) + 1
 possible up
 ",
         expect![[r#"
             never up and down: proved
-            never gone and not go: unknown a jump goes back
-            never n < 0: unknown a jump goes back
+            never gone and not go: unknown a jump may go back more often than is followed
+            when not more: n = was(n) + 1: proved a jump may go back more often than is followed
             possible up: possible
         "#]],
     );
