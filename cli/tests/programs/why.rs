@@ -344,3 +344,72 @@ fn for_other_programs() {
     "#]]
     .assert_eq(&run.to_string());
 }
+
+#[test]
+fn what_is_in_the_state_of_a_block_comes_from_the_block() {
+    let program = "\
+FUNCTION_BLOCK [$Motor]
+VAR_INPUT start, stop : BOOL; END_VAR
+VAR_OUTPUT run : BOOL; END_VAR
+VAR t : TON; END_VAR
++--[ ]( start )--[/]( stop )--[TON]( t, 2s )--( )( run )--+
+END_FUNCTION_BLOCK
+
+VAR_INPUT b1, b2 : BOOL; END_VAR
+VAR_OUTPUT lamp : BOOL; END_VAR
+VAR m1 : $Motor; END_VAR
++--[$Motor]( m1, b1, b2 )--+
++--[ ]( m1.run )--( )( lamp )--+
+";
+    let folder = Folder::with(&[
+        ("plant.clad", program),
+        ("values.csv", "b1;ON\nb2;off\nm1.t.ET;300\nm1.run;0\nlamp;0\n"),
+    ]);
+    let run = folder.ladder(&["why", "plant.clad", "lamp", "--tags", "values.csv"]);
+    expect![[r#"
+        exit status 0
+        -- stdout
+        lamp is 0: line 12, ( )( lamp ) writes 0; blocked by [ ]( m1.run ) (line 12, column 4): m1.run is 0
+          m1.run is 0: line 11, [$Motor]( m1, b1, b2 ) writes 0; power came straight from the rail
+            b1 is 1: it is an input
+            b2 is 0: it is an input
+
+        │  m1.run                                                              lamp   │
+        ┝━━┥   ├───────────────────────────────────────────────────────────────(   )──┤
+    "#]]
+    .assert_eq(&run.to_string());
+}
+
+#[test]
+fn values_are_read_as_controllers_write_them() {
+    check(
+        "run",
+        "\"Name\";\"Data type\";\"Monitor value\"\n\"start\";\"Bool\";\"ON\"\n\"stop\";\"Bool\";\"off\"\n\"level\";\"Int\";\"7 mm\"\n\
+         \"run\";\"Bool\";\"FALSE\"\n\"horn\";\"Bool\";\"???\"\n\"valve\";\"Bool\";\"TRUE\"\n",
+        expect![[r#"
+            exit status 0
+            -- stdout
+            run is 0: line 15, ( )( run ) writes 0; blocked by [LT]( level, MAX ) (line 15, column 37): level is 7, MAX is 5
+              level is 7: it is an input
+
+            │                          7                                                  │
+            │     start     stop     level                                          run   │
+            ┝━━┳━━┥━━━┝━━┳━━┥━/━┝━━━━┥ < ├─────────────────────────────────────────(   )──┤
+            │  ┃         ┃            MAX                                                 │
+            │  ┃         ┃             5                                                  │
+            │  ┃   run   ┃                                                                │
+            │  ┗━━┥   ├──┚                                                                │
+
+            in the table, and not in the program: valve (line 7)
+        "#]],
+    );
+    check(
+        "run",
+        "start,maybe\n",
+        expect![[r#"
+            exit status 2
+            -- stderr
+            error: values.csv: line 1: `maybe` is not a value for a BOOL: write 0, 1, TRUE or FALSE
+        "#]],
+    );
+}

@@ -42,6 +42,9 @@ impl Given {
                 given.unknown.push((line, name));
                 continue;
             };
+            if NOTHING.contains(&value.as_str()) {
+                continue;
+            }
             let value = value_of(&value, point.ty).map_err(|problem| failed(line, &problem))?;
             if let Some((first, other)) = lines.get(&point.name) {
                 if *other != value {
@@ -67,16 +70,48 @@ impl Given {
     }
 }
 
-/// A value as controllers write it: a duration as a number of milliseconds too, a number with a comma.
+/// What stands in the place of a value that could not be read.
+const NOTHING: [&str; 6] = ["?", "??", "???", "-", "--", "---"];
+
+/// The words of switches.
+const HIGH: [&str; 4] = ["on", "high", "yes", "set"];
+const LOW: [&str; 4] = ["off", "low", "no", "reset"];
+
+/// A value as controllers write it: `ON`, a duration as a number of milliseconds too, a number with a comma or with a unit.
 fn value_of(text: &str, ty: Scalar) -> Result<Value, String> {
+    let is_one = |words: &[&str]| words.iter().any(|word| text.eq_ignore_ascii_case(word));
+    if ty == Scalar::Bool && (is_one(&HIGH) || is_one(&LOW)) {
+        return Ok(Value::Bool(is_one(&HIGH)));
+    }
     if ty == Scalar::Time
         && let Ok(milliseconds) = text.parse::<i64>()
     {
         let nanoseconds = milliseconds.checked_mul(1_000_000).map(Value::Int);
         return nanoseconds.ok_or_else(|| format!("`{text}` milliseconds are more than a TIME holds"));
     }
-    if ty.is_real() && text.contains(',') && !text.contains('.') {
-        return value_text::parse(&text.replace(',', "."), ty);
+    let wrong = match value_text::parse(text, ty) {
+        Ok(value) => return Ok(value),
+        Err(wrong) => wrong,
+    };
+    let number = if ty.is_real() || ty.is_integer() {
+        without_unit(text)
+    } else {
+        text
+    };
+    let has_comma = ty.is_real() && !number.contains('.');
+    let number = if has_comma {
+        number.replace(',', ".")
+    } else {
+        number.to_owned()
+    };
+    value_text::parse(&number, ty).map_err(|_| wrong)
+}
+
+/// The number of `7 mm` or `12,5%`.
+fn without_unit(text: &str) -> &str {
+    let is_part = |c: char| c.is_ascii_digit() || matches!(c, '.' | ',' | '-' | '+' | '_');
+    match text.split_once(char::is_whitespace) {
+        Some((number, _)) => number,
+        None => text.trim_end_matches(|c: char| !is_part(c)),
     }
-    value_text::parse(text, ty)
 }

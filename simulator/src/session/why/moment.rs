@@ -154,10 +154,12 @@ impl Moment {
 
     fn judge(&mut self, point: &Point, depth: usize, asked: &mut HashSet<String>) -> Judged {
         asked.insert(point.name.clone());
-        let blocks = self
-            .writers
-            .of_tag(place::tag_of(&self.simulation, point))
-            .to_vec();
+        let tag = if point.within == Within::Block {
+            place::holder_of(&self.simulation, point)
+        } else {
+            place::tag_of(&self.simulation, point)
+        };
+        let blocks = self.writers.of_tag(tag).to_vec();
         let found = self.see(point, &blocks);
         let program = self.simulation.program().clone();
         let mut judgements = Vec::with_capacity(found.len());

@@ -70,7 +70,8 @@ fn written_by<'p>(program: &'p Program, block: &'p Block) -> impl Iterator<Item 
             .is_some_and(|operand| operand.direction != Direction::In),
         BlockKind::User(user) => bound
             .parameter
-            .is_some_and(|parameter| program.blocks[user].parameters[parameter].1 != ParameterKind::Input),
+            // Without a parameter it is the tag that has the block's state.
+            .is_none_or(|parameter| program.blocks[user].parameters[parameter].1 != ParameterKind::Input),
     });
     written.flat_map(|bound| place::argument_tags(&bound.argument))
 }
