@@ -3,16 +3,23 @@
 use crate::findings::{FileRange, Problem, Source, Workspaces};
 use crate::outcome::Outcome;
 use crate::ready::{Ready, place_of};
+use crate::terminal;
 use annotate_snippets::Renderer;
-use ladder_prover::{Answer, Options, Verdict, found_scenario, prove, while_wanted};
+use ladder_prover::{Answer, Options, Progress, Verdict, found_scenario, prove, telling, while_wanted};
+use std::cell::Cell;
 use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
+/// From one text about how far it is to the next.
+const BETWEEN: Duration = Duration::from_millis(200);
+
 /// What is asked of each file.
 pub(super) struct Wishes {
     pub(super) time: Duration,
+    /// A person sees how far the search is.
+    pub(super) shows_progress: bool,
     /// High where the answers that are there are wanted at once.
     pub(super) stop: Option<&'static AtomicBool>,
     pub(super) renderer: Renderer,
@@ -75,7 +82,9 @@ impl FileAnswers {
 }
 
 /// Decides the properties of a file.
-pub(super) fn answers(path: &Path, wishes: &Wishes) -> FileAnswers {
+///
+/// `title` is what it is called while a person waits.
+pub(super) fn answers(path: &Path, title: &str, wishes: &Wishes) -> FileAnswers {
     let began = Instant::now();
     let mut answers = FileAnswers {
         file: path.display().to_string(),
@@ -88,7 +97,7 @@ pub(super) fn answers(path: &Path, wishes: &Wishes) -> FileAnswers {
     match ladder_workspace::read(path) {
         Ok(text) => {
             let source = Source::new(answers.file.clone(), text);
-            if let Err(problems) = decide(path, &source, wishes, &mut answers) {
+            if let Err(problems) = decide(path, title, &source, wishes, &mut answers) {
                 answers.problems = problems;
             }
         }
@@ -103,6 +112,7 @@ pub(super) fn answers(path: &Path, wishes: &Wishes) -> FileAnswers {
 
 fn decide(
     path: &Path,
+    title: &str,
     source: &Source,
     wishes: &Wishes,
     answers: &mut FileAnswers,
@@ -127,7 +137,15 @@ fn decide(
     };
     let stop = wishes.stop;
     let is_wanted = move || !stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
-    let job = || prove(&mut simulation, &mut watched, options);
+    let shows_progress = wishes.shows_progress;
+    let (title, shown_at) = (title.to_owned(), Cell::new(None::<Instant>));
+    let tell = move |Progress { scan, decided, of }: Progress| {
+        if shows_progress && shown_at.get().is_none_or(|at| at.elapsed() >= BETWEEN) {
+            terminal::passing(&format!("{title}: scan {scan}, {decided} of {of} decided"));
+            shown_at.set(Some(Instant::now()));
+        }
+    };
+    let job = || telling(tell, || prove(&mut simulation, &mut watched, options));
     let found = while_wanted(is_wanted, job).map_err(|refuted| {
         let message = format!(
             "the prover found a run for \"{}\" that does not happen in the simulator: this is an error in the prover, \

@@ -115,6 +115,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         may_write(file, Existing::by(arguments.force))?;
     }
     let colours = arguments.format == Format::Text && stdout_has_colours();
+    let shows_progress = arguments.format == Format::Text && terminal::is_interactive();
     let wishes = Wishes {
         time: Duration::from_secs_f64(arguments.time),
         renderer: if colours {
@@ -124,9 +125,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         },
         workspaces: Mutex::<Workspaces>::default(),
         stop: interrupt::watched(),
+        shows_progress,
     };
     let is_stopped = || wishes.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
-    let shows_progress = arguments.format == Format::Text && terminal::is_interactive();
     let mut out = Stdout::new();
     let mut all: Vec<FileAnswers> = Vec::new();
     for (number, path) in files.iter().enumerate() {
@@ -136,15 +137,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             outcome = outcome.max(Outcome::Findings);
             break;
         }
+        let title = format!("{} ({} of {})", shown::path(path), number + 1, files.len());
         if shows_progress {
-            terminal::passing(&format!(
-                "{} ({} of {})",
-                shown::path(path),
-                number + 1,
-                files.len()
-            ));
+            terminal::passing(&title);
         }
-        let answers = file::answers(path, &wishes);
+        let answers = file::answers(path, &title, &wishes);
         if shows_progress {
             terminal::passing("");
         }
