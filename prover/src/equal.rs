@@ -3,6 +3,7 @@
 //! Each is followed alone (`encode/alone.rs`), over one graph in which values of one name are one variable, so that equal logic is
 //! one node. That some state comes to be in a run is not asked: values that show a difference may be ones that never come together.
 
+use crate::body;
 use crate::decide::reach;
 use crate::encode::{Cells, InputTag, Left, World, follow_alone, rail};
 use crate::graph::Lit;
@@ -87,15 +88,14 @@ impl Form {
         }
     }
 
-    fn is_in_body(&self, network: usize) -> bool {
-        self.program
-            .blocks
-            .iter()
-            .any(|block| block.networks.contains(&network))
+    /// The block in whose body a network is.
+    fn block_of(&self, network: usize) -> Option<usize> {
+        let mut blocks = self.program.blocks.iter();
+        blocks.position(|block| block.networks.contains(&network))
     }
 
     fn follow(&self, world: &mut World, network: usize) -> Result<Left, String> {
-        if self.is_in_body(network) {
+        if self.block_of(network).is_some() && !self.program.main.contains(&network) {
             return Err("it is in the body of a block".into());
         }
         let Some(stretch) = self.compiled.stretch_of(network) else {
@@ -187,28 +187,25 @@ impl Compared {
     /// Compares a network of the old program with one of the new, by their numbers, for no longer than `time`.
     pub fn networks(&self, old: usize, new: usize, time: Duration) -> Meaning {
         let end = Instant::now() + time;
-        match self.asked(old, new, end) {
-            Ok(meaning) => meaning,
-            Err(cause) => Meaning::NotDecided(cause),
-        }
+        let asked = match (self.old.block_of(old), self.new.block_of(new)) {
+            (None, None) => self.asked(old, new, end),
+            (Some(was), Some(is)) => self
+                .bodies(was, is)
+                .and_then(|bodies| bodies.asked(old, new, end)),
+            _ => Err("it is in the body of a block in one of the programs only".into()),
+        };
+        asked.unwrap_or_else(Meaning::NotDecided)
     }
 
-    /// The tags of both programs that are declared differently, or have another type by what is done with them.
+    /// The bodies of two blocks.
+    fn bodies(&self, was: usize, is: usize) -> Result<Compared, String> {
+        let body = |form: &Form, block| body::program(&form.program, block).map(Arc::new);
+        Compared::new(&body(&self.old, was)?, &body(&self.new, is)?)
+    }
+
+    /// See [`other_tags`].
     pub fn declared_differently(&self) -> Vec<String> {
-        let tags = self.old.program.tags.iter().filter(|tag| tag.block.is_none());
-        let mut names = Vec::new();
-        for tag in tags {
-            let now = self.new.tag(&tag.name.to_ascii_lowercase());
-            if now.is_some_and(|now| {
-                is_other(tag, now)
-                    || tag.initial != now.initial
-                    || tag.role != now.role
-                    || tag.retain != now.retain
-            }) {
-                names.push(tag.name.clone());
-            }
-        }
-        names
+        other_tags(&self.old.program, &self.new.program)
     }
 
     fn asked(&self, old: usize, new: usize, end: Instant) -> Result<Meaning, String> {
@@ -354,6 +351,27 @@ fn edges_of_a_tag_agree(world: &mut World) -> Lit {
         agree = world.graph.and(agree, same);
     }
     agree
+}
+
+/// The tags of two programs that are declared differently, or have another type by what is done with them.
+pub fn other_tags(old: &Program, new: &Program) -> Vec<String> {
+    let is_own = |tag: &&Tag| tag.block.is_none();
+    let now: FxHashMap<String, &Tag> = new
+        .tags
+        .iter()
+        .filter(is_own)
+        .map(|tag| (tag.name.to_ascii_lowercase(), tag))
+        .collect();
+    let is_different = |tag: &&Tag| {
+        now.get(&tag.name.to_ascii_lowercase()).is_some_and(|now| {
+            is_other(tag, now)
+                || tag.initial != now.initial
+                || tag.role != now.role
+                || tag.retain != now.retain
+        })
+    };
+    let different = old.tags.iter().filter(is_own).filter(is_different);
+    different.map(|tag| tag.name.clone()).collect()
 }
 
 /// Whether two tags of one name are not declared in the same way, as far as a network can tell.

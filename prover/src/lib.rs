@@ -8,6 +8,7 @@
 //! Of two programs [`compare_programs`] says whether they do the same in every run, and [`Compared`] whether two networks do.
 
 mod answer;
+mod body;
 mod both;
 mod causes;
 mod concrete;
@@ -35,7 +36,7 @@ mod wanted;
 
 pub use answer::{Answer, Options, Refuted, Shown, Times, Verdict, prove};
 pub use concrete::Concrete;
-pub use equal::{Compared, Difference, Meaning};
+pub use equal::{Compared, Difference, Meaning, other_tags};
 pub use programs::{
     Differing, Divergence, Limits, NotReproduced, Row, Which, Whole, compare_programs,
     compare_programs_assuming, outputs_of_one,

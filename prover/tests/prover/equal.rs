@@ -244,3 +244,38 @@ fn what_is_not_followed() {
         expect!["the same"],
     );
 }
+
+/// A program without networks but those in the body of a block.
+fn with_body(parameters: &str, body: &str) -> String {
+    format!(
+        "FUNCTION_BLOCK [$B]\nVAR_INPUT\n    a, b : BOOL;\nEND_VAR\n{parameters}VAR_OUTPUT\n    y : BOOL;\nEND_VAR\n\
+         VAR\n    t : TON;\nEND_VAR\n\n{body}\nEND_FUNCTION_BLOCK\n"
+    )
+}
+
+#[test]
+fn networks_in_the_body_of_a_block() {
+    let compared = |parameters: &str, old: &str, new: &str| {
+        said(&with_body(parameters, old), &with_body(parameters, new))
+    };
+    let old = "+--[ ]( EN )--[ ]( a )--[/]( b )--[TON]( t, 2s )--( )( y )--+";
+    expect!["the same"].assert_eq(&compared(
+        "",
+        old,
+        "+--[/]( b )--[ ]( EN )--[ ]( a )--[TON]( t, T#2000ms )--( )( y )--+",
+    ));
+    expect!["with EN on, a on, b on and t done, y goes off in the old and on in the new program"].assert_eq(
+        &compared(
+            "",
+            old,
+            "+--[ ]( EN )--[ ]( a )--[ ]( b )--[TON]( t, 2s )--( )( y )--+",
+        ),
+    );
+    // Two in-outs may be one tag where the block stands.
+    let in_outs = "VAR_IN_OUT\n    p, q : BOOL;\nEND_VAR\n";
+    expect!["not decided: it is in the body of a block with in-outs"].assert_eq(&compared(
+        in_outs,
+        "+--[ ]( a )--(S)( p )--(R)( q )--+",
+        "+--[ ]( a )--(R)( q )--(S)( p )--+",
+    ));
+}
