@@ -135,6 +135,16 @@ fn a_repository_is_as_it_was_after_uninstall() {
     let installed = state(&repository);
     assert!(installed.1.starts_with("*.png binary\n") && installed.1.contains("merge=ladder"));
     assert_eq!(repository.shell("ladder git install"), "git is set up already\n");
+    // A file without a last line end, settings that a person made, and no file at all.
+    repository.write(".git/info/attributes", "*.png binary");
+    repository.shell("git config diff.ladder.xfuncname '^X' && git config merge.ladder.name 'mine'");
+    let before_that = state(&repository);
+    repository.shell("ladder git install --yes && ladder git install --yes && ladder git uninstall --yes");
+    assert_eq!(state(&repository), before_that);
+    repository.shell("git config --unset diff.ladder.xfuncname && git config --unset merge.ladder.name");
+    repository.shell("rm .git/info/attributes && ladder git install --yes && ladder git uninstall --yes");
+    assert_eq!(repository.shell("ls .git/info"), "exclude\n");
+    repository.write(".git/info/attributes", "*.png binary\n");
     // What a person set differently is shown, replaced by install, and kept by uninstall.
     repository.shell("ladder git uninstall --yes");
     assert_eq!(state(&repository), before);
@@ -314,4 +324,44 @@ fn programs_of_other_systems_in_a_revision() {
     let (said, status) = repository.run("ladder diff HEAD:p.L5X p.L5X");
     assert_eq!(status, Some(1), "{said}");
     assert!(said.contains("edited, does another thing: network"), "{said}");
+}
+
+#[test]
+fn a_program_of_a_revision_has_the_blocks_of_that_revision() {
+    let repository = Repository::new();
+    let block = |time: &str| {
+        format!(
+            "FUNCTION_BLOCK [$Lift]\nVAR_OUTPUT\n    up : BOOL;\nEND_VAR\nVAR\n    t : TON;\nEND_VAR\n\n\
+             +--[ ]( EN )--[TON]( t, {time} )--( )( up )--+\nEND_FUNCTION_BLOCK\n"
+        )
+    };
+    let user = "VAR_INPUT\n    go : BOOL;\nEND_VAR\nVAR_OUTPUT\n    up : BOOL;\nEND_VAR\n\n+--[ ]( go )--[$Lift]( up )--+\n";
+    repository.shell("mkdir -p plant/lib plant/lines");
+    repository.write("plant/ladder.toml", "[workspace]\nlibrary = [\"lib\"]\n");
+    repository.write("plant/lib/lift.clad", &block("20ms"));
+    repository.commit("plant/lines/main.clad", user);
+    repository.commit("plant/lib/lift.clad", &block("40ms"));
+    repository.write("plant/lib/lift.clad", &block("60ms"));
+    let differs = |old: &str, new: &str| {
+        let (said, status) = repository.run(&format!("cd plant/lines && ladder diff {old} {new}"));
+        let found = said
+            .lines()
+            .find(|line| line.starts_with("the programs"))
+            .unwrap_or("-");
+        (found.to_owned(), status)
+    };
+    let at = |scan: &str, time: &str| (format!("the programs differ in scan {scan}, at {time}"), Some(1));
+    assert_eq!(
+        differs("HEAD~:plant/lines/main.clad", "HEAD:./main.clad"),
+        at("2", "20ms")
+    );
+    assert_eq!(differs("HEAD:./main.clad", "main.clad"), at("4", "40ms"));
+    assert_eq!(differs(":./main.clad", "main.clad"), at("4", "40ms"));
+    assert_eq!(differs("HEAD:", "../.."), at("4", "40ms"));
+    assert_eq!(
+        differs("HEAD:./main.clad", ":./main.clad"),
+        ("-".to_owned(), Some(0))
+    );
+    repository.shell("git add -A");
+    assert_eq!(differs(":./main.clad", "main.clad"), ("-".to_owned(), Some(0)));
 }

@@ -3,17 +3,53 @@
 const BEGIN: &str = "# ladder: begin, written by `ladder git install`";
 const END: &str = "# ladder: end";
 
-/// A text with these lines in the place of those that were ours, at the end if none were; without ours if there are no
-/// lines.
+/// In the block if the line above it had no end before.
+const NO_END: &str = "# ladder: the line above had no end";
+
+/// Begins the lines that say what settings of git were before.
+const WAS: &str = "# ladder: was ";
+
+/// A line that says what a setting was before. None: no line holds the value.
+pub(super) fn was_line(name: &str, value: &str) -> Option<String> {
+    (!value.contains(['\n', '\r'])).then(|| format!("{WAS}{name} = {value}"))
+}
+
+/// The settings that were there before, as the lines in the block say. None: there is no block.
+pub(super) fn was(text: &str) -> Option<Vec<(&str, &str)>> {
+    let lines = ours(text)?;
+    let lines = lines.filter_map(|line| line.strip_prefix(WAS)?.split_once(" = "));
+    Some(lines.collect())
+}
+
+/// The lines that are ours.
+fn ours(text: &str) -> Option<impl Iterator<Item = &str>> {
+    let is = |mark: &'static str| move |line: &&str| line.trim_end() == mark;
+    if !text.lines().any(|line| is(BEGIN)(&line)) || !text.contains(END) {
+        return None;
+    }
+    let lines = text.lines().skip_while(move |line| !is(BEGIN)(line)).skip(1);
+    Some(lines.take_while(move |line| !is(END)(line)).map(str::trim_end))
+}
+
+/// A text with these lines in the place of those that were ours, at the end if none were; without ours, as it was before, if there
+/// are no lines.
 pub(super) fn with_block(text: &str, lines: &[String]) -> String {
+    let had_no_end = match ours(text) {
+        Some(mut lines) => lines.any(|line| line == NO_END),
+        None => !text.is_empty() && !text.ends_with('\n'),
+    };
     let mut out = String::new();
     let mut inside = false;
     let mut put = false;
     let block = || -> String {
-        let lines = lines.iter().map(|line| format!("{line}\n"));
-        format!("{BEGIN}\n{}{END}\n", lines.collect::<String>())
+        let no_end = had_no_end.then_some(NO_END).into_iter();
+        let lines = no_end.chain(lines.iter().map(String::as_str));
+        let lines: String = lines.map(|line| format!("{line}\n")).collect();
+        format!("{BEGIN}\n{lines}{END}\n")
     };
+    let mut rest = text;
     for line in text.split_inclusive('\n') {
+        rest = &rest[line.len()..];
         match line.trim_end() {
             BEGIN if text.contains(END) => {
                 inside = true;
@@ -22,13 +58,18 @@ pub(super) fn with_block(text: &str, lines: &[String]) -> String {
                 }
                 put = true;
             }
-            END if inside => inside = false,
+            END if inside => {
+                inside = false;
+                if had_no_end && lines.is_empty() && rest.is_empty() {
+                    out.truncate(out.strip_suffix('\n').map_or(out.len(), str::len));
+                }
+            }
             _ if inside => {}
             _ => out.push_str(line),
         }
     }
     if !put && !lines.is_empty() {
-        if !out.is_empty() && !out.ends_with('\n') {
+        if had_no_end {
             out.push('\n');
         }
         out.push_str(&block());
@@ -53,10 +94,12 @@ mod tests {
             let more = format!("{with}*.txt text\n");
             assert_eq!(with_block(&more, &[]), format!("{text}*.txt text\n"));
         }
-        // A line end that was missing is there afterwards.
+        // A line end that was missing is missing afterwards, unless something came after it.
+        let with = with_block(&with_block("*.png binary", &one), &other);
+        assert_eq!(with_block(&with, &[]), "*.png binary");
         assert_eq!(
-            with_block(&with_block("*.png binary", &one), &[]),
-            "*.png binary\n"
+            with_block(&format!("{with}*.txt text\n"), &[]),
+            "*.png binary\n*.txt text\n"
         );
         // What is not closed may go on with lines of others.
         let open = format!("{BEGIN}\n*.txt text\n");

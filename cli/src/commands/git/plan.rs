@@ -1,6 +1,6 @@
 //! What is written where, before anything is written.
 
-use super::attributes::with_block;
+use super::attributes::{was, was_line, with_block};
 use crate::git::{command, output, said};
 use crate::outcome::Failure;
 use ladder_notations::{NOTATIONS, Notation};
@@ -62,7 +62,7 @@ pub(super) struct Plan {
 struct Setting {
     name: &'static str,
     was: Option<String>,
-    is: Option<&'static str>,
+    is: Option<String>,
 }
 
 impl Plan {
@@ -72,32 +72,44 @@ impl Plan {
     /// There is no git, no repository, or a file that cannot be read.
     pub(super) fn new(task: Task, scope: Scope) -> Result<Plan, Failure> {
         let attributes = attributes_file(scope)?;
-        let was = if attributes.exists() {
+        let text = if attributes.exists() {
             ladder_workspace::read(&attributes)?
         } else {
             String::new()
         };
-        let lines = match task {
-            Task::Install => attribute_lines(),
-            Task::Uninstall => Vec::new(),
-        };
+        // What was there before comes back: only the first installation sees it.
+        let before = was(&text);
+        let mut kept = Vec::new();
         let mut settings = Vec::new();
         for (name, value) in SETTINGS {
             let was = setting(scope, name)?;
+            let former = match &before {
+                Some(before) => before
+                    .iter()
+                    .find(|(of, _)| *of == name)
+                    .map(|(_, was)| (*was).to_owned()),
+                None if task == Task::Install => was.clone(),
+                None => None,
+            };
+            kept.extend(former.as_deref().and_then(|former| was_line(name, former)));
             let is = match task {
-                Task::Install => Some(value),
-                // One that a person has set is not ours to take back.
-                Task::Uninstall if was.as_deref() == Some(value) => None,
+                Task::Install => Some(value.to_owned()),
+                // One that a person has set since then is not ours to take back.
+                Task::Uninstall if was.as_deref() == Some(value) => former,
                 Task::Uninstall => continue,
             };
-            if was.as_deref() != is {
+            if was != is {
                 settings.push(Setting { name, was, is });
             }
         }
+        let lines = match task {
+            Task::Install => [kept, attribute_lines()].concat(),
+            Task::Uninstall => Vec::new(),
+        };
         Ok(Plan {
             scope,
-            is: with_block(&was, &lines),
-            was,
+            is: with_block(&text, &lines),
+            was: text,
             attributes,
             settings,
         })
@@ -127,7 +139,7 @@ impl Plan {
             if let Some(was) = &setting.was {
                 lines.push(format!("  - {} = {was}", setting.name));
             }
-            if let Some(is) = setting.is {
+            if let Some(is) = &setting.is {
                 lines.push(format!("  + {} = {is}", setting.name));
             }
         }
@@ -142,7 +154,7 @@ impl Plan {
         for setting in &self.settings {
             let mut git = command(Path::new("."));
             git.args(["config", self.scope.option()]);
-            match setting.is {
+            match &setting.is {
                 Some(value) => git.args(["--replace-all", setting.name, value]),
                 None => git.args(["--unset-all", setting.name]),
             };
@@ -150,6 +162,14 @@ impl Plan {
             if !output.status.success() {
                 return Err(Failure::new(format!("{}: {}", setting.name, said(&output))));
             }
+        }
+        if self.was != self.is && self.is.is_empty() {
+            return std::fs::remove_file(&self.attributes).map_err(|error| {
+                Failure::new(format!(
+                    "{}: it cannot be removed: {error}",
+                    self.attributes.display()
+                ))
+            });
         }
         if self.was != self.is {
             if let Some(folder) = self.attributes.parent() {
