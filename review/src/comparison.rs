@@ -2,13 +2,12 @@
 
 use crate::matching::{Pair, pairs};
 use crate::outline::{Entry, Outline};
+use crate::used::{Used, declared_elsewhere, used};
 use crate::verdict::Verdict;
 use crate::whole::Whole;
-use ladder_analysis::program::Program;
 use ladder_prover::{Compared, Meaning};
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 /// Two programs, and what became of each entry.
 #[derive(Debug)]
@@ -21,8 +20,9 @@ pub struct Comparison<'o> {
     pub changes: Vec<Change<'o>>,
     /// Whether the programs do the same, once that was asked: see [`Comparison::decide_whole`].
     pub whole: Option<Whole>,
+    /// Other files that one of the programs uses, and that are not the same on both sides; of programs with the same text also tags.
+    pub uses: Vec<Used>,
     /// Both programs, once they are asked for.
-    pub(crate) programs: OnceCell<Result<[Arc<Program>; 2], String>>,
     pub(crate) compiled: OnceCell<Result<Compared, String>>,
 }
 
@@ -57,9 +57,9 @@ impl<'o> Change<'o> {
 }
 
 impl Comparison<'_> {
-    /// Whether the programs differ in more than blank lines.
+    /// Whether the programs, or files that they use, differ in more than blank lines.
     pub fn differs(&self) -> bool {
-        self.changes.iter().any(Change::is_change)
+        self.changes.iter().any(Change::is_change) || !self.uses.is_empty()
     }
 
     /// How many entries each thing happened to, of those that hold no others: `(what, how many)`, the same ones last.
@@ -92,10 +92,13 @@ pub fn compare<'o>(old: &'o Outline, new: &'o Outline) -> Comparison<'o> {
         new,
         changes: Vec::new(),
         whole: None,
-        programs: OnceCell::new(),
+        uses: used(old, new),
         compiled: OnceCell::new(),
     };
     comparison.level(&old.entries, &new.entries);
+    if !comparison.changes.iter().any(Change::is_change) {
+        comparison.uses.extend(declared_elsewhere(old, new));
+    }
     comparison
 }
 

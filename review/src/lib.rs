@@ -22,6 +22,7 @@ pub mod merge;
 pub mod outline;
 mod reader;
 pub mod report;
+pub mod used;
 pub mod verdict;
 pub mod whole;
 pub mod words;

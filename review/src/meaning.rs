@@ -4,7 +4,6 @@ use crate::comparison::{Change, Comparison};
 use crate::outline::{Entry, Kind, Outline};
 use crate::verdict::Verdict;
 use ladder_analysis::program::Program;
-use ladder_analysis::{RuleSettings, analyze_context};
 use ladder_prover::{Compared, Meaning, is_wanted};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -26,15 +25,19 @@ impl Comparison<'_> {
         let compared = self.compared();
         let asked = changes.iter_mut().filter(|change| is_asked(change));
         for change in asked.take_while(|_| is_wanted()) {
-            let numbers = [change.old, change.new].map(|entry| entry.and_then(number));
-            let [Some(old), Some(new)] = numbers else { continue };
             let left = end.saturating_duration_since(Instant::now());
-            change.meaning = Some(match compared {
-                Ok(_) if left.is_zero() => {
+            let (old, new) = (
+                change.old.map(|entry| (self.old, entry)),
+                change.new.map(|entry| (self.new, entry)),
+            );
+            let numbers = || Some((number(old?)?, number(new?)?));
+            change.meaning = Some(match (compared, numbers()) {
+                (Err(cause), _) => Meaning::NotDecided(cause.clone()),
+                (Ok(_), None) => continue,
+                (Ok(_), _) if left.is_zero() => {
                     Meaning::NotDecided("the edits of all programs together take too long".into())
                 }
-                Ok(compared) => compared.networks(old, new, left.min(TIME)),
-                Err(cause) => Meaning::NotDecided(cause.clone()),
+                (Ok(compared), Some((old, new))) => compared.networks(old, new, left.min(TIME)),
             });
         }
         self.changes = changes;
@@ -53,18 +56,18 @@ impl Comparison<'_> {
     /// # Errors
     /// One of them does not run: why.
     pub(crate) fn programs(&self) -> Result<[Arc<Program>; 2], String> {
-        let programs = || Ok([program(self.old, "old")?, program(self.new, "new")?]);
-        self.programs.get_or_init(programs).clone()
+        let program = |outline: &Outline, which| {
+            let program = outline
+                .program()
+                .as_ref()
+                .map(|running| Arc::clone(&running.program));
+            program.map_err(|why| format!("the {which} program {why}"))
+        };
+        Ok([program(self.old, "old")?, program(self.new, "new")?])
     }
 }
 
 /// The number of a network in its program.
-pub(crate) fn number(entry: &Entry) -> Option<usize> {
-    entry.network
-}
-
-fn program(outline: &Outline, which: &str) -> Result<Arc<Program>, String> {
-    let analysis = analyze_context(None, Arc::clone(&outline.context), &RuleSettings::default());
-    let program = analysis.program().cloned();
-    program.ok_or_else(|| format!("the {which} program has errors, or uses other files"))
+pub(crate) fn number((outline, entry): (&Outline, &Entry)) -> Option<usize> {
+    outline.program().as_ref().ok()?.number(outline, entry)
 }

@@ -4,7 +4,12 @@
 use crate::canonical::Canonical;
 use crate::reader::entries;
 use ladder_analysis::context::Context;
-use ladder_syntax::{Name, TextRange};
+use ladder_analysis::names::join::context;
+use ladder_analysis::program::Program;
+use ladder_analysis::{Others, RuleSettings, analyze_context};
+use ladder_syntax::{Name, TextRange, TextSize};
+use std::cell::OnceCell;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 /// The entries of a program.
@@ -16,6 +21,36 @@ pub struct Outline {
     pub entries: Vec<Entry>,
     /// The blank lines at its end.
     pub end: TextRange,
+    program: OnceCell<Result<Running, String>>,
+    /// The other files that it uses, by their names, which are the same before and after a change.
+    pub(crate) files: BTreeMap<String, Arc<Context>>,
+}
+
+/// A program as it runs.
+#[derive(Debug, Clone)]
+pub(crate) struct Running {
+    pub(crate) program: Arc<Program>,
+    /// The networks of its own file, by where they begin. They are in another order than the text's: bodies of blocks come last.
+    numbers: HashMap<TextSize, usize>,
+}
+
+impl Running {
+    fn new(program: Arc<Program>) -> Running {
+        let networks = program.networks.iter().enumerate();
+        let own = networks.filter(|(_, network)| network.location.file == 0);
+        Running {
+            numbers: own
+                .map(|(number, network)| (network.location.range.start(), number))
+                .collect(),
+            program,
+        }
+    }
+
+    /// The number of a network in the program.
+    pub(crate) fn number(&self, outline: &Outline, entry: &Entry) -> Option<usize> {
+        let network = outline.context.networks.at(entry.network?);
+        self.numbers.get(&network.range.start()).copied()
+    }
 }
 
 /// What an entry is.
@@ -90,14 +125,51 @@ pub struct Entry {
 }
 
 impl Outline {
-    /// Reads the entries of a program.
+    /// Reads the entries of a program that uses no other file.
     pub fn new(context: Arc<Context>) -> Outline {
         let (entries, end) = entries(&context);
         Outline {
             context,
             entries,
             end,
+            program: OnceCell::new(),
+            files: BTreeMap::new(),
         }
+    }
+
+    /// Reads the entries of a text that uses no other file.
+    pub fn of_text(name: &str, text: &str) -> Outline {
+        let parse = Arc::new(ladder_syntax::parse(text));
+        Outline::new(Arc::new(context(&parse, name, &Others::alone())))
+    }
+
+    /// Reads the entries of a program among others: `program` is what runs, or why nothing does (`has errors`), and `files` are
+    /// those that it uses.
+    pub fn among(
+        context: Arc<Context>,
+        program: Result<Arc<Program>, String>,
+        files: BTreeMap<String, Arc<Context>>,
+    ) -> Outline {
+        let outline = Outline {
+            files,
+            ..Outline::new(context)
+        };
+        let _ = outline.program.set(program.map(Running::new));
+        outline
+    }
+
+    /// What runs, if it was made already.
+    pub(crate) fn known_program(&self) -> Option<&Program> {
+        Some(&self.program.get()?.as_ref().ok()?.program)
+    }
+
+    /// What runs, or why nothing does.
+    pub(crate) fn program(&self) -> &Result<Running, String> {
+        self.program.get_or_init(|| {
+            let analysis = analyze_context(None, Arc::clone(&self.context), &RuleSettings::default());
+            let program = analysis.program().cloned().map(Running::new);
+            program.ok_or_else(|| "has errors, or uses other files".into())
+        })
     }
 
     /// What is written in a range of the text.

@@ -3,6 +3,7 @@
 use crate::comparison::{Change, Comparison};
 use crate::meaning::number;
 use crate::outline::Kind;
+use crate::used::Used;
 use crate::verdict::Verdict;
 use crate::words::{heading, reason};
 use ladder_prover::{
@@ -25,20 +26,23 @@ pub enum Whole {
     Outputs(Vec<String>),
     /// It is not known: why.
     NotDecided(Vec<String>),
+    /// A run was found that the simulator does not have: an error of the prover.
+    Refuted,
 }
+
+/// What is said of [`Whole::Refuted`].
+pub const REFUTED: &str = "a run was found that the simulator does not have: this is an error of the prover";
 
 impl Comparison<'_> {
     /// Asks whether the programs do the same, once that was [asked](Comparison::decide) of their edited networks: where these do
     /// not settle it, whether some run shows a difference. Programs of more `networks` than these are not run.
     pub fn decide_whole(&mut self, limits: Limits, networks: usize) {
         let is_network = |change: &&Change<'_>| change.entry().kind == Kind::Network;
-        if self.changes.iter().filter(is_network).count() > networks {
-            return;
-        }
-        self.whole = Some(match by_networks(self) {
-            Ok(()) => Whole::Same,
-            Err(open) => self.by_runs(limits, open),
-        });
+        let count = self.changes.iter().filter(is_network).count();
+        self.whole = match by_networks(self) {
+            Ok(()) => Some(Whole::Same),
+            Err(open) => (count <= networks).then(|| self.by_runs(limits, open)),
+        };
     }
 
     fn by_runs(&self, limits: Limits, mut open: Vec<String>) -> Whole {
@@ -61,9 +65,7 @@ impl Comparison<'_> {
                 Ok(ladder_prover::Whole::Same) => Ok(Whole::Same),
                 Ok(ladder_prover::Whole::Differs(run)) => Ok(Whole::Differs(run)),
                 Ok(ladder_prover::Whole::Unknown(why)) => Err(why),
-                Err(ladder_prover::NotReproduced) => Err(
-                    "a run was found that the simulator does not have: this is an error of the prover".into(),
-                ),
+                Err(ladder_prover::NotReproduced) => Ok(Whole::Refuted),
             }
         });
         asked.unwrap_or_else(|why| {
@@ -106,14 +108,14 @@ pub fn said(run: &Divergence) -> (String, Vec<String>) {
 /// They do not: why.
 fn by_networks(comparison: &Comparison<'_>) -> Result<(), Vec<String>> {
     let is_as_written = |change: &Change<'_>| is_harmless(change) && change.meaning.is_none();
-    if comparison.changes.iter().all(is_as_written) {
+    if comparison.uses.is_empty() && comparison.changes.iter().all(is_as_written) {
         return Ok(());
     }
     let compared = comparison
         .compared()
         .as_ref()
         .map_err(|cause| vec![cause.clone()])?;
-    let mut open = Vec::new();
+    let mut open: Vec<String> = comparison.uses.iter().map(Used::to_string).collect();
     let moved = comparison.changes.iter().filter(|change| change.moved).count();
     for change in &comparison.changes {
         let is_asked = change.moved && moved <= MOST_MOVED;
@@ -158,9 +160,8 @@ fn says_the_same(change: &Change<'_>) -> bool {
 /// Whether a network that has moved may change places with each of those that it has passed.
 fn may_move(comparison: &Comparison<'_>, change: &Change<'_>, compared: &Compared) -> bool {
     let of = |change: &Change<'_>| {
-        let numbers = [change.old, change.new].map(|entry| entry.and_then(number));
-        let [old, new] = numbers;
-        old.zip(new)
+        let old = number((comparison.old, change.old?))?;
+        Some((old, number((comparison.new, change.new?))?))
     };
     let Some((old, new)) = of(change).filter(|_| says_the_same(change)) else {
         return false;

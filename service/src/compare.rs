@@ -1,11 +1,8 @@
 //! What changed in an open program since an earlier text of it, which the client has from its version control. `docs/protocol.md`
 //! shows the messages.
 
-use std::sync::Arc;
 use std::time::Duration;
 
-use ladder_analysis::Others;
-use ladder_analysis::names::join::context;
 use ladder_picture::Theme;
 use ladder_review::outline::Entry;
 use ladder_review::report::{html, summary};
@@ -104,10 +101,7 @@ pub(crate) fn compare_with(revision: &Revision, asked: &Compare) -> Option<Compa
         return None;
     }
     // Both alone, as `ladder diff` compares them: of other files there are no earlier texts here.
-    let outline = |text: &str| {
-        let parse = Arc::new(ladder_syntax::parse(text));
-        Outline::new(Arc::new(context(&parse, revision.name(), &Others::alone())))
-    };
+    let outline = |text: &str| Outline::of_text(revision.name(), text);
     let (old, new) = (outline(base), outline(&revision.text()));
     let mut comparison = compare(&old, &new);
     comparison.decide(TIME);

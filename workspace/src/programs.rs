@@ -90,6 +90,14 @@ impl Workspace {
         }
     }
 
+    /// Takes out a program, or all programs in a folder, before anything is asked of the others.
+    pub fn leave_out(&mut self, path: &Path) {
+        let true_path = |path: &Path| self.disk.canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let out = true_path(path);
+        self.programs
+            .retain(|source| !true_path(&source.path).starts_with(&out));
+    }
+
     /// What its settings file asks for.
     pub fn settings(&self) -> &Settings {
         &self.settings

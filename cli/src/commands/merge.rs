@@ -6,8 +6,7 @@ use crate::outcome::{Failure, Outcome};
 use crate::output::{Existing, Output};
 use crate::terminal;
 use clap::Args;
-use ladder_analysis::names::join::context;
-use ladder_analysis::{Diagnostic, Others};
+use ladder_analysis::Diagnostic;
 use ladder_review::{Outline, Sides, merge};
 use ladder_workspace::{Workspace, shown};
 use std::collections::HashMap;
@@ -59,7 +58,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let [base, ours, theirs] = texts;
     let (base, ours, theirs) = (base?, ours?, theirs?);
     let workspace = Arc::new(Workspace::of(name)?);
-    let (base_outline, ours_outline, theirs_outline) = (outline(&base), outline(&ours), outline(&theirs));
+    let [base_outline, ours_outline, theirs_outline] =
+        [&base, &ours, &theirs].map(|text| Outline::of_text("", text));
     let sides = Sides {
         base: &base_outline,
         ours: &ours_outline,
@@ -105,11 +105,6 @@ fn read(file: &Path) -> Result<String, Failure> {
         )));
     }
     Ok(ladder_workspace::decode(file, bytes)?)
-}
-
-fn outline(text: &str) -> Outline {
-    let parse = Arc::new(ladder_syntax::parse(text));
-    Outline::new(Arc::new(context(&parse, "", &Others::alone())))
 }
 
 /// The errors of a text that none of the sides has: as many of each sentence as are more.

@@ -1,6 +1,7 @@
 //! git as another program: its objects are read through standard input, so that nothing of a name is an option to it.
 
 pub(crate) mod objects;
+pub(crate) mod revision;
 
 use crate::outcome::Failure;
 use std::path::Path;

@@ -122,7 +122,20 @@ impl Drop for Objects {
 /// # Errors
 /// git does not know it, or it holds too many.
 pub(crate) fn list(folder: &str) -> Result<Vec<Listed>, Failure> {
-    let output = output(command(Path::new(".")).args(["ls-tree", "-r", "-z", "--full-tree", "--", folder]))?;
+    listed(&["ls-tree", "-r", "-z", "--full-tree", "--", folder], 2)
+}
+
+/// The files that are staged, by their paths in the repository.
+///
+/// # Errors
+/// There is no repository, or it holds too many.
+pub(crate) fn staged() -> Result<Vec<Listed>, Failure> {
+    listed(&["ls-files", "--stage", "-z", "--full-name", ":/"], 1)
+}
+
+/// What git lists: a mode, words, and after the tab a path. The word `id` is the name of the content.
+fn listed(arguments: &[&str], id: usize) -> Result<Vec<Listed>, Failure> {
+    let output = output(command(Path::new(".")).args(arguments))?;
     if !output.status.success() {
         return Err(Failure::new(said(&output)));
     }
@@ -132,7 +145,7 @@ pub(crate) fn list(folder: &str) -> Result<Vec<Listed>, Failure> {
         let mut about = about.split(' ');
         // Links and repositories in the repository are no files.
         let is_file = about.next()?.starts_with("100");
-        let id = about.nth(1)?.to_owned();
+        let id = about.nth(id - 1)?.to_owned();
         is_file.then(|| Listed {
             path: path.to_owned(),
             id,

@@ -87,7 +87,7 @@ fn no_file_is_one_that_was_added_or_removed() {
 fn folders_with_their_settings() {
     let folder = Folder::with(&[
         ("old/a.clad", MOTOR),
-        ("old/gone.clad", "+--[ ]( a )--( )( b )--+\n"),
+        ("old/gone.clad", "+--[ ]( c )--( )( d )--+\n"),
         ("old/ladder.toml", "[format]\nwidth = 80\n"),
         ("new/a.clad", &edited()),
         ("new/line/b.clad", "+--[ ]( a )--( )( b )--+\n"),
@@ -119,8 +119,8 @@ fn folders_with_their_settings() {
         +++ (no such file)
             1 gone
 
-        gone: network, was line 1, writes b
-        - +--[ ]( a )--------------------------------------------------------( )( b )--+
+        gone: network, was line 1, writes d
+        - +--[ ]( c )--------------------------------------------------------( )( d )--+
 
         --- (no such file)
         +++ new/line/b.clad
@@ -168,10 +168,10 @@ fn folders_with_their_settings() {
 
         1 gone
 
-        gone: network, was line 1, writes b
+        gone: network, was line 1, writes d
 
         ```diff
-        - +--[ ]( a )--------------------------------------------------------( )( b )--+
+        - +--[ ]( c )--------------------------------------------------------( )( d )--+
         ```
 
         ### `new/line/b.clad` (new file)
@@ -375,7 +375,7 @@ fn programs_that_do_the_same() {
         exit status 1
         -- stdout
         not decided
-          broken.clad: the new program has errors, or uses other files
+          broken.clad: the new program has errors
     "#]]
     .assert_eq(&all.concat());
     folder
@@ -504,4 +504,189 @@ fn every_form_says_what_an_edited_network_does() {
             "{run}"
         );
     }
+}
+
+const USES_LIFT: &str = "\
+VAR_INPUT
+    go : BOOL;
+END_VAR
+VAR_OUTPUT
+    up : BOOL;
+END_VAR
+
++--[ ]( go )-----------------------------------------------------[$Lift]( up )--+
+";
+
+fn lift(time: &str) -> String {
+    format!(
+        "FUNCTION_BLOCK [$Lift]\nVAR_OUTPUT\n    up : BOOL;\nEND_VAR\nVAR\n    t : TON;\nEND_VAR\n\n\
+         +--[ ]( EN )--[TON]( t, {time} )--( )( up )--+\nEND_FUNCTION_BLOCK\n"
+    )
+}
+
+#[test]
+fn a_program_is_compared_with_the_files_that_it_uses() {
+    let folder = Folder::with(&[
+        ("old/blocks.clad", &lift("20ms")),
+        ("old/main.clad", USES_LIFT),
+        ("old/other.clad", MOTOR),
+        ("new/blocks.clad", &lift("40ms")),
+        ("new/main.clad", USES_LIFT),
+        ("new/other.clad", MOTOR),
+        (
+            "said/blocks.clad",
+            &format!("# said otherwise #\n{}", lift("T#20ms")),
+        ),
+        ("said/main.clad", USES_LIFT),
+        ("said/other.clad", MOTOR),
+    ]);
+    expect![[r#"
+        exit status 1
+        -- stdout
+        --- old/main.clad
+        +++ new/main.clad
+            3 the same, it uses blocks.clad, which is different
+
+            ... 3 the same
+
+        the programs differ in scan 2, at 20ms
+            go    ---
+            up => __-  (old)
+            up => ___  (new)
+    "#]]
+    .assert_eq(
+        &folder
+            .ladder(&["diff", "old/main.clad", "new/main.clad"])
+            .to_string(),
+    );
+    let both = folder.ladder(&["diff", "--same", "old", "new"]).to_string();
+    assert!(
+        both.contains("not the same") && both.contains("main.clad: the programs differ"),
+        "{both}"
+    );
+    let said = folder.ladder(&["diff", "--same", "old/main.clad", "said/main.clad"]);
+    assert_eq!(said.to_string(), "exit status 0\n-- stdout\nthe same\n");
+    let json = folder
+        .ladder(&["diff", "--format", "json", "old", "new"])
+        .to_string();
+    assert!(json.contains("\"difference\": \"content\""), "{json}");
+
+    // A tag that another file declares.
+    let user = "VAR_OUTPUT\n    y : BOOL;\nEND_VAR\n\n+--[GT]( limit, 3 )--( )( y )--+\n";
+    let global = |initial: &str| format!("VAR_GLOBAL\n    limit : INT{initial};\nEND_VAR\n");
+    folder.write("old/user.clad", user.as_bytes());
+    folder.write("old/global.clad", global("").as_bytes());
+    folder.write("new/user.clad", user.as_bytes());
+    folder.write("new/global.clad", global(" := 5").as_bytes());
+    let said = folder
+        .ladder(&["diff", "old/user.clad", "new/user.clad"])
+        .to_string();
+    assert!(
+        said.contains("it uses limit, which another file declares differently"),
+        "{said}"
+    );
+}
+
+/// In a program the bodies of blocks come after all other networks.
+#[test]
+fn networks_below_a_block_are_compared_with_themselves() {
+    let text = |a: &str, b: &str| {
+        format!(
+            "{}\nVAR_INPUT\n    a, b, c : BOOL;\nEND_VAR\nVAR_OUTPUT\n    x, y, z : BOOL;\nEND_VAR\n\n\
+             +--{a}--( )( x )--+\n\n+--{b}--( )( y )--+\n\n+--[ ]( c )--[$Lift]( z )--+\n",
+            lift("20ms")
+        )
+    };
+    let folder = Folder::with(&[
+        ("old.clad", &text("[ ]( a )--[ ]( b )", "[ ]( b )")),
+        ("new.clad", &text("[ ]( b )--[ ]( a )", "[/]( b )")),
+    ]);
+    let said = folder.ladder(&["diff", "old.clad", "new.clad"]).to_string();
+    let headings: Vec<&str> = said.lines().filter(|line| line.starts_with("edited")).collect();
+    expect![[r#"
+        edited, does the same: network, line 19, writes x
+        edited, does another thing: network, line 21, writes y"#]]
+    .assert_eq(&headings.join("\n"));
+}
+
+#[test]
+fn a_file_with_another_name_is_known_by_what_it_holds() {
+    let folder = Folder::with(&[
+        ("old/motor.clad", MOTOR),
+        ("old/lift.clad", &lift("20ms")),
+        ("new/lines/motor.clad", &edited()),
+        ("new/lift.clad", &lift("20ms")),
+    ]);
+    let said = folder.ladder(&["diff", "old", "new"]).to_string();
+    expect![[r#"
+        exit status 1
+        -- stdout
+        --- old/motor.clad
+        +++ new/lines/motor.clad
+            renamed, 1 edited
+    "#]]
+    .assert_eq(&(said.lines().take(5).collect::<Vec<_>>().join("\n") + "\n"));
+    folder.write("new/lines/motor.clad", MOTOR.as_bytes());
+    expect![[r#"
+        exit status 1
+        -- stdout
+        --- old/motor.clad
+        +++ new/lines/motor.clad
+            renamed, 1 the same
+
+            ... 1 the same
+    "#]]
+    .assert_eq(&folder.ladder(&["diff", "old", "new"]).to_string());
+    let same = folder.ladder(&["diff", "--same", "old", "new"]).to_string();
+    assert_eq!(same, "exit status 0\n-- stdout\nthe same\n");
+}
+
+#[test]
+fn the_run_that_shows_a_difference_is_a_scenario() {
+    let folder = Folder::with(&[("a.clad", MOTOR), ("b.clad", &edited()), ("in/c.clad", MOTOR)]);
+    let write = [
+        "diff",
+        "--same",
+        "a.clad",
+        "b.clad",
+        "--write",
+        "found.ladder-test",
+    ];
+    let said = folder.ladder(&write).to_string();
+    assert!(said.contains("not the same"), "{said}");
+    expect![[r#"
+        program b.clad
+        interval 10ms
+
+        scenario "as the old program does it"
+        start    -
+        run   => -
+    "#]]
+    .assert_eq(&folder.read("found.ladder-test"));
+    let test = folder.ladder(&["test", "found.ladder-test"]).to_string();
+    assert!(test.contains("exit status 1"), "{test}");
+    let again = folder.ladder(&write).to_string();
+    assert!(again.contains("exit status 2"), "{again}");
+    let elsewhere = folder.ladder(&[
+        "diff",
+        "--same",
+        "a.clad",
+        "b.clad",
+        "--write",
+        "in/found.ladder-test",
+    ]);
+    let elsewhere = elsewhere.to_string();
+    assert!(
+        elsewhere.contains("in the folder of one of the programs"),
+        "{elsewhere}"
+    );
+    let nothing = folder.ladder(&[
+        "diff",
+        "--same",
+        "a.clad",
+        "in/c.clad",
+        "--write",
+        "none.ladder-test",
+    ]);
+    assert!(nothing.to_string().contains("nothing is written"), "{nothing}");
 }

@@ -4,8 +4,9 @@ pub mod html;
 pub mod markdown;
 pub mod text;
 
-use crate::comparison::Comparison;
-use crate::whole::{Whole, is_harmless, said};
+use crate::comparison::{Change, Comparison};
+use crate::used::Used;
+use crate::whole::{REFUTED, Whole, is_harmless, said};
 
 /// Two files that are compared, by the names that they go by.
 #[derive(Debug)]
@@ -14,6 +15,8 @@ pub struct Compared<'c> {
     pub old: Option<&'c str>,
     /// What the new one is called. None: there is none any more.
     pub new: Option<&'c str>,
+    /// It is one file of two folders, under another name.
+    pub renamed: bool,
     /// What changed.
     pub comparison: Comparison<'c>,
 }
@@ -30,9 +33,15 @@ impl Compared<'_> {
 pub fn of_whole(comparison: &Comparison<'_>) -> Option<(String, Vec<String>)> {
     match comparison.whole.as_ref()? {
         // What each network says for itself needs no more words.
-        Whole::Same if comparison.changes.iter().all(is_harmless) => None,
+        Whole::Same if comparison.uses.is_empty() && comparison.changes.iter().all(is_harmless) => None,
         Whole::Same => Some(("the programs do the same in every run".to_owned(), Vec::new())),
         Whole::Differs(run) => Some(said(run)),
+        Whole::Refuted => Some((REFUTED.to_owned(), Vec::new())),
+        // What has changed is not in the text: this is all that is said of it.
+        Whole::NotDecided(why) if !comparison.changes.iter().any(Change::is_change) => {
+            let said = "whether the programs do the same is not decided";
+            Some((said.to_owned(), why.clone()))
+        }
         Whole::Outputs(_) | Whole::NotDecided(_) => None,
     }
 }
@@ -44,7 +53,8 @@ pub fn summary(comparison: &Comparison<'_>) -> String {
         "same" => format!("{count} the same"),
         what => format!("{count} {what}"),
     });
-    let counts: Vec<String> = counts.collect();
+    let mut counts: Vec<String> = counts.collect();
+    counts.extend(comparison.uses.iter().map(Used::to_string));
     if counts.is_empty() {
         "nothing in it".to_owned()
     } else {

@@ -47,7 +47,11 @@ pub enum LineKind {
 pub fn report(compared: &Compared<'_>) -> Vec<Line> {
     let comparison = &compared.comparison;
     let mut lines = settings(compared.old, compared.new, &[]);
-    lines.push(plain(LineKind::Plain, format!("    {}", summary(comparison))));
+    let renamed = if compared.renamed { "renamed, " } else { "" };
+    lines.push(plain(
+        LineKind::Plain,
+        format!("    {renamed}{}", summary(comparison)),
+    ));
     changes(comparison, &mut lines);
     if let Some((said, rows)) = of_whole(comparison) {
         lines.push(plain(LineKind::Plain, String::new()));

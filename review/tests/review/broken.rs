@@ -63,7 +63,7 @@ proptest! {
     #[test]
     fn whatever_is_compared_is_reported(old in pieces(), new in pieces()) {
         let (old, new) = (outline(&old), outline(&new));
-        let compared = Compared { old: Some("old"), new: Some("new"), comparison: compare(&old, &new) };
+        let compared = Compared { old: Some("old"), new: Some("new"), renamed: false, comparison: compare(&old, &new) };
         text::report(&compared);
         let files = [compared];
         markdown::report(&files);

@@ -10,6 +10,7 @@ fn check(old: &str, new: &str, expected: Expect) {
     let compared = Compared {
         old: Some("old.clad"),
         new: Some("new.clad"),
+        renamed: false,
         comparison: compare(&old, &new),
     };
     let lines = text::report(&compared);

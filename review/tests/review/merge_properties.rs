@@ -7,12 +7,21 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 
-/// A network by its number, its form, and whether it has a comment.
+/// A network or a comment on a line of its own: its number, its form, and whether a network has a comment.
 type Network = (String, u8, bool);
+
+/// From this form on it is a comment on a line of its own.
+const NOTE: u8 = 3;
+
+/// A name and a form.
+type Named = (String, u8);
 
 #[derive(Debug, Clone)]
 struct Program {
-    declared: Vec<(String, u8)>,
+    setting: u8,
+    types: Vec<Named>,
+    declared: Vec<Named>,
+    blocks: Vec<Named>,
     networks: Vec<Network>,
 }
 
@@ -22,27 +31,75 @@ enum Edit {
     Remove(usize),
     Insert(usize),
     Move(usize, usize),
-    Declare(usize),
-    Retype(usize),
-    Undeclare(usize),
+    Setting(u8),
+    Name(List, NameEdit, usize),
+}
+
+/// What holds things with names.
+#[derive(Debug, Clone, Copy)]
+enum List {
+    Types,
+    Declared,
+    Blocks,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum NameEdit {
+    Add,
+    Change,
+    Remove,
 }
 
 fn line((number, form, _): &Network) -> String {
-    let contact = ["[ ]", "[/]", "[P]"][usize::from(form % 3)];
+    if *form >= NOTE {
+        return format!("# Note {number}, {form} #");
+    }
+    let contact = ["[ ]", "[/]", "[P]"][usize::from(*form)];
     format!("+--{contact}( a{number} )--[ ]( b )--( )( y{number} )--+")
+}
+
+/// The form that an edit makes of another.
+fn edited_form(was: u8, form: u8) -> u8 {
+    was - was % NOTE + form
+}
+
+impl List {
+    const ALL: [List; 3] = [List::Types, List::Declared, List::Blocks];
+
+    /// What is written of one of them.
+    fn text(self, (name, form): &Named) -> String {
+        let ty = ["BOOL", "INT", "DINT"][usize::from(form % 3)];
+        let contact = ["[ ]", "[/]", "[P]"][usize::from(form % 3)];
+        match self {
+            List::Types => format!("    T{name} : STRUCT\n        of{name} : {ty};\n    END_STRUCT;\n"),
+            List::Declared => format!("    d{name} : {ty};\n"),
+            List::Blocks => format!(
+                "\nFUNCTION_BLOCK [$B{name}]\nVAR_OUTPUT\n    o{name} : BOOL;\nEND_VAR\n\n\
+                 # Inside of {name} #\n+--{contact}( EN )--( )( o{name} )--+\nEND_FUNCTION_BLOCK\n"
+            ),
+        }
+    }
 }
 
 impl Program {
     fn text(&self) -> String {
-        let mut text = String::from("# A program #\n\nVAR_INPUT\n    b : BOOL;\n");
-        for (name, form) in &self.declared {
-            let ty = ["BOOL", "INT", "DINT"][usize::from(form % 3)];
-            text.push_str(&format!("    {name} : {ty};\n"));
+        let mut text = String::from("# A program #\n\n");
+        if self.setting > 0 {
+            text.push_str(&format!(
+                "# ladder: profile {} #\n\n",
+                ["iot", "click"][usize::from(self.setting % 2)]
+            ));
         }
-        text.push_str("END_VAR\n");
+        let all = |list: List| -> String { self.list(list).iter().map(|named| list.text(named)).collect() };
+        text.push_str(&format!("TYPE\n{}END_TYPE\n\n", all(List::Types)));
+        text.push_str(&format!(
+            "VAR_INPUT\n    b : BOOL;\n{}END_VAR\n",
+            all(List::Declared)
+        ));
+        text.push_str(&all(List::Blocks));
         for network in &self.networks {
             text.push('\n');
-            if network.2 {
+            if network.2 && network.1 < NOTE {
                 text.push_str(&format!("# About {} #\n", network.0));
             }
             text.push_str(&line(network));
@@ -51,25 +108,53 @@ impl Program {
         text
     }
 
+    fn list(&self, list: List) -> &Vec<Named> {
+        match list {
+            List::Types => &self.types,
+            List::Declared => &self.declared,
+            List::Blocks => &self.blocks,
+        }
+    }
+
+    fn list_mut(&mut self, list: List) -> &mut Vec<Named> {
+        match list {
+            List::Types => &mut self.types,
+            List::Declared => &mut self.declared,
+            List::Blocks => &mut self.blocks,
+        }
+    }
+
     /// `side` makes what is new different from what the other side adds.
     fn edited(&self, edits: &[Edit], side: &str) -> Program {
         let mut program = self.clone();
         for (count, edit) in edits.iter().enumerate() {
-            let Program { declared, networks } = &mut program;
-            let (length, names) = (networks.len(), declared.len());
+            if let Edit::Name(list, edit, at) = *edit {
+                let names = program.list_mut(list);
+                let length = names.len();
+                match edit {
+                    NameEdit::Add => names.insert(at % (length + 1), (format!("{side}{count}"), 0)),
+                    NameEdit::Change if length > 0 => names[at % length].1 += 1,
+                    NameEdit::Remove if length > 0 => drop(names.remove(at % length)),
+                    _ => {}
+                }
+                continue;
+            }
+            let networks = &mut program.networks;
+            let length = networks.len();
             match *edit {
+                Edit::Setting(setting) => program.setting = setting,
                 Edit::Insert(at) => {
                     networks.insert(at % (length + 1), (format!("{side}{count}"), 0, at % 2 == 0));
                 }
-                Edit::Declare(at) => declared.insert(at % (names + 1), (format!("d{side}{count}"), 0)),
-                Edit::Change(at, form) if length > 0 => networks[at % length].1 = form,
+                Edit::Change(at, form) if length > 0 => {
+                    let was = &mut networks[at % length].1;
+                    *was = edited_form(*was, form);
+                }
                 Edit::Remove(at) if length > 0 => drop(networks.remove(at % length)),
                 Edit::Move(from, to) if length > 0 => {
                     let network = networks.remove(from % length);
                     networks.insert(to % length, network);
                 }
-                Edit::Retype(at) if names > 0 => declared[at % names].1 += 1,
-                Edit::Undeclare(at) if names > 0 => drop(declared.remove(at % names)),
                 _ => {}
             }
         }
@@ -78,13 +163,22 @@ impl Program {
 }
 
 fn programs(numbers: std::ops::Range<usize>) -> impl Strategy<Value = Program> {
-    (vec((numbers, any::<bool>()), 0..9), 0usize..5).prop_map(|(networks, declared)| Program {
-        declared: (0..declared).map(|name| (format!("d{name}"), 0)).collect(),
-        networks: networks
-            .into_iter()
-            .map(|(number, comment)| (number.to_string(), 0, comment))
-            .collect(),
-    })
+    let network = (numbers, any::<bool>(), prop_oneof![3 => Just(0), 1 => Just(NOTE)]);
+    (vec(network, 0..9), 0usize..5, 0usize..3, 0usize..3, 0u8..3).prop_map(
+        |(networks, declared, types, blocks, setting)| {
+            let names = |count: usize| (0..count).map(|name| (name.to_string(), 0)).collect();
+            Program {
+                setting,
+                types: names(types),
+                declared: names(declared),
+                blocks: names(blocks),
+                networks: networks
+                    .into_iter()
+                    .map(|(number, comment, form)| (number.to_string(), form, comment))
+                    .collect(),
+            }
+        },
+    )
 }
 
 /// Programs without two networks of one number.
@@ -98,16 +192,21 @@ fn distinct_programs() -> impl Strategy<Value = Program> {
 }
 
 fn edits() -> impl Strategy<Value = Vec<Edit>> {
-    let edit = prop_oneof![
-        (0usize..9, 0u8..3).prop_map(|(at, form)| Edit::Change(at, form)),
-        (0usize..9).prop_map(Edit::Remove),
-        (0usize..9).prop_map(Edit::Insert),
-        (0usize..9, 0usize..9).prop_map(|(from, to)| Edit::Move(from, to)),
-        (0usize..9).prop_map(Edit::Declare),
-        (0usize..9).prop_map(Edit::Retype),
-        (0usize..9).prop_map(Edit::Undeclare),
+    let list = proptest::sample::select(&List::ALL);
+    let name_edit = prop_oneof![
+        Just(NameEdit::Add),
+        Just(NameEdit::Change),
+        Just(NameEdit::Remove)
     ];
-    vec(edit, 0..6)
+    let edit = prop_oneof![
+        2 => (0usize..9, 0u8..3).prop_map(|(at, form)| Edit::Change(at, form)),
+        1 => (0usize..9).prop_map(Edit::Remove),
+        1 => (0usize..9).prop_map(Edit::Insert),
+        1 => (0usize..9, 0usize..9).prop_map(|(from, to)| Edit::Move(from, to)),
+        1 => (0u8..3).prop_map(Edit::Setting),
+        4 => (list, name_edit, 0usize..5).prop_map(|(list, edit, at)| Edit::Name(list, edit, at)),
+    ];
+    vec(edit, 0..7)
 }
 
 fn merged(base: &str, ours: &str, theirs: &str) -> Merged {
@@ -124,8 +223,11 @@ fn laid_out(text: &str) -> String {
     format_text(text, &Options::default())
 }
 
-fn networks(text: &str) -> BTreeSet<String> {
-    let lines = text.lines().filter(|line| line.starts_with('+'));
+/// All that is written of what has a number, line by line, and the settings; not the marks of conflicts. Other lines are there
+/// several times.
+fn lines(text: &str) -> BTreeSet<String> {
+    let is_told = |line: &&str| line.contains(|c: char| c.is_ascii_digit()) || line.starts_with("# ladder:");
+    let lines = text.lines().map(str::trim).filter(is_told);
     lines.map(str::to_owned).collect()
 }
 
@@ -147,39 +249,62 @@ proptest! {
         let (ours, theirs) = (base.edited(&ours, "o").text(), base.edited(&theirs, "t").text());
         let base = base.text();
         let merged = merged(&base, &ours, &theirs);
-        let (was, result) = (networks(&base), networks(&merged.text));
-        let (ours, theirs) = (networks(&ours), networks(&theirs));
-        for network in ours.union(&theirs) {
-            let removed = was.contains(network) && !(ours.contains(network) && theirs.contains(network));
-            prop_assert!(result.contains(network) || removed, "{network}\n{}", merged.text);
+        let (was, result) = (lines(&base), lines(&merged.text));
+        let (ours, theirs) = (lines(&ours), lines(&theirs));
+        for line in ours.union(&theirs) {
+            let removed = was.contains(line) && !(ours.contains(line) && theirs.contains(line));
+            prop_assert!(result.contains(line) || removed, "{line}\n{}", merged.text);
         }
         // Nor is anything there that nobody wrote.
-        for network in &result {
-            prop_assert!(ours.contains(network) || theirs.contains(network), "{network}");
+        for line in &result {
+            prop_assert!(ours.contains(line) || theirs.contains(line), "{line}\n{}", merged.text);
         }
     }
 
     #[test]
-    fn independent_edits_are_both_there(base in distinct_programs(), forms in vec((any::<bool>(), 0u8..4), 9)) {
-        // Each network is edited, removed, or followed by a new one, by one of the sides.
-        let (mut ours, mut theirs) = (base.clone(), base.clone());
-        (ours.networks, theirs.networks) = (Vec::new(), Vec::new());
-        let mut expected = BTreeSet::new();
-        for (network, &(is_ours, form)) in base.networks.iter().zip(&forms) {
+    fn independent_edits_are_both_there(base in distinct_programs(), forms in vec((any::<bool>(), 0u8..4), 30)) {
+        // Each thing is edited, removed, or followed by a new one, by one of the sides.
+        let (mut ours, mut theirs, mut both) = (base.clone(), base.clone(), base.clone());
+        let mut forms = forms.into_iter().cycle();
+        let mut next = || forms.next().unwrap_or_default();
+        (ours.networks, theirs.networks, both.networks) = (Vec::new(), Vec::new(), Vec::new());
+        for network in &base.networks {
+            let (is_ours, form) = next();
             let mut edited = vec![network.clone()];
             match form {
                 0 => edited.clear(),
                 3 => edited.push((format!("n{}", network.0), 0, false)),
-                form => edited[0].1 = form,
+                form => edited[0].1 = edited_form(network.1, form),
             }
-            expected.extend(edited.iter().map(line));
+            both.networks.extend(edited.iter().cloned());
             let (one, other) = if is_ours { (&mut ours, &mut theirs) } else { (&mut theirs, &mut ours) };
             one.networks.extend(edited);
             other.networks.push(network.clone());
         }
+        for list in List::ALL {
+            for program in [&mut ours, &mut theirs, &mut both] {
+                program.list_mut(list).clear();
+            }
+            for named in base.list(list) {
+                let (is_ours, form) = next();
+                let mut edited = vec![named.clone()];
+                match form {
+                    0 => edited.clear(),
+                    3 => edited.push((format!("n{}", named.0), 0)),
+                    form => edited[0].1 = form,
+                }
+                both.list_mut(list).extend(edited.iter().cloned());
+                let (one, other) = if is_ours { (&mut ours, &mut theirs) } else { (&mut theirs, &mut ours) };
+                one.list_mut(list).extend(edited);
+                other.list_mut(list).push(named.clone());
+            }
+        }
+        let (is_ours, form) = next();
+        let one = if is_ours { &mut ours } else { &mut theirs };
+        (one.setting, both.setting) = (form % 3, form % 3);
         let merged = merged(&base.text(), &ours.text(), &theirs.text());
         prop_assert!(merged.conflicts.is_empty(), "{:?}", merged.conflicts);
-        prop_assert_eq!(networks(&merged.text), expected);
+        prop_assert_eq!(lines(&merged.text), lines(&both.text()));
     }
 
     #[test]

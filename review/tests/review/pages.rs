@@ -9,6 +9,7 @@ fn page(old: &str, new: &str) -> (String, String) {
     let compared = [Compared {
         old: Some("a<b.clad"),
         new: Some("a<b.clad"),
+        renamed: false,
         comparison: compare(&old, &new),
     }];
     (html::report(&compared, &[]), markdown::report(&compared))

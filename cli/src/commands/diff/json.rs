@@ -6,7 +6,7 @@ use ladder_analysis::values::value::Value;
 use ladder_prover::{Which, scenario_of_difference};
 use ladder_review::outline::{Entry, Outline};
 use ladder_review::report::Compared;
-use ladder_review::whole::{Whole, said};
+use ladder_review::whole::{REFUTED, Whole, said};
 use ladder_review::words::{names, reason, word};
 use ladder_review::{Change, Verdict};
 use ladder_simulator::value_text;
@@ -20,6 +20,10 @@ pub(super) enum File<'c> {
         old: Option<&'c str>,
         new: Option<&'c str>,
         same: usize,
+        #[serde(skip_serializing_if = "std::ops::Not::not")]
+        renamed: bool,
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        uses: Vec<Uses<'c>>,
         changes: Vec<Changed<'c>>,
         #[serde(skip_serializing_if = "Option::is_none")]
         whole: Option<WholePrograms<'c>>,
@@ -29,6 +33,13 @@ pub(super) enum File<'c> {
         new: Option<&'c str>,
         lines: &'c [String],
     },
+}
+
+/// A file that is used, or a tag that another file declares, and is not the same on both sides.
+#[derive(Serialize)]
+pub(super) struct Uses<'c> {
+    name: &'c str,
+    difference: &'static str,
 }
 
 #[derive(Serialize)]
@@ -99,6 +110,7 @@ fn whole(whole: &Whole) -> WholePrograms<'_> {
         Whole::Same => return of("same", &[]),
         Whole::Outputs(names) => return of("other", names),
         Whole::NotDecided(reasons) => return of("unknown", reasons),
+        Whole::Refuted => return of("refuted", &[REFUTED.to_owned()]),
         Whole::Differs(run) => run,
     };
     let given = run.given.iter().map(|row| Given {
@@ -152,6 +164,15 @@ impl<'c> File<'c> {
                 .iter()
                 .find(|(what, _)| *what == same)
                 .map_or(0, |(_, count)| *count),
+            renamed: compared.renamed,
+            uses: comparison
+                .uses
+                .iter()
+                .map(|used| Uses {
+                    name: &used.name,
+                    difference: used.difference.word(),
+                })
+                .collect(),
             changes: changes.map(changed).collect(),
             whole: comparison.whole.as_ref().map(whole),
         }

@@ -1,28 +1,31 @@
 //! `ladder diff`: what changed between two programs, network by network.
 
+mod around;
 mod json;
+mod pairs;
 mod same;
 mod settings;
 mod side;
 
+pub(crate) use side::folder_of;
+
 use crate::git::objects::Objects;
 use crate::outcome::{Failure, Outcome};
-use crate::output::{Existing, Output};
+use crate::output::{Existing, Output, may_write};
 use crate::terminal::stdout_has_colours;
 use anstyle::{AnsiColor, Style};
+use around::Around;
 use clap::{Args, ValueEnum};
-use ladder_analysis::Others;
-use ladder_analysis::names::join::context;
 use ladder_review::report::text::{Line, LineKind};
 use ladder_review::report::{Compared, html, markdown, text};
+use ladder_review::whole::Whole;
 use ladder_review::{Limits, Outline, compare};
 use ladder_workspace::shown;
+use pairs::{Pair, pairs};
 use settings::SettingsDiff;
 use side::{File, Side};
-use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 const EXAMPLES: &str = "\
@@ -45,7 +48,8 @@ Exit status: 0 the same, 1 something is different, 2 a file cannot be read.";
 /// and one that is elsewhere has moved. What was edited is drawn in both forms, with marks at what is different; what is
 /// the same is left out. Of an edited network it is said whether it does the same, or with which values it does not.
 /// OLD and NEW are files, folders, or `REV:path` as `git show` takes it. Of folders the
-/// programs (.clad) and ladder.toml are compared. Files of other systems are read as ladder text.
+/// programs (.clad) and ladder.toml are compared; one with another name on each side is known by what it holds. A program that uses
+/// others is compared with these as they are on each side. Files of other systems are read as ladder text.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -63,6 +67,12 @@ pub(crate) struct Arguments {
     #[arg(long, conflicts_with_all = ["format", "output"])]
     same: bool,
 
+    /// Write the run that shows a difference to this file, as a scenario
+    ///
+    /// It says what the old program does. The file is in the folder of the new program, or of the old one, whose name it holds.
+    #[arg(long, value_name = "FILE", requires = "same")]
+    write: Option<PathBuf>,
+
     /// How to show what changed
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -72,7 +82,7 @@ pub(crate) struct Arguments {
     output: Option<PathBuf>,
 
     /// Replace the output file even if no command of ladder made it
-    #[arg(long, requires = "output")]
+    #[arg(long)]
     force: bool,
 }
 
@@ -112,63 +122,80 @@ impl Arguments {
     }
 }
 
-/// Two files that are compared. None: there is no such file on that side.
-struct Pair {
-    old: Option<File>,
-    new: Option<File>,
-}
-
-/// The same as texts.
-struct Texts {
-    old: Option<Named>,
-    new: Option<Named>,
-}
-
-/// A text, and what its file is called.
-struct Named {
+/// A program that is compared, by the name of its file.
+struct Program {
     name: String,
-    text: String,
+    outline: Outline,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let pairs = pairs(Side::of(&arguments.old)?, Side::of(&arguments.new)?)?;
+    if let Some(file) = &arguments.write {
+        if file == Path::new("-") {
+            return Err(Failure::new("--write needs a file: stdout has the answer"));
+        }
+        may_write(file, Existing::by(arguments.force))?;
+    }
     let mut objects = None;
+    let pairs = pairs(Side::of(&arguments.old)?, Side::of(&arguments.new)?, &mut objects)?;
+    let mut sides = Sides::new(arguments);
     let mut programs = Vec::new();
     let mut settings = Vec::new();
-    for Pair { old, new } in &pairs {
-        let is_settings = [old, new].iter().any(|file| {
-            file.as_ref()
-                .is_some_and(|file| side::is_settings(Path::new(&file.name)))
-        });
-        let Some(texts) = read(old.as_ref(), new.as_ref(), &mut objects)? else {
+    for pair in &pairs {
+        let (old, new) = (pair.old.as_ref(), pair.new.as_ref());
+        let mut bytes = |file: Option<&File>| file.map(|file| file.bytes(&mut objects)).transpose();
+        let (old_bytes, new_bytes) = (bytes(old)?, bytes(new)?);
+        let is_same = old_bytes == new_bytes;
+        if is_same && !pair.renamed && !sides.others_differ(pair, &mut objects)? {
             continue;
-        };
-        if is_settings {
-            settings.extend(SettingsDiff::new(
-                texts.old.as_ref().map(Named::borrowed),
-                texts.new.as_ref().map(Named::borrowed),
-            ));
-        } else {
-            programs.push((outline(texts.old.as_ref()), outline(texts.new.as_ref()), texts));
         }
+        let mut text = |file: Option<&File>, bytes: Option<Vec<u8>>| -> Result<Option<String>, Failure> {
+            let both = file.zip(bytes);
+            both.map(|(file, bytes)| file.text(bytes, &mut objects))
+                .transpose()
+        };
+        let (old_text, new_text) = (text(old, old_bytes)?, text(new, new_bytes)?);
+        if pair.is_settings() {
+            let named = |file: Option<&File>, text: Option<String>| Some((file?.name.clone(), text?));
+            settings.extend(SettingsDiff::new(named(old, old_text), named(new, new_text)));
+            continue;
+        }
+        let old = program(&mut sides.old, old, old_text, &mut objects)?;
+        let new = program(&mut sides.new, new, new_text, &mut objects)?;
+        programs.push((old, new, pair.renamed));
     }
-    let compared = programs.iter().map(|(old, new, texts)| Compared {
-        old: texts.old.as_ref().map(|named| named.name.as_str()),
-        new: texts.new.as_ref().map(|named| named.name.as_str()),
-        comparison: compare(old, new),
+    let nothing = Outline::of_text("", "");
+    let outline = |program| Option::map_or(program, &nothing, |program: &Program| &program.outline);
+    let compared = programs.iter().map(|(old, new, renamed)| Compared {
+        old: old.as_ref().map(|program| program.name.as_str()),
+        new: new.as_ref().map(|program| program.name.as_str()),
+        renamed: *renamed,
+        comparison: compare(outline(old.as_ref()), outline(new.as_ref())),
     });
     let mut compared: Vec<Compared<'_>> = compared.filter(is_different).collect();
     let end = Instant::now() + TIME;
     for compared in &mut compared {
-        let left = end.saturating_duration_since(Instant::now());
-        compared.comparison.decide(left);
+        let left = || end.saturating_duration_since(Instant::now());
+        compared.comparison.decide(left());
         if compared.old.is_some() && compared.new.is_some() {
-            let (limits, networks) = arguments.limits();
+            let (mut limits, networks) = arguments.limits();
+            if !arguments.same {
+                limits.time = limits.time.min(left());
+            }
             compared.comparison.decide_whole(limits, networks);
         }
     }
+    let refuted = |compared: &Compared<'_>| compared.comparison.whole == Some(Whole::Refuted);
+    let outcome = match &compared[..] {
+        all if all.iter().any(refuted) => Outcome::Failed,
+        [] if settings.is_empty() => Outcome::Fine,
+        _ => Outcome::Findings,
+    };
     if arguments.same {
-        return Ok(same::print(&compared, &settings)?);
+        let said = same::print(&compared, &settings)?;
+        if let Some(file) = &arguments.write {
+            same::write(file, &compared)?;
+        }
+        return Ok(if outcome == Outcome::Failed { outcome } else { said });
     }
     let mut out = Output::open(arguments.output.as_deref(), Existing::by(arguments.force))?;
     match arguments.format {
@@ -189,75 +216,50 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         }
     }
     out.finish()?;
-    Ok(if compared.is_empty() && settings.is_empty() {
-        Outcome::Fine
-    } else {
-        Outcome::Findings
-    })
+    Ok(outcome)
 }
 
-/// A file that is new or gone is a difference, whatever is in it.
+/// A file that is new, gone or renamed is a difference, whatever is in it.
 fn is_different(compared: &Compared<'_>) -> bool {
-    compared.comparison.differs() || compared.old.is_some() != compared.new.is_some()
+    compared.comparison.differs() || compared.renamed || compared.old.is_some() != compared.new.is_some()
 }
 
-/// Which files are compared with which.
-fn pairs(old: Side, new: Side) -> Result<Vec<Pair>, Failure> {
-    let pair = |old, new| Pair { old, new };
-    match (old, new) {
-        (Side::File(old), Side::File(new)) => Ok(vec![pair(Some(old), Some(new))]),
-        (Side::Nothing, Side::File(new)) => Ok(vec![pair(None, Some(new))]),
-        (Side::File(old), Side::Nothing) => Ok(vec![pair(Some(old), None)]),
-        (Side::Nothing, Side::Nothing) => Ok(Vec::new()),
-        (Side::Folder(mut old), Side::Folder(mut new)) => {
-            let names: BTreeSet<String> = old.keys().chain(new.keys()).cloned().collect();
-            Ok(names
-                .iter()
-                .map(|name| pair(old.remove(name), new.remove(name)))
-                .collect())
+/// What the programs of both sides see of others.
+struct Sides {
+    old: Around,
+    new: Around,
+}
+
+impl Sides {
+    fn new(arguments: &Arguments) -> Sides {
+        Sides {
+            old: Around::new(&arguments.new),
+            new: Around::new(&arguments.old),
         }
-        _ => Err(Failure::new(
-            "a file and a folder cannot be compared; name two files or two folders",
-        )),
     }
-}
 
-/// The texts of two files. None: they hold the same bytes.
-fn read(
-    old: Option<&File>,
-    new: Option<&File>,
-    objects: &mut Option<Objects>,
-) -> Result<Option<Texts>, Failure> {
-    let mut bytes = |file: Option<&File>| file.map(|file| file.bytes(objects)).transpose();
-    let (old_bytes, new_bytes) = (bytes(old)?, bytes(new)?);
-    if old_bytes == new_bytes {
-        return Ok(None);
-    }
-    let mut text = |file: Option<&File>, bytes: Option<Vec<u8>>| -> Result<_, Failure> {
-        let Some((file, bytes)) = file.zip(bytes) else {
-            return Ok(None);
+    /// Whether the programs around a file are not the same on both sides.
+    fn others_differ(&mut self, pair: &Pair, objects: &mut Option<Objects>) -> Result<bool, Failure> {
+        let (Some(old), Some(new), true) = (&pair.old, &pair.new, pair.is_program()) else {
+            return Ok(false);
         };
-        Ok(Some(Named {
-            name: file.name.clone(),
-            text: file.text(bytes, objects)?,
-        }))
-    };
-    Ok(Some(Texts {
-        old: text(old, old_bytes)?,
-        new: text(new, new_bytes)?,
-    }))
-}
-
-fn outline(side: Option<&Named>) -> Outline {
-    let (name, text) = side.map(Named::borrowed).unwrap_or_default();
-    let parse = Arc::new(ladder_syntax::parse(text));
-    Outline::new(Arc::new(context(&parse, name, &Others::alone())))
-}
-
-impl Named {
-    fn borrowed(&self) -> (&str, &str) {
-        (&self.name, &self.text)
+        Ok(self.old.content(old, objects)? != self.new.content(new, objects)?)
     }
+}
+
+fn program(
+    around: &mut Around,
+    file: Option<&File>,
+    text: Option<String>,
+    objects: &mut Option<Objects>,
+) -> Result<Option<Program>, Failure> {
+    let Some((file, text)) = file.zip(text) else {
+        return Ok(None);
+    };
+    Ok(Some(Program {
+        name: file.name.clone(),
+        outline: around.outline(file, &text, objects)?,
+    }))
 }
 
 /// Writes a report. What turns the order of letters is written out in a file as well: a reader is to see what changed.

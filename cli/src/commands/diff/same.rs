@@ -1,11 +1,16 @@
 //! `--same`: whether programs do the same.
 
 use super::settings::SettingsDiff;
+use super::side::folder_of;
+use crate::outcome::Failure;
 use crate::outcome::Outcome;
+use crate::terminal;
+use ladder_prover::{Which, scenario_file, scenario_of_difference};
 use ladder_review::report::Compared;
-use ladder_review::whole::{Whole, said};
+use ladder_review::whole::{REFUTED, Whole, said};
 use ladder_workspace::shown;
 use std::io::{self, Write};
+use std::path::Path;
 
 /// Prints it of all programs together, with what shows that they differ or why it is not known.
 pub(super) fn print(compared: &[Compared<'_>], settings: &[SettingsDiff]) -> io::Result<Outcome> {
@@ -23,6 +28,7 @@ pub(super) fn print(compared: &[Compared<'_>], settings: &[SettingsDiff]) -> io:
             }
             Some(Whole::Outputs(names)) => add(&mut others, names),
             Some(Whole::NotDecided(reasons)) => add(&mut open, reasons),
+            Some(Whole::Refuted) => add(&mut open, &[REFUTED.into()]),
             None if file.old.is_none() => add(&mut open, &["a new file".into()]),
             None => add(&mut open, &["gone".into()]),
         }
@@ -43,4 +49,43 @@ pub(super) fn print(compared: &[Compared<'_>], settings: &[SettingsDiff]) -> io:
         writeln!(out, "  {}", shown::line(reason))?;
     }
     Ok(outcome)
+}
+
+/// Writes the run in which two programs differ as a scenario: what the old program does in it. It is of the new program, or of the old
+/// one where only that is on the disk, and in its folder.
+///
+/// # Errors
+/// There are runs of several programs, the file is elsewhere, or it cannot be written.
+pub(super) fn write(file: &Path, compared: &[Compared<'_>]) -> Result<(), Failure> {
+    let runs = compared.iter().filter_map(|of| match &of.comparison.whole {
+        Some(Whole::Differs(run)) => Some((of, run)),
+        _ => None,
+    });
+    let (of, run) = match runs.collect::<Vec<_>>()[..] {
+        [] => {
+            terminal::note(&"no run was found: nothing is written");
+            return Ok(());
+        }
+        [one] => one,
+        _ => {
+            return Err(Failure::new(
+                "--write takes the run of one program: name two files",
+            ));
+        }
+    };
+    let names = [of.new, of.old].into_iter().flatten().map(Path::new);
+    let mut here = names.filter(|name| name.is_file() && folder_of(name) == folder_of(file));
+    let Some(program) = here.next().and_then(Path::file_name) else {
+        return Err(Failure::new(format!(
+            "{}: the file for --write is in the folder of one of the programs, which it names",
+            shown::path(file)
+        )));
+    };
+    let Some(scenario) = scenario_of_difference("as the old program does it", run, Which::Old) else {
+        terminal::note(&"no scenario shows that only one program ends: nothing is written");
+        return Ok(());
+    };
+    let text = scenario_file(&program.to_string_lossy(), run.interval, &[scenario]);
+    ladder_workspace::write(file, text.as_bytes())?;
+    Ok(())
 }

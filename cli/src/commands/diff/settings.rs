@@ -17,9 +17,11 @@ impl SettingsDiff {
     }
 
     /// Compares two texts. None: they are the same.
-    pub(super) fn new(old: Option<(&str, &str)>, new: Option<(&str, &str)>) -> Option<SettingsDiff> {
-        let text = |side: Option<(&str, &str)>| side.map_or_else(String::new, |(_, text)| text.to_owned());
-        let (was, is) = (text(old), text(new));
+    pub(super) fn new(old: Option<(String, String)>, new: Option<(String, String)>) -> Option<SettingsDiff> {
+        let split = |side: Option<(String, String)>| {
+            side.map_or((None, String::new()), |(name, text)| (Some(name), text))
+        };
+        let ((old, was), (new, is)) = (split(old), split(new));
         if was == is && old.is_some() == new.is_some() {
             return None;
         }
@@ -34,11 +36,6 @@ impl SettingsDiff {
                 lines.push(format!("{sign} {}", change.value().trim_end()));
             }
         }
-        let name = |side: Option<(&str, &str)>| side.map(|(name, _)| name.to_owned());
-        Some(SettingsDiff {
-            old: name(old),
-            new: name(new),
-            lines,
-        })
+        Some(SettingsDiff { old, new, lines })
     }
 }

@@ -3,6 +3,7 @@
 use crate::findings::Source;
 use crate::form::{self, Form};
 use crate::git::objects::{self, Object, Objects};
+use crate::git::revision::parts;
 use crate::outcome::Failure;
 use ladder_notations::{Companion, Foreign, Notation};
 use ladder_workspace::{MAX_FILE_BYTES, SETTINGS_FILE, is_program};
@@ -24,13 +25,22 @@ pub(super) enum Side {
 pub(super) struct File {
     /// What it is called.
     pub(super) name: String,
-    place: Place,
+    pub(super) place: Place,
 }
 
-enum Place {
+/// Where a file is.
+pub(super) enum Place {
+    /// On the disk.
     Disk(PathBuf),
-    /// A name that git knows the content by.
-    Git(String),
+    /// In git.
+    Git {
+        /// A name that git knows the content by.
+        object: String,
+        /// The revision, which is empty for what is staged. None: it is not known.
+        revision: Option<String>,
+        /// The path in it, as git takes it.
+        path: String,
+    },
 }
 
 impl Side {
@@ -53,18 +63,36 @@ impl Side {
                 place: Place::Disk(argument.to_owned()),
             }));
         };
+        let (revision, path) = match parts(text) {
+            Some((revision, path)) => (Some(revision.to_owned()), path),
+            None => (None, ""),
+        };
         match Objects::open()?.read(text)? {
             Object::File(_) => Ok(Side::File(File {
                 name,
-                place: Place::Git(text.to_owned()),
+                place: Place::Git {
+                    object: text.to_owned(),
+                    revision,
+                    path: path.to_owned(),
+                },
             })),
             Object::Folder(id) => {
                 let files = objects::list(&id)?.into_iter();
                 let files = files.filter(|file| is_compared(Path::new(&file.path)));
                 let files = files.map(|file| {
-                    let slash = if text.ends_with([':', '/']) { "" } else { "/" };
-                    let name = format!("{text}{slash}{}", file.path);
-                    let place = Place::Git(file.id);
+                    let slash = |text: &str| {
+                        if text.is_empty() || text.ends_with([':', '/']) {
+                            ""
+                        } else {
+                            "/"
+                        }
+                    };
+                    let name = format!("{text}{}{}", slash(text), file.path);
+                    let place = Place::Git {
+                        object: file.id,
+                        revision: revision.clone(),
+                        path: format!("{path}{}{}", slash(path), file.path),
+                    };
                     (file.path, File { name, place })
                 });
                 Ok(Side::Folder(files.collect()))
@@ -110,7 +138,7 @@ impl File {
     pub(super) fn bytes(&self, objects: &mut Option<Objects>) -> Result<Vec<u8>, Failure> {
         match &self.place {
             Place::Disk(path) => Ok(ladder_workspace::read_bytes(path)?),
-            Place::Git(name) => match open(objects)?.read(name)? {
+            Place::Git { object, .. } => match open(objects)?.read(object)? {
                 Object::File(bytes) => Ok(bytes),
                 Object::Folder(_) => Err(Failure::new(format!("{}: this is a folder", self.name))),
             },
@@ -125,7 +153,7 @@ impl File {
         let path = Path::new(&self.name);
         match &self.place {
             Place::Disk(path) => Ok(Source::of_bytes(path, bytes, None)?.text),
-            Place::Git(name) => match form::of_program(path, &bytes)? {
+            Place::Git { object: name, .. } => match form::of_program(path, &bytes)? {
                 Form::Ladder => Ok(ladder_workspace::decode(path, bytes)?),
                 Form::Foreign(notation) => {
                     let companions = companions(notation, name, open(objects)?)?;
@@ -144,7 +172,7 @@ impl File {
     }
 }
 
-fn open(objects: &mut Option<Objects>) -> Result<&mut Objects, Failure> {
+pub(super) fn open(objects: &mut Option<Objects>) -> Result<&mut Objects, Failure> {
     match objects {
         Some(open) => Ok(open),
         None => Ok(objects.insert(Objects::open()?)),
@@ -153,7 +181,7 @@ fn open(objects: &mut Option<Objects>) -> Result<&mut Objects, Failure> {
 
 /// The files of the same revision that belong to a program of another system.
 fn companions(notation: &dyn Notation, name: &str, objects: &mut Objects) -> Result<Vec<Companion>, Failure> {
-    let Some((revision, path)) = name.split_once(':') else {
+    let Some((revision, path)) = parts(name) else {
         return Ok(Vec::new());
     };
     let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
@@ -186,4 +214,12 @@ fn companions(notation: &dyn Notation, name: &str, objects: &mut Objects) -> Res
         }
     }
     Ok(companions)
+}
+
+/// The folder that a file is in.
+pub(crate) fn folder_of(file: &Path) -> Option<PathBuf> {
+    let folder = file.parent()?;
+    let is_here = folder.as_os_str().is_empty();
+    let folder = if is_here { Path::new(".") } else { folder };
+    folder.canonicalize().ok()
 }

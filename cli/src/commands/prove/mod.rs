@@ -6,6 +6,7 @@ mod json;
 mod junit;
 mod people;
 
+use crate::commands::diff::folder_of;
 use crate::findings::Workspaces;
 use crate::outcome::{Failure, Outcome, unreadable};
 use crate::output::{Existing, may_write};
@@ -194,13 +195,7 @@ fn write_runs(file: &Path, all: &[FileAnswers]) -> Result<(), Failure> {
             ));
         }
     };
-    let folder = |path: &Path| {
-        let folder = path.parent()?;
-        let is_here = folder.as_os_str().is_empty();
-        let folder = if is_here { Path::new(".") } else { folder };
-        folder.canonicalize().ok()
-    };
-    if folder(file) != folder(Path::new(&answers.file)) {
+    if folder_of(file) != folder_of(Path::new(&answers.file)) {
         return Err(Failure::new(format!(
             "{}: the file for --write is in the folder of {}, which names its program",
             shown::path(file),
