@@ -87,8 +87,8 @@ pub struct Initial {
     pub node: Node,
     /// Where that line starts.
     pub start: TextSize,
-    /// Without blanks, to compare two.
-    text: SmolStr,
+    /// The text of that line up to the end of the value: it may be a line of another file.
+    pub line: SmolStr,
 }
 
 /// A type as its file declares it.
@@ -150,26 +150,30 @@ impl PartialEq for TypeSpec {
 
 impl PartialEq for Declared {
     fn eq(&self, other: &Declared) -> bool {
-        let text = |declared: &Declared| declared.initial.as_ref().map(|initial| initial.text.clone());
-        self.spec == other.spec && text(self) == text(other)
+        let written = |declared: &Declared| declared.initial.as_ref().map(Initial::without_blanks);
+        self.spec == other.spec && written(self) == written(other)
     }
 }
 
 impl Initial {
     /// The value that is written so on a line that starts here and has this text.
     pub(crate) fn new(value: &Expression<'_>, start: TextSize, line: &str) -> Initial {
-        let range = value.range();
-        let text = &line[usize::from(range.start())..usize::from(range.end())];
-        let mut quoted = false;
-        let squeezed = text.chars().filter(|c| {
-            quoted ^= *c == '\'';
-            quoted || !c.is_whitespace()
-        });
         Initial {
             node: facts::node(value),
             start,
-            text: squeezed.collect(),
+            line: line[..usize::from(value.range().end())].into(),
         }
+    }
+
+    /// As it is written, but for blanks outside of texts: to compare two.
+    fn without_blanks(&self) -> String {
+        let mut quoted = false;
+        let written = self.line[usize::from(self.node.range.start())..].chars();
+        let kept = written.filter(|c| {
+            quoted ^= *c == '\'';
+            quoted || !c.is_whitespace()
+        });
+        kept.collect()
     }
 }
 

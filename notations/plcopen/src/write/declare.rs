@@ -12,6 +12,7 @@ use ladder_analysis::values::types::{DEFAULT_STRING, Scalar, Type as OwnType};
 use ladder_analysis::values::value::Value;
 use ladder_instructions::StateType;
 use ladder_notation::{LineColumn, comments};
+use ladder_syntax::TextSize;
 
 /// How a function block of the standard is called there.
 pub(super) fn state_name(state: StateType) -> Result<&'static str, String> {
@@ -177,14 +178,14 @@ fn initial_in(words: Words<'_>, node: &Node) -> Result<Initial, String> {
 /// # Errors
 ///
 /// Why it has no counterpart.
-pub(super) fn declared_initial(place: &Source<'_>, declared: &Declared) -> Result<Option<Initial>, String> {
+pub(super) fn declared_initial(source: &Source<'_>, declared: &Declared) -> Result<Option<Initial>, String> {
     let Some(initial) = &declared.initial else {
         return Ok(None);
     };
     let words = Words {
-        text: place.text,
-        base: initial.start,
-        names: place.globals,
+        text: &initial.line,
+        base: TextSize::default(),
+        names: source.globals,
     };
     initial_in(words, &initial.node).map(Some)
 }
@@ -193,7 +194,6 @@ pub(super) fn declared_initial(place: &Source<'_>, declared: &Declared) -> Resul
 #[derive(Clone, Copy)]
 pub(super) struct Source<'s> {
     pub(super) context: &'s Context,
-    pub(super) text: &'s str,
     /// The names of blocks.
     pub(super) blocks: &'s Names,
     /// The names that initial values may mention.

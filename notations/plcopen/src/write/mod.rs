@@ -178,7 +178,6 @@ fn types(own: &Unit<'_>, shared: &Shared<'_>, report: &mut Report) -> Vec<TypeDe
     let context = own.context();
     let source = Source {
         context,
-        text: own.text,
         blocks: &shared.blocks,
         globals: &shared.globals,
     };

@@ -118,7 +118,6 @@ impl<'u> Unit<'u> {
         let names = own.names.clone();
         let source = Source {
             context: self.context(),
-            text: self.text,
             blocks: &project.blocks,
             globals: &names,
         };
@@ -179,7 +178,6 @@ impl<'u> Unit<'u> {
                 let name = project.globals.declare(&global.name);
                 let source = Source {
                     context: self.context(),
-                    text: self.text,
                     blocks: &project.blocks,
                     globals: &project.globals,
                 };

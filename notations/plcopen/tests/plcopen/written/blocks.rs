@@ -2,6 +2,10 @@
 
 use super::{check, xml};
 use expect_test::expect;
+use ladder_analysis::{Exported, analyze, analyze_in, exports, link_files};
+use ladder_notation::Notation;
+use ladder_notation_plcopen::Plcopen;
+use std::sync::Arc;
 
 #[test]
 fn types_and_blocks() {
@@ -231,4 +235,28 @@ fn each_array_has_its_own_list_of_indices() {
         grid[rows[0][1], 1]
         grid[1, 0]"#]]
     .assert_eq(&format!("{said}{}", paths.join("\n")));
+}
+
+#[test]
+fn globals_of_another_file_begin_as_they_do_there() {
+    let program = "+--[GT]( level, 3 )--( )( lamps[1] )--+\n";
+    let globals = "# All that the files of the plant share. #\nVAR_GLOBAL\n    level : DINT := 1234;\n    lamps : ARRAY[0..1] OF BOOL := [TRUE, FALSE];\nEND_VAR\n";
+    let of = |text| Arc::new(ladder_syntax::parse(text));
+    let shown = Exported::new(vec![
+        Arc::new(exports(&of(program), "plant.clad")),
+        Arc::new(exports(&of(globals), "globals.clad")),
+    ]);
+    let others = Arc::new(shown).others_of("plant.clad");
+    let own = Arc::new(analyze_in(&of(program), "plant.clad", &others));
+    let linked = link_files(&own, &|_| Some(Arc::new(analyze(&of(globals), "globals.clad"))));
+    let own = own.with_others(linked.expect("the program is whole"));
+    let writing = Plcopen.write(&own).expect("it can be written");
+    let xml = String::from_utf8(writing.bytes).expect("it is UTF-8");
+    let values = xml.lines().filter(|line| line.contains("<simpleValue"));
+    let values: Vec<&str> = values.map(str::trim).collect();
+    expect![[r#"
+        <simpleValue value="1234"/>
+        <simpleValue value="TRUE"/>
+        <simpleValue value="FALSE"/>"#]]
+    .assert_eq(&values.join("\n"));
 }
