@@ -12,7 +12,7 @@
 use ladder_analysis::{Analysis, Severity, analyze};
 use ladder_drawings::{Look, look, read};
 use ladder_notation::{
-    Finding, LineColumn, Notation, ReadError, Reading, Report, Source, WriteError, Writing,
+    Finding, LineColumn, Notation, ReadError, Reading, Report, Source, WriteError, Writing, no_program,
 };
 use ladder_picture::letters::{self, Style};
 use ladder_syntax::{TextRange, parse};
@@ -92,7 +92,7 @@ impl Notation for Ascii {
 
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
         if analysis.has_errors() {
-            return Err(WriteError::new("the program has errors"));
+            return Err(no_program(analysis, &analysis.context.parse.to_string()));
         }
         let networks = &analysis.context.networks;
         if (0..networks.len()).all(|network| networks.at(network).blocks().next().is_none()) {

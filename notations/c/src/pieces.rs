@@ -7,6 +7,7 @@ use std::sync::LazyLock;
 pub(crate) static PIECES: LazyLock<Pieces> = LazyLock::new(|| {
     Pieces::of(&[
         include_str!("../runtime/numbers.c"),
+        include_str!("../runtime/noted.c"),
         include_str!("../runtime/blocks.c"),
         include_str!("../runtime/texts.c"),
         include_str!("../runtime/ranges.c"),

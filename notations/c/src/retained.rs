@@ -129,16 +129,3 @@ pub(crate) fn functions(p: &str, compiled: &Compiled) -> String {
          bool {p}_restore({p} *self, const uint8_t *bytes)\n{{\n    const uint8_t *at = bytes;\n    uint32_t n;\n    for (n = 0; n < 32; n += 8)\n        if (*at++ != (uint8_t)(UINT32_C({mark}) >> n)) return false;\n{restore}    (void)at;\n    return true;\n}}\n\n"
     )
 }
-
-/// The pieces of the runtime that they need.
-pub(crate) fn needs(compiled: &Compiled) -> &'static [&'static str] {
-    let has_text = compiled
-        .retained
-        .iter()
-        .any(|kept| matches!(kept.home, Home::Texts { .. }));
-    match (compiled.retained.is_empty(), has_text) {
-        (true, _) => &[],
-        (false, false) => &["minus_held", "plus_held"],
-        (false, true) => &["minus_held", "plus_held", "set_text", "text_of"],
-    }
-}

@@ -6,7 +6,7 @@ use crate::pieces::PIECES;
 use crate::{data, header, names, retained};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{Clock, Location};
-use ladder_notation::{Companion, LineColumn, Lines, Report, WriteError, Writing};
+use ladder_notation::{Companion, LineColumn, Lines, Report, WriteError, Writing, no_program};
 use ladder_simulator::compiled::{CHANNELS, Compiled, Word, compile};
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -21,12 +21,10 @@ const TYPES: &str = "enum {\n    TYPE_BOOL = 0, TYPE_LWORD = 4, TYPE_LINT = 8, T
 
 /// Writes the library.
 pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
-    let program = analysis
-        .program()
-        .ok_or_else(|| WriteError::new("the program has errors, or needs another file of its workspace"))?;
+    let text = analysis.context.parse.to_string();
+    let program = analysis.program().ok_or_else(|| no_program(analysis, &text))?;
     let compiled = compile(program, program.cycle.unwrap_or(INTERVAL))
         .map_err(|error| WriteError::new(error.message))?;
-    let text = analysis.context.parse.to_string();
     let lines = Lines::of(&text);
     let place = |location: Location| match location.file {
         0 => lines.place(&text, location.range.start().into()),
@@ -63,10 +61,13 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
             .blocks
             .iter()
             .rfind(|block| block.start <= *at && *at < block.end);
-        let place = block.map_or(LineColumn::START, |block| place(block.location));
+        let place = match block.map(|block| block.location) {
+            Some(location) if location.file == 0 => format!("{}: ", place(location)),
+            Some(location) => format!("in {}: ", program.files[location.file as usize]),
+            None => String::new(),
+        };
         return Err(WriteError::new(format!(
-            "{place}: this block does what C libraries do not have yet ({what}); take it out, or write the program in \
-             another notation"
+            "{place}a C library does not have {what}; take this block out, or write the program in another notation"
         )));
     }
     let file = Path::new(program.files.first().map_or("program", String::as_str));
@@ -88,7 +89,9 @@ fn source(p: &str, interface: &Interface, compiled: &Compiled, body: &Body) -> S
     for field in interface.inputs.iter().chain(&interface.outputs) {
         used.extend(field.needs());
     }
-    used.extend(retained::needs(compiled));
+    let retained = retained::functions(p, compiled);
+    let needed = ["minus_held", "plus_held", "set_text", "text_of"];
+    used.extend(needed.iter().filter(|piece| retained.contains(**piece)));
     let before = before(compiled, body);
     if before.contains("mod_floor") {
         used.insert("mod_floor");
@@ -128,14 +131,15 @@ fn source(p: &str, interface: &Interface, compiled: &Compiled, body: &Body) -> S
             "static void note(state *self, int fault, uint32_t line)\n{\n    self->fault = fault;\n    self->fault_line = line;\n    self->faults++;\n    self->faulted = true;\n}\n\n",
         );
     }
-    out.push_str(&retained::functions(p, compiled));
+    out.push_str(&retained);
     out.push_str(&transfers(interface));
     let _ = write!(out, "void {p}_init({p} *self)\n{{\n    uint32_t n;\n");
     out.push_str(
         "    memset(&self->in, 0, sizeof self->in);\n    memset(&self->out, 0, sizeof self->out);\n    self->ended = self->stopped = self->faulted = false;\n    self->faults = self->scans = self->fault_line = 0;\n    self->fault = 0;\n    self->now = self->began = 0;\n    memset(self->b, 0, sizeof self->b);\n    memset(self->w, 0, sizeof self->w);\n",
     );
     if data::sizes(compiled).texts > 0 {
-        out.push_str("    memset(self->length, 0, sizeof self->length);\n");
+        // Compilers warn of a table that no statement uses.
+        out.push_str("    (void)text_at;\n    memset(self->length, 0, sizeof self->length);\n");
     }
     out.push_str(&data::start(compiled));
     out.push_str("    show_inputs(self);\n}\n\n");

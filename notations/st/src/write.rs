@@ -13,7 +13,7 @@ use ladder_analysis::Analysis;
 use ladder_analysis::program::{Clock, Location, ParameterKind, Program, TagId};
 use ladder_analysis::values::types::Type;
 use ladder_instructions::Profile;
-use ladder_notation::{LineColumn, Lines, Report, WriteError, Writing};
+use ladder_notation::{LineColumn, Lines, Report, WriteError, Writing, no_program};
 use ladder_syntax::{Parse, TextRange};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -21,9 +21,7 @@ use std::path::Path;
 /// Writes the text.
 pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     let text = analysis.context.parse.to_string();
-    let program = analysis
-        .program()
-        .ok_or_else(|| WriteError::new("the program has errors, or needs another file of its workspace"))?;
+    let program = analysis.program().ok_or_else(|| no_program(analysis, &text))?;
     let lines = Lines::of(&text);
     let place = |location: Location| match location.file {
         0 => lines.place(&text, location.range.start().into()),

@@ -47,7 +47,7 @@ impl Scan<'_, '_> {
             return None;
         };
         let step = Operation::of(step).filter(|_| is_whole(ty))?;
-        let (a, b) = (self.word(Word(a)), self.word(Word(b)));
+        let [a, b] = [a, b].map(|word| self.word(Word(word)).seen_as(width(ty)));
         let none = Number::constant(0);
         let graph = &mut self.world.graph;
         let is_zero = graph.equal(&b, &none);

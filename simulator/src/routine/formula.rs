@@ -84,11 +84,12 @@ pub(super) fn step(memory: &mut Memory, with: &mut Operands) -> Result<(), Troub
 }
 
 fn integer(step: Operation, width: Width, a: i64, b: i64) -> Result<i64, Slip> {
-    let (a, b) = (i128::from(a), i128::from(b));
+    let (a, b) = (width.number(a), width.number(b));
     let value = match step {
         Operation::Add => a + b,
         Operation::Subtract => a - b,
-        Operation::Multiply => a * b,
+        // Two of 64 bits without a sign may reach over 127; what is left of that fits nowhere.
+        Operation::Multiply => a.wrapping_mul(b),
         Operation::Divide | Operation::Remainder | Operation::Modulo if b == 0 => return Err(Slip::Zero),
         Operation::DivideUnlessZero if b == 0 => a,
         Operation::RemainderUnlessZero if b == 0 => 0,

@@ -125,6 +125,22 @@ fn what_is_kept_comes_back() {
     assert_eq!(said, "1\n40 9\n0\n");
 }
 
+/// What no statement needs is not there: a text that nothing uses, a clock where only a number is kept.
+#[test]
+fn small_programs_compile_without_a_warning() {
+    let Some(compiler) = compiler() else {
+        eprintln!("skipped: there is no C compiler here");
+        return;
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let text =
+        "VAR RETAIN\n    n : DINT;\nEND_VAR\nVAR\n    note : STRING;\nEND_VAR\n+--[ADD]( n, n, 1 )--+\n";
+    let main = "#include \"small.h\"\n#include <stdio.h>\nint main(void)\n{\n    static small plant;\n    small_init(&plant);\n    \
+        small_scan(&plant, 0);\n    printf(\"%d\", (int)plant.w[SMALL_n]);\n    return 0;\n}\n";
+    let said = compiled_and_run(&compiler, folder.path(), text, "small", main);
+    assert_eq!(said, "1");
+}
+
 /// An off-delay that was armed when the power went is over in time after it came back; and a program that is called `main` has a tag
 /// that is called as the library calls its faults.
 #[test]
@@ -173,6 +189,34 @@ fn a_fault_writes_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let text = "VAR\n    small : SINT := 10;\nEND_VAR\nVAR CONSTANT\n    x : LREAL := 1000.5;\nEND_VAR\n+--[TRUNC]( small, x )--+\n";
     assert_eq!(at_random(folder.path(), &compiler, text, 0), Ok(true));
+}
+
+/// Arithmetic that notes a division by zero and what does not fit, and goes on.
+#[test]
+fn arithmetic_of_logix_does_the_same_in_c() {
+    let Some(compiler) = compiler() else {
+        eprintln!("skipped: there is no C compiler here");
+        return;
+    };
+    let folder = tempfile::tempdir().unwrap();
+    for (seed, ty) in ["SINT", "DINT", "LINT", "UDINT", "ULINT", "REAL", "LREAL"]
+        .iter()
+        .enumerate()
+    {
+        let sum = if ty.ends_with("REAL") {
+            "a / b"
+        } else {
+            "a MOD b + a / b"
+        };
+        let text = format!(
+            "# ladder: profile logix #\nVAR_INPUT\n    a, b : {ty};\nEND_VAR\nVAR\n    c, d, e, f, g, h : {ty};\n    s : SINT;\n    u : UINT;\n    l : LINT;\n    r : REAL;\nEND_VAR\n\
+             +--[ADD]( c, a, b )--[SUB]( d, a, b )--[MUL]( e, a, b )--[DIV]( f, a, b )--+\n\
+             +--[CALC]( g, {sum} )--[CALC]( h, a ^ 3 )--+\n\
+             +--[MUL]( h, h, e )--[TYP]( s, a )--[TYP]( u, a )--[TYP]( l, h )--[TYP]( r, a )--+\n"
+        );
+        let made = at_random(folder.path(), &compiler, &text, seed as u64);
+        assert_eq!(made, Ok(true), "{ty}");
+    }
 }
 
 #[test]

@@ -76,7 +76,7 @@ impl Emitter<'_> {
             Instr::EnterBody | Instr::LeaveBody => {}
             // What is shown of a scan: C shows nothing.
             Instr::Network { .. } | Instr::Left { .. } => {}
-            _ => self.body.missing.push((at, format!("{instr:?}"))),
+            _ => self.body.missing.push((at, "a counterpart of it")),
         }
     }
 
