@@ -48,7 +48,12 @@ impl Folder {
 
     /// The names of all files directly in it, sorted.
     pub(crate) fn names(&self) -> Vec<String> {
-        let mut names: Vec<String> = fs::read_dir(self.0.path())
+        self.names_in("")
+    }
+
+    /// The names of all files directly in a folder of it, sorted.
+    pub(crate) fn names_in(&self, inner: &str) -> Vec<String> {
+        let mut names: Vec<String> = fs::read_dir(self.path(inner))
             .unwrap()
             .map(|entry| entry.unwrap().file_name().into_string().unwrap())
             .collect();

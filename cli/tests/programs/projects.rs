@@ -110,3 +110,63 @@ fn a_project_becomes_a_workspace() {
     "#]].assert_eq(&run.to_string());
     assert_eq!(folder.read("plant/Main.clad"), "mine");
 }
+
+#[test]
+fn what_a_second_run_would_write_again_stays() {
+    let folder = Folder::with(&[("plant.xml", PLANT)]);
+    for _ in 0..2 {
+        let run = folder.ladder(&["convert", "plant.xml", "-o", "plant.xml.d/plant.xml/"]);
+        expect![[r#"
+            exit status 0
+            -- stderr
+            plant.xml: 15 translated, 0 approximated, 0 refused
+        "#]]
+        .assert_eq(&run.to_string());
+    }
+    let names = ["Count.clad", "Main.clad", "globals.clad", "ladder.toml"];
+    assert_eq!(folder.names_in("plant.xml.d/plant.xml"), names);
+}
+
+#[test]
+fn names_that_no_file_may_have() {
+    let long = "x".repeat(300);
+    let plant = PLANT
+        .replace("\"Main\"", "\"CON\"")
+        .replace("\"Count\"", &format!("\"{long}\""));
+    let folder = Folder::with(&[("plant.xml", &plant)]);
+    folder.ladder(&["convert", "plant.xml", "-o", "plant/"]);
+    let long = format!("{}.clad", &long[..100]);
+    assert_eq!(
+        folder.names_in("plant"),
+        ["CON_.clad", "globals.clad", "ladder.toml", &long]
+    );
+}
+
+#[test]
+fn a_project_in_another_encoding_is_read() {
+    let folder = Folder::with(&[]);
+    let utf16 = |text: &str| {
+        text.encode_utf16()
+            .flat_map(u16::to_le_bytes)
+            .collect::<Vec<u8>>()
+    };
+    folder.write("plant.xml", &[&[0xFF, 0xFE][..], &utf16(PLANT)].concat());
+    let run = folder.ladder(&["check", "plant.xml"]);
+    assert_eq!(
+        run.to_string(),
+        "exit status 0\n-- stdout\nChecked 1 file: no errors found.\n"
+    );
+}
+
+#[test]
+fn of_a_file_that_was_cut_off_nothing_is_written() {
+    let folder = Folder::with(&[("plant.xml", &PLANT[..1000])]);
+    let run = folder.ladder(&["convert", "plant.xml", "-o", "plant/", "--report", "report.md"]);
+    expect![[r#"
+        exit status 2
+        -- stderr
+        error: plant.xml:15:26: the file ends too early, as one that was not saved or copied whole: export it again
+    "#]]
+    .assert_eq(&run.to_string());
+    assert_eq!(folder.names(), ["plant.xml"]);
+}

@@ -1,4 +1,7 @@
 //! The notations of other systems that this build knows: the one place that names them.
+//!
+//! Each is a feature, in the list [`NOTATIONS`]; the order there is the order in which they are asked whether a text is theirs.
+//! [`recognise`] finds the one of a file, [`Form`] is that or ladder text.
 #![forbid(unsafe_code)]
 
 mod conversion;
@@ -11,6 +14,7 @@ pub use ladder_notation::{
     Remark, Report, Source, Tally, WriteError, Writing, convert, has_extension, remarks, write_checked,
 };
 
+use ladder_notation::in_utf8;
 use std::path::Path;
 
 /// All of them, in the order in which they are asked whether a text is theirs.
@@ -66,8 +70,9 @@ pub fn by_name(name: &str) -> Option<&'static dyn Notation> {
 /// name, if no other system's files are called so.
 pub fn recognise(path: &Path, bytes: &[u8]) -> Option<&'static dyn Notation> {
     let mut all = NOTATIONS.iter().copied();
+    let bytes = in_utf8(bytes);
     all.clone()
-        .find(|notation| notation.recognises(bytes))
+        .find(|notation| notation.recognises(&bytes))
         .or_else(|| {
             let extension = path.extension()?.to_str()?;
             all.find(|notation| notation.owns_extension() && has_extension(*notation, extension))

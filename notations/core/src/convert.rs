@@ -1,5 +1,7 @@
 //! From a file of another system to ladder text.
 
+use super::encoding::in_utf8;
+use super::file_name::file_name;
 use super::functions::again::functions_again;
 use super::loops::again::loops_again;
 use super::{
@@ -7,6 +9,7 @@ use super::{
 };
 use ladder_format::program::{Item, ProgramSketch, WrittenProgram};
 use ladder_syntax::TextSize;
+use std::borrow::Cow;
 use std::collections::HashSet;
 use std::ops::Range;
 
@@ -55,7 +58,13 @@ pub fn convert(
         report,
         findings,
         mut files,
-    } = notation.read(source)?;
+    } = match in_utf8(source.bytes) {
+        Cow::Borrowed(_) => notation.read(source)?,
+        Cow::Owned(bytes) => notation.read(&Source {
+            bytes: &bytes,
+            ..source.clone()
+        })?,
+    };
     functions_again(&mut [&mut program]);
     functions_again(&mut programs(&mut files).collect::<Vec<_>>());
     loops_again(&mut program.items);
@@ -75,8 +84,9 @@ pub fn convert(
         });
         written = program.write(options);
     }
+    let mut names = HashSet::new();
     let files = files.into_iter().map(|file| Companion {
-        name: file.name,
+        name: file_name(&file.name, &mut names),
         bytes: match file.content {
             Content::Program(program) => program.write(options).text.into_bytes(),
             Content::Text(text) => text.into_bytes(),

@@ -2,6 +2,7 @@
 //! file that a person wrote.
 
 use super::convert::UNUSED;
+use super::encoding::in_utf8;
 use super::{Converted, Entry, LineColumn, Lines, Notation, Outcome, ReadError, Report, Source, convert};
 use ladder_analysis::{Diagnostic, Severity};
 use ladder_syntax::{TextRange, TextSize};
@@ -46,7 +47,7 @@ impl Foreign {
     pub fn read(notation: &'static dyn Notation, source: &Source<'_>) -> Result<Foreign, ReadError> {
         let options = ladder_format::Options::default();
         let converted = convert(notation, source, &options)?;
-        let text = shown(source.bytes);
+        let text = shown(&in_utf8(source.bytes));
         let lines = Lines::of(&text);
         let mut foreign = Foreign {
             notation,

@@ -7,7 +7,8 @@
 //!
 //! A notation is one crate next to this one and one line in the list, `ladder-notations`. It knows no files and no
 //! layout: what it reads is a sketch, which the one writer of `ladder-format` draws; what it writes comes from an analysed
-//! program. Nothing is dropped silently: the [`Report`] says of each element what became of it.
+//! program. Nothing is dropped silently: the [`Report`] says of each element what became of it. `convert` is the one way in: a file in
+//! another encoding is UTF-8 before a notation sees it, and what a project is written into has names that every system takes.
 #![forbid(unsafe_code)]
 
 mod arrays;
@@ -15,7 +16,9 @@ pub mod circuit;
 pub mod comments;
 mod convert;
 mod elements;
+mod encoding;
 mod error;
+mod file_name;
 mod finding;
 mod foreign;
 mod functions;
@@ -37,6 +40,7 @@ pub mod xml;
 
 pub use arrays::with_arrays_as_elements;
 pub use convert::{Converted, convert};
+pub use encoding::in_utf8;
 pub use error::{ReadError, WriteError};
 pub use finding::Finding;
 pub use foreign::{Foreign, Mark};

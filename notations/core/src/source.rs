@@ -91,6 +91,9 @@ pub fn text_of(bytes: &[u8]) -> Result<&str, ReadError> {
     std::str::from_utf8(bytes).map_err(|error| {
         let good = String::from_utf8_lossy(&bytes[..error.valid_up_to()]).into_owned();
         let place: LineColumn = Lines::of(&good).place(&good, good.len());
-        ReadError::at(place, "the file is not text in UTF-8 from here on")
+        ReadError::at(
+            place,
+            "the file is not text in UTF-8 from here on: save it again as UTF-8",
+        )
     })
 }

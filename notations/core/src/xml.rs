@@ -25,9 +25,14 @@ impl<'t> Xml<'t> {
             ..ParsingOptions::default()
         };
         let document = Document::parse_with_options(text, options).map_err(|error| {
-            let place = LineColumn {
-                line: error.pos().row,
-                column: error.pos().col,
+            let place = match error {
+                Error::UnexpectedEndOfStream | Error::UnclosedRootNode => {
+                    Lines::of(text).place(text, text.len())
+                }
+                _ => LineColumn {
+                    line: error.pos().row,
+                    column: error.pos().col,
+                },
             };
             ReadError::at(place, why(&error))
         })?;
@@ -47,6 +52,9 @@ fn why(error: &Error) -> String {
             "the file has a document type (`<!DOCTYPE`), which no project needs: take it out".to_owned()
         }
         Error::NodesLimitReached => format!("the file has more than {MOST_NODES} elements; projects do not"),
+        Error::UnexpectedEndOfStream | Error::UnclosedRootNode => {
+            "the file ends too early, as one that was not saved or copied whole: export it again".to_owned()
+        }
         other => {
             let said = other.to_string();
             // The place is told apart from it.

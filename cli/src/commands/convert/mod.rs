@@ -16,7 +16,7 @@ use report::{Account, Side};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use target::{Job, jobs, make_folder};
+use target::{Job, jobs};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -89,7 +89,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Some(form) if form == Path::new("json") => report::json(&accounts)?,
         Some(file) => {
             report::people(&accounts);
-            report::file(&accounts, file, Existing::by(arguments.force))?;
+            if !accounts.is_empty() {
+                report::file(&accounts, file, Existing::by(arguments.force))?;
+            }
         }
     }
     Ok(outcome)
@@ -139,6 +141,9 @@ fn convert(job: &Job, existing: Existing) -> Result<(Account, Outcome), Failure>
             (writing.bytes, writing.companions)
         }
     };
+    if let (Some(folder), Some(_)) = (job.output.as_deref().and_then(Path::parent), &job.folder) {
+        make_folder(folder)?;
+    }
     write(job.output.as_deref(), &bytes, &next_to, existing)?;
     let outcome = account.outcome();
     Ok((account, outcome))
@@ -160,7 +165,7 @@ fn write(
     next_to: &[Companion],
     existing: Existing,
 ) -> Result<(), Failure> {
-    let mut files: Vec<(Output, &[u8])> = vec![(Output::open(output, existing)?, bytes)];
+    let mut files = Vec::from_iter(open(output, bytes, existing)?);
     for companion in next_to {
         let Some(output) = output else {
             let name = shown::line(&companion.name);
@@ -173,7 +178,7 @@ fn write(
         if let (Some(folder), true) = (path.parent(), companion.name.contains('/')) {
             make_folder(folder)?;
         }
-        files.push((Output::open(Some(&path), existing)?, &companion.bytes));
+        files.extend(open(Some(&path), &companion.bytes, existing)?);
     }
     finish(files)
 }
@@ -181,11 +186,42 @@ fn write(
 /// Writes the files of a project into a folder. Nothing is written if one of them may not be.
 fn write_project(folder: &Path, files: &[Companion], existing: Existing) -> Result<(), Failure> {
     make_folder(folder)?;
-    let open = files.iter().map(|file| {
-        let output = Output::open(Some(&folder.join(&file.name)), existing)?;
-        Ok((output, file.bytes.as_slice()))
-    });
-    finish(open.collect::<Result<_, Failure>>()?)
+    let mut opened = Vec::new();
+    for file in files {
+        opened.extend(open(Some(&folder.join(&file.name)), &file.bytes, existing)?);
+    }
+    finish(opened)
+}
+
+/// A file that is to have these bytes. None: it has them, so that two programs may bring the same block, and a second run is no
+/// error.
+fn open<'b>(
+    output: Option<&Path>,
+    bytes: &'b [u8],
+    existing: Existing,
+) -> Result<Option<(Output, &'b [u8])>, Failure> {
+    let has_them = |file: &Path| {
+        let there = file.metadata()?;
+        Ok(there.is_file() && there.len() == bytes.len() as u64 && std::fs::read(file)? == bytes)
+    };
+    if output.is_some_and(|file| has_them(file).unwrap_or_else(|_: std::io::Error| false)) {
+        return Ok(None);
+    }
+    Ok(Some((Output::open(output, existing)?, bytes)))
+}
+
+/// Makes a folder, and those that it is in.
+fn make_folder(folder: &Path) -> Result<(), Failure> {
+    std::fs::create_dir_all(folder).map_err(|error| {
+        let why = match error.kind() {
+            std::io::ErrorKind::AlreadyExists | std::io::ErrorKind::NotADirectory => {
+                "a file is there; name another folder".to_owned()
+            }
+            _ => error.to_string(),
+        };
+        let folder = shown::path(folder);
+        Failure::new(format!("{folder}: the folder cannot be made: {why}"))
+    })
 }
 
 fn finish(mut files: Vec<(Output, &[u8])>) -> Result<(), Failure> {

@@ -4,7 +4,7 @@ use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
 use ladder_notations::{NOTATIONS, has_extension};
 use ladder_workspace::{find_files, is_companion, is_program, read_bytes, shown};
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 /// One program to translate.
@@ -92,24 +92,7 @@ pub(super) fn jobs(
             "there is no program to convert; name a file, or its notation with --from",
         ));
     }
-    if output.is_some_and(|output| several || is_folder(output)) {
-        let folders = jobs.iter().filter_map(|job| job.output.as_ref()?.parent());
-        let folders: BTreeSet<&Path> = folders.collect();
-        for folder in folders {
-            make_folder(folder)?;
-        }
-    }
     Ok((jobs, outcome))
-}
-
-/// Makes a folder, and those that it is in.
-pub(super) fn make_folder(folder: &Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder).map_err(|error| {
-        Failure::new(format!(
-            "{}: the folder cannot be made: {error}",
-            shown::path(folder)
-        ))
-    })
 }
 
 /// The folders between one that was searched and a file that was found in it, so that the output has the same.
@@ -155,7 +138,9 @@ fn job(
             shown::path(input)
         )));
     };
-    let by_name = || output.filter(|_| folder.is_none()).and_then(form::by_extension);
+    // A folder may be called like a file.
+    let file = output.filter(|output| folder.is_none() && !is_folder(output));
+    let by_name = || file.and_then(form::by_extension);
     let Some(to) = to
         .or_else(by_name)
         .or((!from.is_ladder()).then_some(Form::Ladder))
