@@ -1,8 +1,8 @@
 //! Scenarios with a program: names become tags, and cells values of the tags' types.
 
 use super::error::ScenarioError;
-use super::parse::{Cell, Direction, Row, Scenario, Suite};
 use super::steps::Steps;
+use super::suite::{Cell, Direction, Row, Scenario, Suite};
 use super::tolerance::Tolerance;
 use crate::simulation::Simulation;
 use crate::tags::Point;

@@ -1,9 +1,10 @@
 //! The rows of a scenario that came out differently: what was expected and what came, the differing steps marked.
 
 use super::bind::Case;
-use super::parse::{Suite, TIME};
+use super::parse::TIME;
 use super::run::{Difference, Ran};
 use super::steps::Steps;
+use super::suite::Suite;
 use super::watch::{Outside, Violation};
 use crate::value_text;
 use ladder_analysis::values::types::Scalar;

@@ -1,8 +1,8 @@
 //! Properties with a program: their expressions become values of its tags, and a run is watched for what violates them.
 
 use super::error::ScenarioError;
-use super::parse::Suite;
 use super::property::{Form, Written};
+use super::suite::Suite;
 use crate::expression::Expression;
 use crate::simulation::Simulation;
 use crate::tags::Point;

@@ -1,6 +1,6 @@
 //! The columns of one scenario.
 
-use super::super::parse::{Cell, Row, TimeRow};
+use super::super::suite::{Cell, Row, TimeRow};
 use super::{at, is_expected, ruler, width};
 use ladder_syntax::{TextRange, line_around};
 

@@ -14,7 +14,8 @@
 mod columns;
 mod ruler;
 
-use super::parse::{Direction, HEADINGS, Row, Suite, parse};
+use super::parse::{HEADINGS, parse};
+use super::suite::{Direction, Row, Suite};
 use super::words::{Line, lines};
 use columns::{Columns, Laid};
 use ladder_syntax::{TextRange, TextSize};

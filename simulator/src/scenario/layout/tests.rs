@@ -1,6 +1,7 @@
 //! Layouts as texts, and what holds for all of them.
 
-use super::super::parse::{Cell, Suite, parse};
+use super::super::parse::parse;
+use super::super::suite::{Cell, Suite};
 use super::layout;
 use expect_test::{Expect, expect};
 use proptest::prelude::*;

@@ -1,0 +1,100 @@
+//! What a scenario file says, before anything is known of the program.
+
+use super::error::ScenarioError;
+use super::property::{Property, Written};
+use super::tolerance::Tolerance;
+use ladder_syntax::TextRange;
+
+/// A scenario file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Suite {
+    /// The program, as it is named, seen from the file's own folder.
+    pub program: Option<(String, TextRange)>,
+    /// How long a step is, in nanoseconds. Without it a step is one scan.
+    pub step: Option<(i64, TextRange)>,
+    /// The time from one scan to the next, in nanoseconds.
+    pub interval: Option<(i64, TextRange)>,
+    /// For all reals that are expected, where a row does not have its own.
+    pub tolerance: Option<Tolerance>,
+    /// In the order of the file.
+    pub scenarios: Vec<Scenario>,
+    /// What is assumed of everything that goes into the program.
+    pub assumptions: Vec<Written>,
+    /// What must hold in every run, in the order of the file.
+    pub properties: Vec<Property>,
+    /// What could not be read.
+    pub errors: Vec<ScenarioError>,
+}
+
+/// One scenario.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scenario {
+    /// What it is called.
+    pub name: String,
+    /// Its name, with the quotes.
+    pub range: TextRange,
+    /// How many steps it has.
+    pub steps: usize,
+    /// Its rows, in the order of the file.
+    pub rows: Vec<Row>,
+    /// Its rows `time`, in the order of the file. With the second the steps go on below those of the rows above.
+    pub times: Vec<TimeRow>,
+}
+
+impl Scenario {
+    /// How long a step is, in nanoseconds, where a row `time` says it.
+    pub fn time_of(&self, step: usize) -> Option<i64> {
+        let row = self.times.iter().rev().find(|row| row.first <= step)?;
+        row.cells.get(step - row.first)?.0
+    }
+}
+
+/// A row `time`: how long each of the steps below it is.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TimeRow {
+    /// The word `time`.
+    pub range: TextRange,
+    /// The step of its first cell.
+    pub first: usize,
+    /// In nanoseconds, with its place; none for a dot, which is a step as the file has them. 0 where no duration is written.
+    pub cells: Vec<(Option<i64>, TextRange)>,
+}
+
+/// A row: a tag, and a cell for each step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// The tag as it is written.
+    pub name: String,
+    /// Where that is.
+    pub range: TextRange,
+    /// Whether it goes in or is expected to come out.
+    pub direction: Direction,
+    /// The step of its first cell.
+    pub first: usize,
+    /// One for each step, with its place.
+    pub cells: Vec<(Cell, TextRange)>,
+    /// What is after `±`.
+    pub tolerance: Option<(String, TextRange)>,
+}
+
+/// Which way a row goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Direction {
+    /// Into the program.
+    Given,
+    /// `=>`: out of it.
+    Expected,
+}
+
+/// What a row has for a step.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Cell {
+    /// `_`
+    Low,
+    /// `-`
+    High,
+    /// `.`: as before; not checked.
+    Same,
+    /// Anything else: a value as it is written.
+    Value(String),
+}
