@@ -1,5 +1,7 @@
 //! One state of one open document.
 
+mod text;
+
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
@@ -16,8 +18,7 @@ use super::byte_edit::{ByteEdit, EditLog, Since};
 use super::kind::Kind;
 use super::membership::Membership;
 use super::neighbours::Affected;
-use super::position::{self, Encoding, Position, Range};
-use super::positions::Positions;
+use super::position::Encoding;
 use crate::language::{Analysis, Names};
 use crate::library_block;
 use crate::notation::Opened;
@@ -356,31 +357,6 @@ impl Revision {
             .to_string_lossy()
     }
 
-    /// The text.
-    pub(crate) fn text(&self) -> String {
-        self.rope.to_string()
-    }
-
-    /// The length of the text in bytes.
-    pub(crate) fn len(&self) -> usize {
-        self.rope.len_bytes()
-    }
-
-    /// The offset of a position, clamped into the text. For a text that has an analysis.
-    pub(crate) fn offset(&self, position: Position) -> TextSize {
-        TextSize::new(position::offset(&self.rope, self.encoding, position) as u32)
-    }
-
-    /// For many ranges of the text.
-    pub(crate) fn positions(&self) -> Positions {
-        Positions::new(self.text(), self.encoding)
-    }
-
-    /// The range of a stretch of the text.
-    pub(crate) fn range(&self, range: TextRange) -> Range {
-        position::range(&self.rope, self.encoding, range.into())
-    }
-
     /// Address and text of another file of the workspace or of the library, by the name that findings and programs know it by.
     pub(crate) fn text_next_to(&self, file: &str) -> Option<(String, String)> {
         if let Some((address, text)) = library_block::file(file) {
@@ -389,36 +365,6 @@ impl Revision {
         let place = self.place.as_ref()?;
         let (path, text) = place.neighbours.text_of(&place.path, file)?;
         Some((super::address::uri_of(&path), text))
-    }
-
-    /// Where a line begins, counted from 0; past the last one the end of the text.
-    pub(crate) fn line_start(&self, line: u32) -> TextSize {
-        let line = (line as usize).min(self.rope.len_lines());
-        TextSize::try_from(self.rope.line_to_byte(line)).unwrap_or(TextSize::from(u32::MAX))
-    }
-
-    /// The line of an offset, counted from 0.
-    pub(crate) fn line_of(&self, offset: TextSize) -> u32 {
-        self.rope
-            .byte_to_line(usize::from(offset).min(self.rope.len_bytes())) as u32
-    }
-
-    /// The word at an offset: letters, digits and `_`.
-    pub(crate) fn word_at(&self, offset: TextSize) -> String {
-        let is_part = |it: &char| it.is_alphanumeric() || *it == '_';
-        let at = self
-            .rope
-            .byte_to_char(usize::from(offset).min(self.rope.len_bytes()));
-        let mut before = self.rope.chars_at(at);
-        before.reverse();
-        let before: Vec<char> = before.take_while(is_part).collect();
-        let after = self.rope.chars_at(at).take_while(is_part);
-        before.iter().rev().copied().chain(after).collect()
-    }
-
-    /// The number of the last line, counted from 0.
-    pub(crate) fn last_line(&self) -> u32 {
-        self.rope.len_lines().saturating_sub(1) as u32
     }
 
     /// The texts of a program's files, this one's own first.
@@ -433,17 +379,6 @@ impl Revision {
     /// Whether both are the same state of the same document.
     pub(crate) fn is(&self, other: &Revision) -> bool {
         self.serial == other.serial
-    }
-
-    /// What is after an offset on its line.
-    pub(crate) fn rest_of_line(&self, offset: TextSize) -> String {
-        let rest = self.rope.byte_slice(usize::from(offset).min(self.len())..);
-        rest.chars().take_while(|it| !matches!(it, '\n' | '\r')).collect()
-    }
-
-    /// A stretch of the text.
-    pub(crate) fn stretch(&self, bytes: std::ops::Range<usize>) -> String {
-        self.rope.byte_slice(bytes).to_string()
     }
 
     /// Where the person works: where the text was changed last, in bytes.
@@ -465,6 +400,7 @@ impl Revision {
 mod tests {
     use super::*;
     use crate::document::Documents;
+    use crate::document::position::{Position, Range};
 
     #[test]
     fn who_asks_for_names_waits_for_no_rule() {
