@@ -41,6 +41,8 @@ mod settings;
 mod several_files;
 mod sim;
 mod sim_formats;
+mod sim_parts;
+mod sim_refused;
 mod tags;
 mod tree;
 mod watch;
