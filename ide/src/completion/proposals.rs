@@ -86,18 +86,7 @@ impl<'t> Proposals<'t> {
         detail: &str,
         topic: Topic,
     ) {
-        self.add_at(
-            order,
-            Completion {
-                label: label.to_owned(),
-                detail: detail.to_owned(),
-                kind,
-                range: self.word,
-                filter: label.to_owned(),
-                text: Snippet::plain_text(label),
-                topic,
-            },
-        );
+        self.snippet(order, kind, label, detail, Snippet::plain_text(label), topic);
     }
 
     /// As `word`, with a text of its own.
