@@ -1,7 +1,54 @@
 //! `ladder sim` of structures and arrays.
 
 use crate::harness::Folder;
-use expect_test::expect;
+use expect_test::{Expect, expect};
+
+/// Two pumps, each with an element of every array.
+const PUMPS: &str = "\
+VAR_INPUT trip : ARRAY[1..2] OF BOOL; run : BOOL; END_VAR
+VAR_OUTPUT pump : ARRAY[1..2] OF BOOL; END_VAR
+VAR i : INT; starts : ARRAY[1..2] OF INT; t : TON; END_VAR
++--[MOV]( i, 0 )--<FOR>( 2 )--+
+
++--[ADD]( i, i, 1 )--[ ]( run )--[/]( trip[i] )--( )( pump[i] )--[ADD]( starts[i], starts[i], 1 )--+
++--<NEXT>--+
+";
+
+const LINES: &str = "\
+TYPE
+    Phase : (IDLE, FILLING);
+    Motor : STRUCT
+        speed : REAL := 50.0;
+        delay : TON;
+    END_STRUCT;
+END_TYPE
+VAR_INPUT step : Phase; END_VAR
+VAR
+    lines : ARRAY[1..2] OF Motor;
+    grid  : ARRAY[1..2, 0..1] OF INT;
+    long  : ARRAY[1..65] OF INT;
+    once  : $Once;
+END_VAR
+
+FUNCTION_BLOCK [$Once]
+VAR n : INT; END_VAR
++--[ADD]( n, n, 1 )--( )( ENO )--+
+END_FUNCTION_BLOCK
+
++--[EQ]( step, FILLING )--[$Once]( once )--[TON]( lines[2].delay, T#5s )--[MOV]( grid[2, 1], 7 )--[MOV]( long[3], 7 )--+
+";
+
+/// Arrays of two dimensions, alone and in a structure, and of what keeps a state.
+const PARTS: &str = "\
+FUNCTION_BLOCK [$Twice]
+VAR_INPUT x : INT; END_VAR
+VAR_OUTPUT y : INT; END_VAR
++--[MUL]( y, x, 2 )--+
+END_FUNCTION_BLOCK
+TYPE Row : STRUCT a : ARRAY[0..1, 1..2] OF INT; END_STRUCT; END_TYPE
+VAR grid : ARRAY[1..2, 0..1] OF INT := [1, 2, 3, 4]; row : Row; twice : ARRAY[1..2] OF $Twice; END_VAR
++--[$Twice]( twice[2], grid[2, 1], row.a[1, 2] )--+
+";
 
 #[test]
 fn compound_values_are_written_part_by_part() {

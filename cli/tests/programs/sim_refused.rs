@@ -1,8 +1,8 @@
 //! What `ladder sim` does not run.
 
 use crate::harness::{Folder, MOTOR};
-use crate::sim::{TYPES, motor, types};
-use expect_test::{Expect, expect};
+use crate::sim::TYPES;
+use expect_test::expect;
 
 #[test]
 fn a_program_with_errors_is_not_run() {
