@@ -269,12 +269,27 @@ pub(crate) fn missing(place: OperandPlace, range: TextRange) -> Diagnostic {
     }
 }
 
+/// What other systems write as `Phase#RUN`: the type and the value, if that is what stands around the `#` before an operand.
+fn typed_value<'t>(before: &'t str, text: &'t str) -> Option<(&'t str, &'t str)> {
+    let before = before.strip_suffix('#')?;
+    let ty = &before[before
+        .trim_end_matches(|c: char| c.is_alphanumeric() || c == '_')
+        .len()..];
+    let is_name = |name: &str| name.starts_with(|c: char| c.is_alphabetic() || c == '_');
+    (is_name(ty) && is_name(text)).then_some((ty, text))
+}
+
 /// `before`: what is before it on its line.
 pub(crate) fn missing_comma(range: TextRange, before: &str, text: &str) -> Diagnostic {
     let found = wrong(range, "a comma is missing before this operand");
     let Some((number, unit)) = duration(before, text) else {
         // One name may have been cut in two, or what is here belongs somewhere else.
-        return found.help("operands are separated by commas");
+        return found.help(match typed_value(before, text) {
+            Some((ty, value)) => format!(
+                "the `#` before it closed a comment; the value of an enumeration is written {ty}.{value}"
+            ),
+            None => "operands are separated by commas".to_owned(),
+        });
     };
     let blanks = before.len() - before.trim_end().len();
     let start = range.start() - TextSize::new(blanks as u32);

@@ -59,7 +59,7 @@ pub fn literal(text: &str) -> Parsed<Literal> {
         return number(text);
     };
     match prefix.to_ascii_uppercase().as_str() {
-        "T" | "TIME" => time(rest).map(Literal::Time),
+        "T" | "TIME" | "LTIME" => time(rest).map(Literal::Time),
         "D" | "DATE" => date(rest).map(Literal::Date),
         "TOD" | "TIME_OF_DAY" => time_of_day(rest).map(Literal::Tod),
         "DT" | "DATE_AND_TIME" => date_and_time(rest).map(Literal::Dt),
@@ -74,8 +74,15 @@ pub fn literal(text: &str) -> Parsed<Literal> {
     }
 }
 
-/// `INT#5`, `WORD#16#00FF`, `REAL#1`, `BOOL#1`
+/// `INT#5`, `WORD#16#00FF`, `REAL#1`, `BOOL#1`, `STRING#'text'`
 fn typed(scalar: Scalar, rest: &str) -> Parsed<Literal> {
+    if scalar.is_string() {
+        let inside = rest.strip_prefix('\'').and_then(|text| text.strip_suffix('\''));
+        return match inside {
+            Some(text) => string(text).map(Literal::Text),
+            None => malformed("a text is between apostrophes: STRING#'text'"),
+        };
+    }
     let (negative, magnitude) = match rest.strip_prefix('-') {
         Some(m) => (true, m),
         None => (false, rest.strip_prefix('+').unwrap_or(rest)),

@@ -431,7 +431,30 @@ fn declarations_that_cannot_be_read() {
 }
 
 #[test]
+fn a_number_sign_in_the_value_of_an_enumeration() {
+    check(
+        "TYPE\n    Phase : (IDLE, RUN);\nEND_TYPE\n+--[EQ]( s, Phase#IDLE )--[NE]( s, Phase#RUN )--( )( Q1 )--+\n",
+        expect![[r#"
+            > +--[EQ]( s, Phase#IDLE )--[NE]( s, Phase#RUN )--( )( Q1 )--+
+                                                       ^^^ error[bad-operand]: a comma is missing before this operand
+                help: the `#` before it closed a comment; the value of an enumeration is written Phase.RUN
+        "#]],
+    );
+}
+
+#[test]
 fn literals() {
+    clean("+--[MOV]( a, LTIME#5s )--[MOV]( b, STRING#'1, #2' )--[MOV]( c, STRING#'x'# note # )--+\n");
+    check(
+        "+--[MOV]( b, STRING#'open )--[MOV]( c, STRING#5 )--+\n",
+        expect![[r#"
+            > +--[MOV]( b, STRING#'open )--[MOV]( c, STRING#5 )--+
+                                  ^^^^^ error[bad-literal]: this text is not closed: `'` is missing
+                help: a text ends on its own line; a quote in it is written $'
+                fix: Insert `'`
+                  +-----------------------------[MOV]( b, STRING#'open' )--[MOV]( c, STRING#5 )--+
+        "#]],
+    );
     check(
         "+--[EQ]( s, 'open )--( )( y )--+\n",
         expect![[r#"

@@ -24,6 +24,15 @@ pub(super) fn literal_end(text: &str, at: usize) -> usize {
                 hexadecimal = prefix == "16";
                 end += 1;
                 part = end;
+                // `STRING#'text'`; a text without its end is a token of its own.
+                if bytes.get(end) == Some(&b'\'') && prefix.eq_ignore_ascii_case("STRING") {
+                    let string = string_end(bytes, end);
+                    return if is_closed_string(&text[end..string]) {
+                        string
+                    } else {
+                        end
+                    };
+                }
                 // `INT#-5`
                 if matches!(bytes.get(end), Some(b'-' | b'+'))
                     && bytes.get(end + 1).is_some_and(u8::is_ascii_digit)
