@@ -64,6 +64,11 @@ pub(crate) fn section(
     let Some(around) = around(parse, section) else {
         return Some(());
     };
+    if around.kind == SectionKind::InOut && !around.in_block {
+        out.push(NameProblem::InOutsOfProgram(
+            parse.line_range(section.lines.start),
+        ));
+    }
     let mut start = parse.line_start(section.lines.start);
     let mut together: Vec<(&Line, TextSize, GreenNode)> = Vec::with_capacity(TOGETHER);
     let mut lines = parse.lines().range(section.lines.clone());

@@ -24,6 +24,8 @@ pub(crate) enum NameProblem {
     },
     /// A section of types in the definition of a block: where its first line is.
     TypesInBlock(TextRange),
+    /// A section `VAR_IN_OUT` that is in no block's body: where its first line is.
+    InOutsOfProgram(TextRange),
     /// A type that the file declares a second time.
     TypeTwice {
         name: SmolStr,

@@ -32,6 +32,7 @@ pub(crate) fn diagnostic(context: &Context, problem: &NameProblem) -> Diagnostic
         )
         .related(*first_at, format!("`{first}` is first declared here")),
         NameProblem::TypesInBlock(range) => super::wrong_place::types_in_block(*range),
+        NameProblem::InOutsOfProgram(range) => super::wrong_place::in_outs_of_program(*range),
         NameProblem::TypeTwice { name, at, first_at } => duplicate_type::twice(name, *at, *first_at),
         NameProblem::TypeOfFiles { name, at, files } => duplicate_type::in_files(name, *at, files),
         NameProblem::UnknownType { name, at, near } => unknown_type::unknown(name, near.as_deref(), *at),

@@ -106,6 +106,8 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
         out.push(array(around, scope, tag, index.range));
     } else if scope > 0 {
         out.push(in_body(around, scope, tag, first.range));
+    } else if let Some(value) = value_meant(tag) {
+        out.push(not_a_tag(tag, &value, first.range));
     } else {
         match &around.usual {
             Some(near) => out.extend(slip(context, tag, near)),
@@ -211,6 +213,24 @@ fn in_body(around: &Undeclaring<'_>, scope: usize, tag: &TagFacts, range: TextRa
         }
     }
     declaring(around, found, (scope, tag), Role::Internal)
+}
+
+/// The value, with its type, that a name means which is only ever read where another undeclared tag has the type: which type
+/// a place asks for is known of declared tags alone, and a new tag would have the first value.
+fn value_meant(tag: &TagFacts) -> Option<String> {
+    let Some(Type::Scalar(Scalar::Enum(id))) = tag.ty else {
+        return None;
+    };
+    id.get().number(&tag.name)?;
+    let is_written = tag.uses.accesses().any(|access| access.writes());
+    (!is_written).then(|| format!("{}.{}", id.get().name, tag.name))
+}
+
+fn not_a_tag(tag: &TagFacts, value: &str, range: TextRange) -> Diagnostic {
+    let message = format!("`{}` is a tag of its own here, not the value {value}", tag.name);
+    found(Severity::Error, range, message)
+        .help("nothing declared says which type is asked for here: write the value with its type")
+        .fix(Applicability::Unsafe, format!("Write {value}"), range, value)
 }
 
 /// In a file that declares tags.

@@ -1,4 +1,5 @@
-//! `wrong-place`: `<END>` or `<FUN>` in the body of a `[$B]` or `($B)` block, or a second `<FUN>` in one network.
+//! `wrong-place`: `<END>` or `<FUN>` in the body of a `[$B]` or `($B)` block, a second `<FUN>` in one network, types in a
+//! block, or `VAR_IN_OUT` in none.
 
 use super::form::Form;
 use crate::findings::diagnostic::Diagnostic;
@@ -54,4 +55,10 @@ fn wrong(bound: BlockAt<'_>, message: &str, help: &'static str) -> Diagnostic {
 pub(crate) fn types_in_block(header: TextRange) -> Diagnostic {
     Diagnostic::new(RULE, header, "types are not declared in a block")
         .help("move the section before FUNCTION_BLOCK: every block sees the types of the workspace")
+}
+
+/// A section of in-outs in a program (LANGUAGE §4).
+pub(crate) fn in_outs_of_program(header: TextRange) -> Diagnostic {
+    Diagnostic::new(RULE, header, "VAR_IN_OUT belongs in the body of a block")
+        .help("a program has no caller that could hand it a tag: write VAR, or move the section into FUNCTION_BLOCK")
 }

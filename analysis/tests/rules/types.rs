@@ -326,6 +326,36 @@ fn types_in_a_block() {
     );
 }
 
+#[test]
+fn in_outs_outside_of_blocks() {
+    check(
+        "VAR_IN_OUT\n    x : BOOL;\nEND_VAR\n+--[ ]( x )--( )( Q1 )--+\n",
+        expect![[r#"
+            > VAR_IN_OUT
+              ^^^^^^^^^^ error[wrong-place]: VAR_IN_OUT belongs in the body of a block
+                help: a program has no caller that could hand it a tag: write VAR, or move the section into FUNCTION_BLOCK
+        "#]],
+    );
+}
+
+#[test]
+fn values_next_to_undeclared_tags() {
+    check(
+        "TYPE\n    Phase : (IDLE, RUN);\nEND_TYPE\n+--[MOV]( step, Phase.RUN )--[EQ]( step, run )--( )( Q1 )--+\n",
+        expect![[r#"
+            > +--[MOV]( step, Phase.RUN )--[EQ]( step, run )--( )( Q1 )--+
+                                                       ^^^ error[undeclared-tag]: `run` is a tag of its own here, not the value Phase.run
+                help: nothing declared says which type is asked for here: write the value with its type
+                fix: Write Phase.run
+                  +--[MOV]( step, Phase.RUN )--[EQ]( step, Phase.run )----------------( )( Q1 )--+
+        "#]],
+    );
+    // A name that is written is a tag.
+    clean(
+        "TYPE\n    Phase : (IDLE, RUN);\nEND_TYPE\n+--[MOV]( run, Phase.RUN )--[EQ]( run, Phase.IDLE )--( )( Q1 )--+\n",
+    );
+}
+
 const GO: &str = "FUNCTION_BLOCK [$Go]\nVAR_INPUT\n    on : BOOL;\nEND_VAR\nVAR_OUTPUT\n    n : INT;\nEND_VAR\nVAR_IN_OUT\n    x : INT;\nEND_VAR\n+--[P]( on )--[ADD]( n, n, 1 )--[ADD]( x, x, 1 )--+\nEND_FUNCTION_BLOCK\n";
 
 #[test]
