@@ -7,7 +7,7 @@ use crate::networks::BlockAt;
 use crate::networks::access::Access;
 use crate::networks::facts::{Node, NodeKind};
 use crate::networks::network::Formal;
-use crate::program::{Argument, BinaryOperator, Bound, Expr, ExprKind, Place};
+use crate::program::{Argument, BinaryOperator, Bound, Expr, ExprKind, Place, RangeRef};
 use crate::rules::{bad_operand, type_mismatch};
 use crate::values::constant::{natural_type, signed_literal};
 use crate::values::types::{Scalar, Type, converts};
@@ -222,11 +222,7 @@ impl<'c> Resolver<'c, '_> {
                         ));
                         return None;
                     }
-                    if !reads && !self.check_writable(&Place::Tag(range.tag), node, access(operand.direction))
-                    {
-                        return None;
-                    }
-                    return Some(Argument::Range(range));
+                    return self.ranged(range, node, operand);
                 }
                 if operand.accepts == Accepts::BoolRangeOrState
                     && let Some(state) = self.state_type(node)
@@ -287,14 +283,12 @@ impl<'c> Resolver<'c, '_> {
                 .map(Argument::Value),
             Accepts::Range => {
                 let range = self.range(node, true)?;
-                if !reads && !self.check_writable(&Place::Tag(range.tag), node, access(operand.direction)) {
-                    return None;
-                }
-                Some(Argument::Range(range))
+                self.ranged(range, node, operand)
             }
             Accepts::RangeOrValue => {
-                if matches!(node.kind, NodeKind::Range(..)) {
-                    return self.range(node, false).map(Argument::Range);
+                if self.is_range(node) {
+                    let range = self.range(node, false)?;
+                    return self.ranged(range, node, operand);
                 }
                 if reads {
                     return self.natural(node).map(Argument::Value);
@@ -331,7 +325,7 @@ impl<'c> Resolver<'c, '_> {
                             let index =
                                 |n| Box::new(self.constant_expr(Value::Int(n), Scalar::Lint, node.range));
                             let (tag, first, last) = (self.tag_id(tag), index(first), Some(index(last)));
-                            return Some(Argument::Range(crate::program::RangeRef {
+                            return Some(Argument::Range(RangeRef {
                                 tag,
                                 element,
                                 first,
@@ -350,6 +344,18 @@ impl<'c> Resolver<'c, '_> {
             | Accepts::Expression
             | Accepts::Convertible => None,
         }
+    }
+
+    /// Whether a node is several elements: a range, or an array without an index.
+    fn is_range(&self, node: &Node) -> bool {
+        matches!(node.kind, NodeKind::Range(..))
+            || self.part_type(node).is_some_and(|(ty, _)| ty.array().is_some())
+    }
+
+    /// A range as an operand. Says so if the operand writes it, and it must not be written.
+    fn ranged(&mut self, range: RangeRef, node: &Node, operand: &Operand) -> Option<Argument> {
+        self.check_writable(&Place::Tag(range.tag), node, access(operand.direction))
+            .then_some(Argument::Range(range))
     }
 
     /// Whether a tag of a type can hold the state of a block.

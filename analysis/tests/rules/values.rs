@@ -470,3 +470,24 @@ fn ranges_that_cannot_fit() {
          +--[SEARCH]( s, EQ, 't', texts[1..127] )--[SEARCH]( u, EQ, 't', texts[1..254] )--[SEARCH]( i, EQ, 't', texts[1..300] )--[SHIFT]( a[1..1], 5 )--+\n"
     ));
 }
+
+#[test]
+fn whole_arrays_as_ranges() {
+    let declared = "VAR\n    bits : ARRAY[0..7] OF BOOL;\n    grid : ARRAY[1..2, 1..4] OF BOOL;\n    long : ARRAY[0..8] OF BOOL;\n    b : BYTE;\nEND_VAR\nVAR CONSTANT\n    fixed : ARRAY[0..7] OF BOOL;\nEND_VAR\n";
+    clean(&format!(
+        "{declared}+--[PACK]( b, bits )--[PACK]( b, grid )--[PACK]( b, grid[2] )--[PACK]( b, fixed )--[UNPACK]( bits, b )--[UNPACK]( grid, b )--+\n"
+    ));
+    check(
+        &format!("{declared}+--[PACK]( b, long )--[UNPACK]( fixed, b )--[UNPACK]( fixed[0..3], b )--+\n"),
+        expect![[r#"
+            > +--[PACK]( b, long )--[UNPACK]( fixed, b )--[UNPACK]( fixed[0..3], b )--+
+                                              ^^^^^ error[constant-write]: `fixed` is a constant: no block may write it
+                help: declare it in a VAR section without CONSTANT, or write another tag
+                at 8:5 `fixed`: `fixed` is declared CONSTANT here
+            > +--[PACK]( b, long )--[UNPACK]( fixed, b )--[UNPACK]( fixed[0..3], b )--+
+                                                                    ^^^^^^^^^^^ error[constant-write]: `fixed` is a constant: no block may write it
+                help: declare it in a VAR section without CONSTANT, or write another tag
+                at 8:5 `fixed`: `fixed` is declared CONSTANT here
+        "#]],
+    );
+}
