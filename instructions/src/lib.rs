@@ -47,6 +47,6 @@ pub use profile::{Profile, Profiles};
 pub use purpose::{Purpose, purpose};
 pub use semantics::{
     Arithmetic, Controller, Conversion, Counting, Division, Edges, FirstEdges, Relay, Remainder, Semantics,
-    Serial, SetPower, StatePower, States, Tables, Timing, Truth, Width,
+    Serial, SetPower, StatePower, States, Tables, Timing, Truth, Width, Writers,
 };
 pub use table::TABLE;

@@ -44,6 +44,8 @@ pub struct Semantics {
     pub tables: Tables,
     /// How the serial port sends.
     pub serial: Serial,
+    /// Who writes tags.
+    pub writers: Writers,
 }
 
 /// What timers count.
@@ -219,6 +221,16 @@ pub enum Tables {
     Open,
 }
 
+/// Who writes tags.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Writers {
+    /// The program, and from outside those that are declared as inputs.
+    Program,
+    /// Other devices, too: a tag that is read, that the program never writes and that begins with no value of its own is an
+    /// input.
+    Devices,
+}
+
 /// How the serial port sends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Serial {
@@ -249,6 +261,7 @@ impl Semantics {
         relay: Relay::Power,
         tables: Tables::Bounded,
         serial: Serial::AtOnce,
+        writers: Writers::Program,
     };
 
     /// LDmicro 2.2, as its simulator does it.
@@ -302,6 +315,7 @@ impl Semantics {
         first_edges: FirstEdges::None,
         set_power: SetPower::En,
         state_power: StatePower::En,
+        writers: Writers::Devices,
         ..Semantics::IEC
     };
 }

@@ -176,6 +176,9 @@ impl Graph {
 
     /// a divided by b, cut towards 0, and the rest. Where b is 0 both are something.
     pub(crate) fn div(&mut self, a: &Number, b: &Number) -> (Number, Number) {
+        if b.known() == Some(1) {
+            return (a.clone(), Number::constant(0));
+        }
         let (top, bottom) = (self.abs(a), self.abs(b));
         let (count, len) = (top.len() - 1, bottom.len() + 1);
         let divisor = bottom.low(len);
@@ -202,6 +205,28 @@ impl Graph {
             self.choose_number(differ, &minus_quotient, &quotient),
             self.choose_number(a.sign(), &minus_rest, &rest),
         )
+    }
+
+    /// a divided by b, which is more than 0, cut downwards, and the rest, which is never negative.
+    pub(crate) fn div_floor(&mut self, a: &Number, b: i64) -> (Number, Number) {
+        let (quotient, rest) = self.div(a, &Number::constant(b));
+        let less = self.sub(&quotient, &Number::constant(1));
+        let more = self.add(&rest, &Number::constant(b));
+        let is_below = rest.sign();
+        (
+            self.choose_number(is_below, &less, &quotient),
+            self.choose_number(is_below, &more, &rest),
+        )
+    }
+
+    /// a divided by b, which is even and more than 0: the nearest whole number, of two the even one.
+    pub(crate) fn rounded_quotient(&mut self, a: &Number, b: i64) -> Number {
+        let (quotient, rest) = self.div_floor(a, b);
+        let half = Number::constant(b / 2);
+        let (is_half, is_more) = (self.equal(&rest, &half), self.less(&half, &rest));
+        let is_odd_half = self.and(is_half, quotient.bit(0));
+        let rounds_up = self.or(is_more, is_odd_half);
+        self.add(&quotient, &Number::of_bit(rounds_up))
     }
 
     /// a = b

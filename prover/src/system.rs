@@ -37,15 +37,25 @@ pub(crate) fn set(world: &mut World, memory: &mut Memory<'_>, interval: i64) -> 
     let next = world.graph.add(&scan, &Number::constant(1));
     becomes(world, &numbers, &next);
     memory.set_word(Word::SCAN, scan);
-    let (time, numbers) = counter(world, 63, 0);
-    let next = world.graph.add(&time, &Number::constant(interval));
-    let next = world.graph.min(&next, &Number::constant(i64::MAX));
-    becomes(world, &numbers, &next);
+    let time = clock(world, interval);
     memory.set_word(Word::TIME, time);
     let scan_time = Number::constant(interval);
     let scan_time = world.graph.choose_number(first, &Number::constant(0), &scan_time);
     memory.set_word(Word::SCAN_TIME, scan_time);
     faulted
+}
+
+/// The time since the start. It is counted in scans: so it is easily seen as milliseconds, too.
+fn clock(world: &mut World, interval: i64) -> Number {
+    let most = i64::MAX / interval.max(1) + 1;
+    let bits = (64 - most.leading_zeros()) as usize;
+    let (scans, numbers) = counter(world, bits, 0);
+    let next = world.graph.add(&scans, &Number::constant(1));
+    let next = world.graph.min(&next, &Number::constant(most));
+    becomes(world, &numbers, &next);
+    let time = world.graph.mul(&scans, &Number::constant(interval), 128);
+    world.clock = Some(scans);
+    world.graph.min(&time, &Number::constant(i64::MAX))
 }
 
 /// A clock: low in the first half of its period. It counts in steps of what period and interval have in common.

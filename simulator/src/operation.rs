@@ -449,7 +449,7 @@ pub(crate) fn convert(conversion: Conversion, value: i64) -> Result<i64, Trouble
         Conversion::ToMilliseconds(width) => width.hold(i128::from(half_to_even(value, NANOSECONDS))),
         Conversion::RealToTime => whole((real * NANOSECONDS as f64).round_ties_even(), Width::I64),
         Conversion::TimeToReal { single } => held(value as f64 / NANOSECONDS as f64, single),
-        Conversion::DayOf => Ok(value - value.rem_euclid(DAY)),
+        Conversion::DayOf => Ok(value.wrapping_sub(value.rem_euclid(DAY))),
         Conversion::TimeOfDayOf => Ok(value.rem_euclid(DAY)),
     }
 }

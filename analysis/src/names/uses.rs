@@ -3,7 +3,7 @@
 
 use super::cold::{Cold, ColdFacts};
 use super::joined::Joined;
-use super::scope::{Origin, Scope, TagFacts, type_by_form};
+use super::scope::{Origin, Scope, SectionKind, TagFacts, type_by_form};
 use super::values_asked::Asking;
 use crate::context::Context;
 use crate::networks::access::Access;
@@ -13,7 +13,7 @@ use crate::networks::use_place::{UseRef, Uses};
 use crate::program::Role;
 use crate::still_wanted::StillWanted;
 use crate::values::types::{Scalar, Type};
-use ladder_instructions::Semantics;
+use ladder_instructions::{Semantics, Writers};
 use ladder_syntax::TextRange;
 
 /// Enters every use of every tag into its scope. None if that is not wanted any longer.
@@ -59,7 +59,7 @@ pub(crate) fn collect(context: &mut Context, wanted: &StillWanted<'_>) -> Option
     }
     context.types = types;
     context.joined = joined;
-    roles(&mut context.scopes[0]);
+    roles(&mut context.scopes[0], semantics.writers);
     Some(())
 }
 
@@ -94,10 +94,22 @@ pub(crate) fn undeclared(name: &str, semantics: &Semantics) -> TagFacts {
 
 /// An undeclared BOOL that is read and never written is an input; one that coils write and nothing reads is an
 /// output (LANGUAGE §4). Types are not known yet: only BOOL places make a tag either, and infer checks.
-fn roles(scope: &mut Scope) {
-    for tag in scope.declared..scope.tags.len() {
-        if scope.tags[tag].origin == Origin::Undeclared {
-            scope.tags[tag].role = role(&scope.tags[tag].uses);
+/// So is a declared tag where other devices write tags, too.
+fn roles(scope: &mut Scope, writers: Writers) {
+    for tag in &mut scope.tags[scope.declared..] {
+        if tag.origin == Origin::Undeclared {
+            tag.role = role(&tag.uses);
+        }
+    }
+    if writers == Writers::Devices {
+        for tag in &mut scope.tags[..scope.declared] {
+            let may_be_given = tag.origin == Origin::Declared(SectionKind::Var)
+                && matches!(tag.ty, Some(Type::Scalar(_)))
+                && tag.cold.initial.is_empty()
+                && !tag.constant;
+            if may_be_given && tag.role == Role::Internal && role(&tag.uses) == Role::Input {
+                tag.role = Role::Input;
+            }
         }
     }
 }

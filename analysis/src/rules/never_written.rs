@@ -16,7 +16,9 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
     if !view.reports_use() {
         return;
     }
-    if tag.constant || tag.role == Role::Input || !tag.cold.initial.is_empty() {
+    // One that is an input only because other devices may write it is told: that is for the reader to know.
+    let is_input = tag.role == Role::Input && tag.origin != Origin::Declared(SectionKind::Var);
+    if tag.constant || is_input || !tag.cold.initial.is_empty() {
         return;
     }
     if view.is_written() {

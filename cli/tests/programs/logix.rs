@@ -1,6 +1,7 @@
 //! Logix exports: as they are, and as the files of a folder.
 
 use crate::harness::Folder;
+use crate::scenarios::without_times;
 use expect_test::expect;
 
 /// Two programs; the second uses a tag of the first.
@@ -91,4 +92,29 @@ fn a_file_is_checked_run_and_tested_as_it_is() {
         error: cell.L5X: this cannot be written as Logix L5K export: such files are read, and not written
     "#]]
     .assert_eq(&run.to_string());
+}
+
+/// A timer of theirs counts milliseconds in a member; how long it takes is decided all the same.
+#[test]
+fn what_its_timers_do_is_proved() {
+    let project = include_str!("../../../tests/corpus/rockwell/cases/rung_out_of_a_timer/prog.L5X");
+    let properties = "\
+program prog.L5X
+
+property \"done or timing, not both\"
+never c and d
+
+property \"done only while the rung is high\"
+when c: a and b
+
+property \"done at once\"
+never c
+
+possible c within 30ms
+possible c within 20ms
+";
+    let folder = Folder::with(&[("prog.L5X", project), ("prog.ladder-test", properties)]);
+    expect![[r#""#]].assert_eq(&without_times(
+        &folder.ladder(&["prove", "prog.ladder-test"]).to_string(),
+    ));
 }

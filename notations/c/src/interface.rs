@@ -30,7 +30,7 @@ pub(crate) struct Interface {
     pub(crate) others: Vec<Field>,
 }
 
-/// Of a program that declares neither inputs nor outputs, what it never writes is an input, and what it writes an output.
+/// Of a program that has no outputs, what it never writes is an input, and what it writes an output.
 pub(crate) fn interface(program: &Program, compiled: &Compiled) -> Interface {
     let tags = || {
         program
@@ -39,7 +39,7 @@ pub(crate) fn interface(program: &Program, compiled: &Compiled) -> Interface {
             .zip(&compiled.homes)
             .filter(|(tag, _)| tag.block.is_none())
     };
-    let declares = tags().any(|(tag, _)| tag.role != Role::Internal);
+    let declares = tags().any(|(tag, _)| tag.role == Role::Output);
     let written = written(compiled);
     let mut interface = Interface::default();
     let [mut inputs, mut outputs, mut others] = [const {}; 3].map(|()| Names::default());

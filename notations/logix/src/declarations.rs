@@ -97,7 +97,7 @@ pub(super) fn types(types: &Types, aois: &[String]) -> Option<Item> {
             text.push('\n');
         }
         if structure.original == "TIMER" {
-            text.push_str("        LAST : TIME;  # when the time was last counted #\n");
+            text.push_str("        LAST : LINT;  # when the time was last counted, in ms #\n");
         }
         text.push_str("    END_STRUCT;\n");
     }

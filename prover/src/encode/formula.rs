@@ -107,7 +107,7 @@ impl Scan<'_, '_> {
     }
 
     /// The word that holds a number in a width, cut or held at its ends, and whether it fits.
-    fn held(&mut self, number: Number, width: Width, clamps: bool) -> (Number, Lit) {
+    pub(super) fn held(&mut self, number: Number, width: Width, clamps: bool) -> (Number, Lit) {
         let graph = &mut self.world.graph;
         let wrapped = number.wrapped(width);
         let fits = graph.equal(&wrapped.seen_as(width), &number);

@@ -1,14 +1,16 @@
 //! Reals: compared by their bits, computed where they are known, and else left open; and conversions.
 
-use super::Scan;
 use super::world::Applied;
+use super::{Scan, Times};
 use crate::graph::Lit;
 use crate::number::Number;
 use ladder_simulator::compiled::{
     Bit, Conversion, RealFunction, RealOp, Test, Width, Word, converted, real_function_of, real_of,
 };
 
+/// Of a millisecond and of a day.
 const NANOSECONDS: i64 = 1_000_000;
+const DAY: i64 = 86_400_000_000_000;
 const NOT_TRACKED: &str = "arithmetic of reals is not tracked";
 const TO_WHOLE: &str = "reals that become whole numbers are not tracked";
 
@@ -97,8 +99,8 @@ impl Scan<'_, '_> {
         self.write_word(to, value);
     }
 
-    pub(super) fn convert(&mut self, at: u32, conversion: Conversion, to: Word, from: Word) {
-        let from = self.word(from);
+    pub(super) fn convert(&mut self, at: u32, conversion: Conversion, to: Word, source: Word) {
+        let from = self.word(source);
         if let Some(from) = from.known() {
             let (value, fault) = match converted(conversion, from) {
                 Some(value) => (Number::constant(value), Lit::FALSE),
@@ -107,16 +109,14 @@ impl Scan<'_, '_> {
             self.fault(at, fault);
             return self.write_word(to, value);
         }
-        let mut held = |number: Number, width: Width| {
-            let word = number.wrapped(width);
-            let same = self.world.graph.equal(&word.seen_as(width), &number);
-            (word, !same)
-        };
         let milliseconds = Number::constant(NANOSECONDS);
         let applied = Applied::new(format!("{conversion:?}"), &[&from]);
         let (value, fault) = match conversion {
             Conversion::Wrap(width) => (from.wrapped(width), Lit::FALSE),
-            Conversion::Fit { from: seen, to } => held(from.seen_as(seen), to),
+            Conversion::Fit { from: seen, to } => {
+                let (word, fits) = self.held(from.seen_as(seen), to, false);
+                (word, !fits)
+            }
             Conversion::Milliseconds(width) => {
                 let number = self.world.graph.mul(&from.seen_as(width), &milliseconds, 128);
                 let word = number.as_word();
@@ -138,17 +138,20 @@ impl Scan<'_, '_> {
                 let bits = self.open_bits_of(TO_WHOLE, at, applied, width.bits() as usize);
                 (Number::of_bits(bits).wrapped(width), Lit::FALSE)
             }
-            Conversion::ToMilliseconds(_)
-            | Conversion::RealToTime
-            | Conversion::DayOf
-            | Conversion::TimeOfDayOf => {
-                let mut bits = self.open_bits_of("conversions of times are not tracked", at, applied, 65);
+            Conversion::ToMilliseconds(width) => {
+                let milliseconds = self.milliseconds(source);
+                let (word, fits) = self.held(milliseconds, width, false);
+                (word, !fits)
+            }
+            Conversion::DayOf => {
+                let (_, time_of_day) = self.world.graph.div_floor(&from, DAY);
+                (self.world.graph.sub(&from, &time_of_day).as_word(), Lit::FALSE)
+            }
+            Conversion::TimeOfDayOf => (self.world.graph.div_floor(&from, DAY).1, Lit::FALSE),
+            Conversion::RealToTime => {
+                let mut bits = self.open_bits_of(TO_WHOLE, at, applied, 65);
                 let fault = bits.pop().unwrap_or(Lit::FALSE);
-                let value = match conversion {
-                    Conversion::ToMilliseconds(width) => Number::of_bits(bits).wrapped(width),
-                    _ => Number::of_bits(bits),
-                };
-                (value, fault)
+                (Number::of_bits(bits), fault)
             }
             Conversion::IntegerToReal { .. }
             | Conversion::Single
@@ -157,6 +160,30 @@ impl Scan<'_, '_> {
         };
         self.fault(at, fault);
         self.write_word(to, value);
+    }
+
+    /// A time in whole milliseconds, half to even. Where times are open it may be any.
+    fn milliseconds(&mut self, source: Word) -> Number {
+        if self.times == Times::Exact {
+            let is_counted = source == Word::TIME && self.interval % NANOSECONDS == 0;
+            return match self.world.clock.clone().filter(|_| is_counted) {
+                Some(scans) => {
+                    let each = Number::constant(self.interval / NANOSECONDS);
+                    let most =
+                        converted(Conversion::ToMilliseconds(Width::I64), i64::MAX).unwrap_or(i64::MAX);
+                    let time = self.world.graph.mul(&scans, &each, 128);
+                    self.world.graph.min(&time, &Number::constant(most))
+                }
+                None => {
+                    let time = self.word(source);
+                    self.world.graph.rounded_quotient(&time, NANOSECONDS)
+                }
+            };
+        }
+        // No time of 64 bits has more.
+        let bits: Vec<Lit> = (0..45).map(|_| self.world.graph.leaf()).collect();
+        self.world.times.extend(&bits);
+        Number::of_bits(bits)
     }
 }
 

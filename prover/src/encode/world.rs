@@ -76,6 +76,8 @@ pub(crate) struct World {
     pub(crate) blocked: Option<Gap>,
     /// Of each timer the largest preset in scans that it was given, by its first bit; none where that is not known.
     pub(crate) presets: FxHashMap<u32, Option<u64>>,
+    /// How many scans ago the run began.
+    pub(crate) clock: Option<Number>,
     /// What goes in by its name: of two programs or networks that are compared the same for both.
     pub(crate) shared: FxHashMap<(String, Scalar), Number>,
     /// Numbers that the program holds at the start: those that values are compared with are among them.

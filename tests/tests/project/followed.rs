@@ -218,3 +218,16 @@ fn planted_errors_are_found() {
     }
     assert_eq!(missed, []);
 }
+
+#[test]
+fn times_that_become_numbers_are_followed() {
+    let text = "VAR_INPUT span : TIME; at : DT; END_VAR
+VAR_OUTPUT ms : LINT; short : INT; day : DATE; clock : TOD; END_VAR
++--[TYP]( ms, span )--[TYP]( day, at )--[TYP]( clock, at )--[TYP]( short, span )--+
+";
+    let mut tally = Tally::default();
+    for seed in 0..programs() {
+        assert_eq!(compare(text, seed, 20, &mut tally), None);
+    }
+    assert!(tally.equal > 1_000 && tally.open == 0, "{tally:?}");
+}

@@ -122,7 +122,7 @@ fn a_project_is_the_files_of_a_folder() {
                 EN   : BOOL;
                 TT   : BOOL;
                 DN   : BOOL;
-                LAST : TIME;  # when the time was last counted #
+                LAST : LINT;  # when the time was last counted, in ms #
             END_STRUCT;
         END_TYPE
         === blocks.clad
