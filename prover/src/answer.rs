@@ -121,7 +121,9 @@ pub fn prove(
     let may_be_noted = |property: &Target| property.trigger.is_some() || property.fault != Lit::FALSE;
     if is_late || rest.is_empty() && !open.properties.iter().any(may_be_noted) {
         let mut answers: Vec<Answer> = answers.into_iter().flatten().collect();
-        answers.iter_mut().for_each(|answer| note_late(answer, end));
+        for answer in &mut answers {
+            note_late(answer, end);
+        }
         return Ok(answers);
     }
     let mut exact = build(simulation, watched, encode::Times::Exact, end);

@@ -13,6 +13,7 @@ use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::names::declaring::Places;
 use crate::names::did_you_mean;
 use crate::names::scope::{Origin, SectionKind, TagFacts};
+use crate::networks::access::Access;
 use crate::networks::facts::NodeKind;
 use crate::networks::network::Formal;
 use crate::networks::use_place::Use;
@@ -222,7 +223,7 @@ fn value_meant(tag: &TagFacts) -> Option<String> {
         return None;
     };
     id.get().number(&tag.name)?;
-    let is_written = tag.uses.accesses().any(|access| access.writes());
+    let is_written = tag.uses.accesses().any(Access::writes);
     (!is_written).then(|| format!("{}.{}", id.get().name, tag.name))
 }
 

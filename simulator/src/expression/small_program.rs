@@ -226,12 +226,10 @@ impl<'s> Small<'s> {
                     }
                     Err(problem) => {
                         let is_known = enumerations::with_value(self.enumerations(), &text).is_some();
-                        match is_known || self.elements(node, replaced)? {
-                            true => Ok(()),
-                            false => {
-                                Err(enumerations::no_value(self.enumerations(), &text).unwrap_or(problem))
-                            }
+                        if is_known || self.elements(node, replaced)? {
+                            return Ok(());
                         }
+                        Err(enumerations::no_value(self.enumerations(), &text).unwrap_or(problem))
                     }
                 }
             }

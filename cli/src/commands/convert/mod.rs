@@ -200,11 +200,12 @@ fn open<'b>(
     bytes: &'b [u8],
     existing: Existing,
 ) -> Result<Option<(Output, &'b [u8])>, Failure> {
-    let has_them = |file: &Path| {
-        let there = file.metadata()?;
-        Ok(there.is_file() && there.len() == bytes.len() as u64 && std::fs::read(file)? == bytes)
+    let has_as_many = |file: &Path| {
+        let there = file.metadata();
+        there.is_ok_and(|there| there.is_file() && there.len() == bytes.len() as u64)
     };
-    if output.is_some_and(|file| has_them(file).unwrap_or_else(|_: std::io::Error| false)) {
+    let has_them = |file: &Path| has_as_many(file) && std::fs::read(file).is_ok_and(|there| there == bytes);
+    if output.is_some_and(has_them) {
         return Ok(None);
     }
     Ok(Some((Output::open(output, existing)?, bytes)))

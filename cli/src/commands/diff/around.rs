@@ -181,7 +181,10 @@ impl Seen {
 
     /// The path of a program below the folder, by its name in messages.
     fn name(&self, name: &str) -> String {
-        let path = self.workspace.program_named(name).map(|program| program.path());
+        let path = self
+            .workspace
+            .program_named(name)
+            .map(ladder_workspace::Source::path);
         let below = path.and_then(|path| path.strip_prefix(&self.folder).ok());
         below.map_or_else(|| name.to_owned(), |below| below.display().to_string())
     }

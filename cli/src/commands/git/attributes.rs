@@ -43,9 +43,9 @@ pub(super) fn with_block(text: &str, lines: &[String]) -> String {
     let mut put = false;
     let block = || -> String {
         let no_end = had_no_end.then_some(NO_END).into_iter();
-        let lines = no_end.chain(lines.iter().map(String::as_str));
-        let lines: String = lines.map(|line| format!("{line}\n")).collect();
-        format!("{BEGIN}\n{lines}{END}\n")
+        let all = [BEGIN].into_iter().chain(no_end);
+        let all = all.chain(lines.iter().map(String::as_str)).chain([END, ""]);
+        all.collect::<Vec<_>>().join("\n")
     };
     let mut rest = text;
     for line in text.split_inclusive('\n') {
