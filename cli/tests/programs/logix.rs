@@ -114,7 +114,22 @@ possible c within 30ms
 possible c within 20ms
 ";
     let folder = Folder::with(&[("prog.L5X", project), ("prog.ladder-test", properties)]);
-    expect![[r#""#]].assert_eq(&without_times(
+    expect![[r#"
+        exit status 1
+        -- stdout
+        prog.ladder-test
+          proved      done or timing, not both          for any times
+          proved      done only while the rung is high  for any times
+          violated    done at once                      in scan 3, at 30ms
+                      a    ----
+                      c => ___-
+          possible    possible c within 30ms            in scan 3, at 30ms
+                      a    ----
+                      c => ___-
+          impossible  possible c within 20ms            for an interval of 10ms
+
+        5 properties in 1 file: 2 proved, 1 possible, 1 violated, 1 impossible, in T s.
+    "#]].assert_eq(&without_times(
         &folder.ladder(&["prove", "prog.ladder-test"]).to_string(),
     ));
 }

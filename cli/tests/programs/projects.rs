@@ -106,7 +106,7 @@ fn a_project_becomes_a_workspace() {
     expect![[r#"
         exit status 2
         -- stderr
-        error: plant/globals.clad: this is a program, and it stays as it is; name another file, or end with --force
+        error: plant/Main.clad: this is a program, and it stays as it is; name another file, or end with --force
     "#]].assert_eq(&run.to_string());
     assert_eq!(folder.read("plant/Main.clad"), "mine");
 }

@@ -362,8 +362,8 @@ fn other_bodies_and_files() {
     check(
         "<TcPlcObject><POU>",
         expect![[r#"
-        1:1: this is not XML as it must be: the root node was opened but never closed
-    "#]],
+            1:19: the file ends too early, as one that was not saved or copied whole: export it again
+        "#]],
     );
 }
 

@@ -136,7 +136,7 @@ fn small_programs_compile_without_a_warning() {
     let text =
         "VAR RETAIN\n    n : DINT;\nEND_VAR\nVAR\n    note : STRING;\nEND_VAR\n+--[ADD]( n, n, 1 )--+\n";
     let main = "#include \"small.h\"\n#include <stdio.h>\nint main(void)\n{\n    static small plant;\n    small_init(&plant);\n    \
-        small_scan(&plant, 0);\n    printf(\"%d\", (int)plant.w[SMALL_n]);\n    return 0;\n}\n";
+        small_scan(&plant, 0);\n    printf(\"%d\", (int)plant.out.n);\n    return 0;\n}\n";
     let said = compiled_and_run(&compiler, folder.path(), text, "small", main);
     assert_eq!(said, "1");
 }

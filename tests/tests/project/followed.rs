@@ -221,9 +221,9 @@ fn planted_errors_are_found() {
 
 #[test]
 fn times_that_become_numbers_are_followed() {
-    let text = "VAR_INPUT span : TIME; at : DT; END_VAR
+    let text = "VAR_INPUT span : TIME; moment : DT; END_VAR
 VAR_OUTPUT ms : LINT; short : INT; day : DATE; clock : TOD; END_VAR
-+--[TYP]( ms, span )--[TYP]( day, at )--[TYP]( clock, at )--[TYP]( short, span )--+
++--[TYP]( ms, span )--[TYP]( day, moment )--[TYP]( clock, moment )--[TYP]( short, span )--+
 ";
     let mut tally = Tally::default();
     for seed in 0..programs() {

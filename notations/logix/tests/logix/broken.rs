@@ -144,11 +144,11 @@ fn hostile_xml_is_refused_with_a_message() {
         "1:1: the file has a document type (`<!DOCTYPE`), which no project needs: take it out"
     );
     assert!(
-        message(&deep).contains("not XML as it must be"),
+        message(&deep).contains("the file ends too early"),
         "{}",
         message(&deep)
     );
-    assert!(message("<RSLogix5000Content><Controller>").contains("not XML as it must be"));
+    assert!(message("<RSLogix5000Content><Controller>").contains("the file ends too early"));
     assert_eq!(
         message("<plist/>"),
         "it is XML, but no export of Logix Designer: those begin with <RSLogix5000Content>"

@@ -538,24 +538,34 @@ fn computed_bits_are_written() {
             ("i", "DINT", "3"),
             ("w", "DINT", "1"),
             ("s", "SINT", ""),
-            ("l", "DINT", ""),
             ("y", "BOOL", ""),
         ],
-        &[
-            "XIC(a)OTE(w.[i])OTE(s.[i])OTE(y);",
-            "XIC(a)OTL(l.[i])ADD(i,1,i);",
-            "XIO(a)OTU(l.[3]);",
-        ],
+        &["XIC(a)OTE(w.[i])OTE(s.[i])OTE(y);", "XIC(a)ADD(i,1,i);"],
         "a\n0\n1\n1\n0\n0\n",
         5,
-        "w,s,l,i,y",
+        "w,s,i,y",
         expect![[r#"
-            w,s,l,i,y
-            1,0,0,3,0
-            9,8,8,4,1
-            25,24,24,5,1
-            25,24,16,5,0
-            25,24,16,5,0"#]],
+            w,s,i,y
+            1,0,3,0
+            9,8,4,1
+            25,24,5,1
+            25,24,5,0
+            25,24,5,0"#]],
+    );
+    // A latch of a computed bit is a formula, with a shift that has no way back.
+    check_one_way(
+        &[("a", "BOOL", ""), ("i", "DINT", "3"), ("l", "DINT", "")],
+        &["XIC(a)OTL(l.[i])ADD(i,1,i);", "XIO(a)OTU(l.[3]);"],
+        "a\n0\n1\n1\n0\n0\n",
+        5,
+        "l,i",
+        expect![[r#"
+            l,i
+            0,3
+            8,4
+            24,5
+            16,5
+            16,5"#]],
     );
 }
 

@@ -18,10 +18,10 @@ fn text(name: &str) -> Option<String> {
 }
 
 fn document(stem: &str) -> Option<String> {
-    let resource = format!("{stem}.s7res");
-    let path = corpus()?.join(&resource);
+    // The text is read as a file of this name.
+    let path = corpus()?.join(format!("{stem}.s7res"));
     let companions = std::fs::read(path).ok().map(|bytes| Companion {
-        name: resource,
+        name: "block.s7res".into(),
         bytes,
     });
     let converted = read(&text(&format!("{stem}.s7dcl"))?, companions.into_iter().collect());
