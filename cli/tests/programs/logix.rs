@@ -129,7 +129,8 @@ possible c within 20ms
           impossible  possible c within 20ms            for an interval of 10ms
 
         5 properties in 1 file: 2 proved, 1 possible, 1 violated, 1 impossible, in T s.
-    "#]].assert_eq(&without_times(
+    "#]]
+    .assert_eq(&without_times(
         &folder.ladder(&["prove", "prog.ladder-test"]).to_string(),
     ));
 }

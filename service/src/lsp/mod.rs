@@ -18,6 +18,7 @@
 //! [`transport`] moves messages, [`session`] has what all of a session knows, [`documents`] does what follows from a text that is opened, changed or closed,
 //! [`features`] answers what an editor asks, a file for each request.
 
+mod answers;
 mod backend;
 mod capabilities;
 mod convert;

@@ -17,7 +17,7 @@ use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 use super::{diagnostics, pull};
 use crate::document::Revision;
 use crate::document::position::Position;
-use crate::lsp::features::simulate::error;
+use crate::lsp::answers::error;
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::simulation::argument_of;

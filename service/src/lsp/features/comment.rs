@@ -7,8 +7,8 @@ use ladder_syntax::TextSize;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
-use super::simulate::{error, json};
 use crate::document::Revision;
+use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::simulation::messages::Lines;

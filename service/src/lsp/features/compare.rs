@@ -6,8 +6,8 @@ use ladder_review::while_wanted;
 use tower_lsp::jsonrpc::{Error, Result};
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
-use super::simulate::{error, json};
 use crate::compare::{Compare, compare_with};
+use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::simulation::{Failure, argument_of};

@@ -12,10 +12,11 @@ use tower_lsp::ls_types::LSPAny;
 use tower_lsp::ls_types::notification::Notification;
 
 use super::of_scenarios::{on_disk, shown};
-use super::simulate::{Debugging, act, answer, begin, error, json};
+use super::simulate::{Debugging, act, answer, begin};
 use crate::cancel::Cancel;
 use crate::debug::{self, Launch};
 use crate::document::Revision;
+use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::simulation::messages::{Debug, Debugged, DebuggerMessage};

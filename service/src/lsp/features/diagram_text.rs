@@ -5,8 +5,9 @@ use std::sync::Arc;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
-use super::simulate::{act, error, json};
+use super::simulate::act;
 use crate::diagram_text::{DiagramText, draw};
+use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::simulation::{Action, Failure, argument_of};

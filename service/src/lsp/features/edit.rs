@@ -8,8 +8,8 @@ use ropey::Rope;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
-use super::simulate::{error, json};
 use crate::document::position;
+use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::simulation::{Failure, argument_of};

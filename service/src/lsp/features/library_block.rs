@@ -3,8 +3,8 @@
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
-use super::simulate::{error, json};
 use crate::library_block::{AskedBlock, block};
+use crate::lsp::answers::{error, json};
 use crate::simulation::{Failure, argument_of};
 
 /// The command.

@@ -8,9 +8,9 @@ use ladder_workspace::{Disk, FileError, is_program};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
-use super::simulate::{error, json};
 use crate::document::Kind;
 use crate::document::address::path_of;
+use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::notation::messages::{Convert, Nothing};

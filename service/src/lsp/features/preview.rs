@@ -5,7 +5,7 @@ use std::sync::Arc;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
-use super::simulate::{error, json};
+use crate::lsp::answers::{error, json};
 use crate::lsp::documents::foreign;
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;

@@ -7,9 +7,9 @@ use tower_lsp::jsonrpc::{Error, Result};
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
 use super::of_scenarios::{NamedProgram, on_disk};
-use super::simulate::{error, json};
 use crate::cancel::Cancel;
 use crate::document::{Kind, address};
+use crate::lsp::answers::{error, json};
 use crate::lsp::documents::companions::refresh_proofs;
 use crate::lsp::session::proofs::ProgramText;
 use crate::lsp::session::shared::Shared;

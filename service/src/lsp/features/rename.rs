@@ -10,12 +10,10 @@ use tower_lsp::ls_types::{
 use super::asked::{Asked, Places, about_place};
 use super::of_scenarios::{about_scenarios, scenarios_at};
 use crate::document::Revision;
+use crate::lsp::answers::REQUEST_FAILED;
 use crate::lsp::transport::answered::as_text;
 use crate::lsp::{convert, session::agreed::Agreed, session::shared::Shared};
 use ladder_ide::{Renamable, RenameRefused, Renamed};
-
-/// `RequestFailed`: the request made sense, and cannot be done.
-const REQUEST_FAILED: i64 = -32803;
 
 /// The files to change: the address, the document if it is open, and the edits.
 type Changes = Vec<(Uri, Option<Arc<Revision>>, Vec<TextEdit>)>;

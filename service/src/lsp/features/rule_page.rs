@@ -3,7 +3,7 @@
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
-use super::simulate::{error, json};
+use crate::lsp::answers::{error, json};
 use crate::rule_page::{AskedPage, page};
 use crate::simulation::{Failure, argument_of};
 

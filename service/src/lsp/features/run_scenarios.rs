@@ -7,9 +7,9 @@ use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
 use super::of_scenarios::NamedProgram;
-use super::simulate::{error, json};
 use crate::cancel::Cancel;
 use crate::document::{Kind, Revision};
+use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::scenario_run::{Files, RunScenarios, ScenariosRun, run};

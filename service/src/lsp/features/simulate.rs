@@ -2,10 +2,9 @@
 
 use std::sync::Arc;
 
-use serde::Serialize;
 use serde_json::Value;
 use tower_lsp::Client;
-use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
+use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::notification::Notification;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny, Position};
 
@@ -13,6 +12,7 @@ use super::debug;
 use crate::cancel::Cancel;
 use crate::document::Revision;
 use crate::host::Host;
+use crate::lsp::answers::{error, json};
 use crate::lsp::convert;
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::{answered::answered, blocking::blocking};
@@ -21,9 +21,6 @@ use crate::simulation::messages::{OfSession, Options, Show, Shown, Start, Starte
 use crate::simulation::{
     Action, Answer, Beginning, Begun, Failure, Given, Keeping, Pace, REPORT, Request, Session, status_text,
 };
-
-/// The protocol's code for a request that makes sense but cannot be done.
-const REQUEST_FAILED: i64 = -32803;
 
 /// How many times as fast as real time a run may be.
 const SPEEDS: std::ops::RangeInclusive<f64> = 0.001..=1000.0;
@@ -291,22 +288,6 @@ async fn report(
         };
         ended.text = status_text(&ended, Pace::default());
         client.send_notification::<SimulationState>(ended).await;
-    }
-}
-
-pub(super) fn json(answer: &impl Serialize) -> Result<LSPAny> {
-    serde_json::to_value(answer).map_err(|_| Error::internal_error())
-}
-
-pub(crate) fn error(failure: Failure) -> Error {
-    let (code, message) = match failure {
-        Failure::Invalid(message) => (ErrorCode::InvalidParams, message),
-        Failure::Failed(message) => (ErrorCode::ServerError(REQUEST_FAILED), message),
-    };
-    Error {
-        code,
-        message: message.into(),
-        data: None,
     }
 }
 
