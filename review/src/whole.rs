@@ -47,12 +47,8 @@ impl Comparison<'_> {
 
     fn by_runs(&self, limits: Limits, mut open: Vec<String>) -> Whole {
         let asked = self.programs().and_then(|[old, new]| {
-            let interval = |program: &ladder_analysis::program::Program| program.cycle;
-            if interval(&old) != interval(&new) {
-                return Err("they are made for other times between scans".into());
-            }
             let options = Options {
-                interval: old.cycle.unwrap_or(Options::default().interval),
+                interval: interval_of_both(old.cycle, new.cycle)?,
                 ..Options::default()
             };
             let simulation = |program| Simulation::new(program, options).map_err(|error| error.message);
@@ -74,6 +70,14 @@ impl Comparison<'_> {
             }
             Whole::NotDecided(open)
         })
+    }
+}
+
+/// The time between scans for which both programs are made, in nanoseconds: one that does not say runs as the other.
+fn interval_of_both(old: Option<i64>, new: Option<i64>) -> Result<i64, String> {
+    match (old, new) {
+        (Some(old), Some(new)) if old != new => Err("they are made for other times between scans".into()),
+        (old, new) => Ok(old.or(new).unwrap_or(Options::default().interval)),
     }
 }
 

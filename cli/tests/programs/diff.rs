@@ -331,6 +331,18 @@ const SAFE: [&str; 2] = [
 ",
 ];
 
+/// Of two forms of a program one says how often it runs: that is the interval of both.
+#[test]
+fn a_program_and_what_is_made_of_it_do_the_same() {
+    let motor = include_str!("../../../examples/motor.clad");
+    let folder = Folder::with(&[("motor.clad", motor)]);
+    for file in ["motor.xml", "motor.s7dcl"] {
+        folder.ladder(&["convert", "motor.clad", "-o", file]);
+        let said = folder.ladder(&["diff", "--same", "motor.clad", file]).to_string();
+        assert_eq!(said, "exit status 0\n-- stdout\nthe same\n", "{file}");
+    }
+}
+
 #[test]
 fn programs_that_do_the_same() {
     let folder = Folder::with(&[
