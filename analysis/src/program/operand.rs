@@ -25,9 +25,9 @@ pub enum Argument {
     /// The network that a jump to this label from this block goes to; none for the label in `<LBL>` itself.
     Label(Option<usize>),
     /// In the body of a `<$B>`: a label that the body does not have, as names are compared. It is looked up where
-    /// the block is, see [`Program::labels`].
+    /// the block is, see [`Program::labels`](super::Program::labels).
     OuterLabel(Name),
-    /// A function: index into [`Program::functions`]; in `<FUN>` its own.
+    /// A function: index into [`Program::functions`](super::Program::functions); in `<FUN>` its own.
     Function(usize),
     /// SEARCH's operator: one of `Eq Ne Gt Ge Lt Le`.
     Operator(Op),
