@@ -68,13 +68,17 @@ pub(crate) fn date(text: &str) -> Option<i64> {
     let (year, month, day) = (number()?, number()?, number()?);
     let mut clock = parts.next().unwrap_or("0:0:0").splitn(3, ':');
     let mut number = || clock.next().unwrap_or("0").replace('_', "").parse::<f64>().ok();
-    let seconds = number()? * 3_600.0 + number()? * 60.0;
-    let second = number()?;
-    if !(0..10_000).contains(&year) || !(1..=12).contains(&month) || !(1..=31).contains(&day) {
+    let (hour, minute, second) = (number()?, number()?, number()?);
+    let is_date = (0..10_000).contains(&year) && (1..=12).contains(&month) && (1..=31).contains(&day);
+    let is_clock =
+        (0.0..24.0).contains(&hour) && (0.0..60.0).contains(&minute) && (0.0..61.0).contains(&second);
+    if !is_date || !is_clock {
         return None;
     }
-    let whole = (days(year, month, day) * 86_400 + seconds as i64) * (1_000_000_000 / unit);
-    Some(whole + (second * 1e9 / unit as f64).round_ties_even() as i64)
+    let seconds = days(year, month, day) * 86_400 + (hour * 3_600.0 + minute * 60.0) as i64;
+    // Nanoseconds do not reach to every year.
+    let whole = seconds.checked_mul(1_000_000_000 / unit)?;
+    whole.checked_add((second * 1e9 / unit as f64).round_ties_even() as i64)
 }
 
 /// The days from the beginning of 1970 to a date.
@@ -104,5 +108,7 @@ mod tests {
         );
         assert_eq!(date("DT#2000-03-01-12:00:01.5Z"), Some(951_912_001_500_000));
         assert_eq!(date("DT#2000-13-01"), None);
+        assert_eq!(date("LDT#9999-12-31-00:00:00"), None);
+        assert_eq!(date("DT#2000-01-01-99999999999999999999:00:00"), None);
     }
 }

@@ -265,7 +265,7 @@ impl<'p> Translator<'p> {
     /// A coil on a bit that is computed. One that also clears is a block, which runs without power too.
     fn coil_on_computed(&mut self, sign: &str, word: &Place, index: &str) -> Result<Circuit<Element>> {
         let text = &word.text;
-        if let (Some(_), _) | (None, true) = (&word.parameter, text.contains("SYS.")) {
+        if word.parameter.is_some() || text.contains("SYS.") {
             return Err(format!("`{text}` cannot be written here"));
         }
         Ok(match sign {
