@@ -23,7 +23,7 @@ use std::ops::Range;
 /// # Errors
 ///
 /// Those of `write`.
-pub fn with_functions_as_blocks(
+pub(crate) fn with_functions_as_blocks(
     analysis: &Analysis,
     write: impl Fn(&Analysis) -> Result<Writing, WriteError>,
 ) -> Result<Writing, WriteError> {

@@ -12,6 +12,7 @@
 #![forbid(unsafe_code)]
 
 mod arrays;
+mod blocks_alone;
 pub mod circuit;
 pub mod comments;
 mod convert;
@@ -39,12 +40,13 @@ mod written;
 pub mod xml;
 
 pub use arrays::with_arrays_as_elements;
+pub use blocks_alone::with_blocks_alone;
 pub use convert::{Converted, convert};
 pub use encoding::in_utf8;
 pub use error::{ReadError, WriteError};
 pub use finding::Finding;
 pub use foreign::{Foreign, Mark};
-pub use functions::{is_function, with_functions_as_blocks};
+pub use functions::is_function;
 pub use ladder_format::names::{self, Names};
 pub use ladder_syntax::LineColumn;
 pub use loops::with_loops_as_jumps;

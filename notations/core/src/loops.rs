@@ -12,7 +12,8 @@ use ladder_analysis::values::types::{Scalar, passes};
 use ladder_analysis::values::value::Value;
 use ladder_analysis::{Analysis, analyze_in};
 use ladder_syntax::{Item, LineKind, TextRange, TextSize, parse};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+use std::ops::RangeInclusive;
 
 /// Writes a program whose loops are jumps. One that cannot be, because something outside jumps into it or an `<MCR>` rules it, stays
 /// a loop for `write`.
@@ -84,6 +85,7 @@ fn loops(context: &Context, program: &Program, text: &str) -> Vec<Loop> {
     let by_start: HashMap<TextSize, &Block> = blocks
         .map(|block| (block.location.range.start(), block))
         .collect();
+    let marks = marks(context);
     let mut loops = Vec::new();
     let mut number = 0;
     for network in &context.networks {
@@ -98,15 +100,11 @@ fn loops(context: &Context, program: &Program, text: &str) -> Vec<Loop> {
         let Some(last) = after.find(|index| has(*index, "<NEXT>")) else {
             continue;
         };
-        let is_ruled = (0..context.networks.len())
-            .filter(of_body)
-            .any(|index| has(index, "<MCR>"));
+        let of_body = marks.iter().filter(|mark| context.bodies[mark.network] == body);
+        let own: Vec<&Mark> = of_body.collect();
+        let is_ruled = own.iter().any(|mark| mark.head == "<MCR>");
         let nests = (network.index + 1..=last).any(|index| has(index, "<FOR>"));
-        if is_ruled
-            || nests
-            || has(network.index, "<LBL>")
-            || is_entered(context, body, (network.index, last))
-        {
+        if is_ruled || nests || has(network.index, "<LBL>") || is_entered(&own, network.index + 1..=last) {
             continue;
         }
         let Some(block) = by_start.get(&begin.range().start()) else {
@@ -142,27 +140,45 @@ fn loops(context: &Context, program: &Program, text: &str) -> Vec<Loop> {
     loops
 }
 
+/// A block that jumps, is jumped to, or rules the networks below it.
+struct Mark {
+    network: usize,
+    head: String,
+    label: String,
+}
+
+/// All of them, each found once: many loops ask for them.
+fn marks(context: &Context) -> Vec<Mark> {
+    let mut marks = Vec::new();
+    for network in &context.networks {
+        for block in network.blocks() {
+            let head = head(block);
+            if !["<LBL>", "<JMP>", "<MCR>"].contains(&head.as_str()) {
+                continue;
+            }
+            let label = block.facts.operands.first().map(|operand| {
+                let range = block.absolute(operand.value.range);
+                context.parse.text_in(range).to_lowercase()
+            });
+            marks.push(Mark {
+                network: network.index,
+                head,
+                label: label.unwrap_or_default(),
+            });
+        }
+    }
+    marks
+}
+
 /// Whether something outside of a loop jumps into it.
-fn is_entered(context: &Context, body: Body, (first, last): (usize, usize)) -> bool {
-    let names = |inside: bool, op: &'static str| {
-        let networks = context.networks.iter();
-        let networks = networks.filter(move |network| {
-            context.bodies[network.index] == body && (first + 1..=last).contains(&network.index) == inside
-        });
-        let blocks = networks.flat_map(|network| network.blocks().collect::<Vec<_>>());
-        let blocks = blocks.filter(move |block| head(*block) == op);
-        blocks.filter_map(|block| {
-            let operand = block.facts.operands.first()?;
-            Some(
-                context
-                    .parse
-                    .text_in(block.absolute(operand.value.range))
-                    .to_lowercase(),
-            )
-        })
+fn is_entered(marks: &[&Mark], inside: RangeInclusive<usize>) -> bool {
+    let names = |is_inside: bool, head: &'static str| {
+        let marks = marks.iter().filter(|mark| mark.head == head);
+        let marks = marks.filter(|mark| inside.contains(&mark.network) == is_inside);
+        marks.map(|mark| &mark.label).collect::<Vec<_>>()
     };
-    let labels: Vec<String> = names(true, "<LBL>").collect();
-    names(false, "<JMP>").any(|label| labels.contains(&label))
+    let labels = names(true, "<LBL>");
+    names(false, "<JMP>").iter().any(|label| labels.contains(label))
 }
 
 /// The type that counts, how many turns there are, and the tag that has their number.
@@ -202,7 +218,7 @@ fn written(context: &Context, text: &str, loops: &[Loop]) -> (String, Vec<u32>) 
     let mut edits: Vec<(TextRange, String)> = Vec::new();
     // What stands before and after lines, and lines that go.
     let (mut before, mut after) = (HashMap::<usize, String>::new(), HashMap::<usize, String>::new());
-    let mut gone = Vec::new();
+    let mut gone = HashSet::new();
     for it in loops {
         let Loop { name, .. } = it;
         edits.push((it.place, format!("[MOV]( {name}_count, {} )", &text[it.count])));

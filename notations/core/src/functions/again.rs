@@ -31,15 +31,15 @@ pub(crate) fn functions_again(files: &mut [&mut ProgramSketch]) {
         .iter()
         .map(|block| (block.key.clone(), block.function.clone()))
         .collect();
+    let call = |text: &mut String| {
+        if let Some(call) = Call::of(text)
+            && let Some(function) = functions.get(&call.block)
+        {
+            *text = format!("<CALL>( {function} )");
+        }
+    };
     for file in files.iter_mut() {
         file.items = without(std::mem::take(&mut file.items), &functions);
-        let call = |text: &mut String| {
-            if let Some(call) = Call::of(text)
-                && let Some(function) = functions.get(&call.block)
-            {
-                *text = format!("<CALL>( {function} )");
-            }
-        };
         change(&mut file.items, &call);
         for section in sections(&mut file.items) {
             section
@@ -52,13 +52,7 @@ pub(crate) fn functions_again(files: &mut [&mut ProgramSketch]) {
     let mut locals = Vec::new();
     for block in found {
         let mut own = block.items;
-        change(&mut own, &|text: &mut String| {
-            if let Some(call) = Call::of(text)
-                && let Some(function) = functions.get(&call.block)
-            {
-                *text = format!("<CALL>( {function} )");
-            }
-        });
+        change(&mut own, &call);
         let mut renamed = block.tags.unwrap_or_default();
         renamed.retain(|name, tag| *name != Name::new(tag));
         for section in sections(&mut own) {

@@ -3,15 +3,15 @@
 
 use super::Needed;
 use super::search::{Used, used_by};
-use crate::comments;
 use crate::functions::{edited_line, lines_of_functions};
+use crate::{Names, comments};
 use ladder_analysis::Analysis;
 use ladder_analysis::context::{Body, Callee, Context};
 use ladder_analysis::names::scope::{Origin, SectionKind, TagFacts};
 use ladder_analysis::program::Role;
 use ladder_syntax::ast::{AstNode, Declaration, NodeView};
 use ladder_syntax::{Name, TextRange};
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
 
 /// The functions on their way into the text of a program.
@@ -19,6 +19,8 @@ pub(super) struct Functions<'a> {
     files: &'a [Arc<Analysis>],
     /// The functions that are needed of each file.
     needed: HashMap<usize, HashSet<usize>>,
+    /// The lines of the functions of each of these files.
+    lines: HashMap<usize, BTreeMap<usize, Vec<usize>>>,
     /// What is changed in each file.
     edits: HashMap<usize, Vec<(TextRange, String)>>,
     pub(super) declarations: String,
@@ -30,11 +32,17 @@ impl<'a> Functions<'a> {
         let mut functions = Functions {
             files,
             needed: HashMap::new(),
+            lines: HashMap::new(),
             edits: HashMap::new(),
             declarations: String::new(),
         };
-        let mut called = Taken::of(own.functions.iter().map(|function| function.key.clone()));
-        let mut tags = Taken::of(own.scopes[0].tags.iter().map(|tag| Name::new(&tag.name)));
+        let (mut called, mut tags) = (Names::default(), Names::default());
+        own.functions.iter().for_each(|function| {
+            called.fresh(&function.name);
+        });
+        own.scopes[0].tags.iter().for_each(|tag| {
+            tags.fresh(&tag.name);
+        });
         let mut names: HashMap<Needed, String> = HashMap::new();
         // What the program itself calls keeps its name.
         let is_called = |file: usize, function: usize| {
@@ -56,6 +64,8 @@ impl<'a> Functions<'a> {
         let mut used: Vec<usize> = functions.needed.keys().copied().collect();
         used.sort_unstable();
         for file in used {
+            let lines = lines_of_functions(&files[file].context);
+            functions.lines.insert(file, lines);
             functions.enter_tags(file, &mut tags);
             functions.enter_calls(own, file, &names);
             let edits = functions.edits.entry(file).or_default();
@@ -65,7 +75,7 @@ impl<'a> Functions<'a> {
     }
 
     /// The tags that the functions of a file use.
-    fn enter_tags(&mut self, file: usize, taken: &mut Taken) {
+    fn enter_tags(&mut self, file: usize, taken: &mut Names) {
         let context = &self.files[file].context;
         let needed = &self.needed[&file];
         let is_within = |network: usize| matches!(context.bodies[network], Body::Function(function) if needed.contains(&function));
@@ -131,11 +141,9 @@ impl<'a> Functions<'a> {
         let context = &self.files[file].context;
         let none = Vec::new();
         let edits = self.edits.get(&file).unwrap_or(&none);
-        let lines = lines_of_functions(context).remove(&function).unwrap_or_default();
-        let mut text: String = lines
-            .into_iter()
-            .map(|line| edited_line(context, line, edits))
-            .collect();
+        let lines = self.lines.get(&file).and_then(|lines| lines.get(&function));
+        let lines = lines.into_iter().flatten();
+        let mut text: String = lines.map(|line| edited_line(context, *line, edits)).collect();
         if !text.ends_with('\n') {
             text.push('\n');
         }
@@ -207,24 +215,4 @@ fn declaration(context: &Context, tag: &TagFacts, name: &str) -> String {
         or_none(initial),
         or_none(said)
     )
-}
-
-/// Names that are taken.
-struct Taken(HashSet<Name>);
-
-impl Taken {
-    fn of(names: impl Iterator<Item = Name>) -> Taken {
-        Taken(names.collect())
-    }
-
-    /// A name like this one that nothing else has.
-    fn fresh(&mut self, like: &str) -> String {
-        let mut name = like.to_owned();
-        let mut number = 1;
-        while !self.0.insert(Name::new(&name)) {
-            number += 1;
-            name = format!("{like}_{number}");
-        }
-        name
-    }
 }

@@ -26,10 +26,7 @@ use ladder_analysis::networks::network::Meaning;
 use ladder_analysis::program::Program;
 use ladder_analysis::{Analysis, analyze_in};
 use ladder_instructions::Profile;
-use ladder_notation::{
-    LineColumn, Report, Unwritable, WriteError, Writing, no_program, with_arrays_as_elements,
-    with_functions_as_blocks, with_loops_as_jumps, with_other_files,
-};
+use ladder_notation::{LineColumn, Report, Unwritable, WriteError, Writing, no_program, with_blocks_alone};
 use ladder_syntax::{Name, TextSize};
 use names::{Names, identifier};
 use std::collections::HashMap;
@@ -45,18 +42,12 @@ const CYCLE: i64 = 10_000_000;
 ///
 /// If the program has errors, or needs files that are not there.
 pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
-    with_other_files(analysis, |analysis, unwritable| {
-        with_arrays_as_elements(analysis, &["[UNPACK]", "[FILL]"], |analysis| {
-            with_loops_as_jumps(analysis, |analysis| {
-                with_functions_as_blocks(analysis, |analysis| {
-                    let (project, report) = project(analysis, unwritable)?;
-                    Ok(Writing {
-                        bytes: emit::project(project).into_bytes(),
-                        report,
-                        companions: Vec::new(),
-                    })
-                })
-            })
+    with_blocks_alone(analysis, |analysis, unwritable| {
+        let (project, report) = project(analysis, unwritable)?;
+        Ok(Writing {
+            bytes: emit::project(project).into_bytes(),
+            report,
+            companions: Vec::new(),
         })
     })
 }

@@ -13,8 +13,7 @@ use ladder_analysis::Analysis;
 use ladder_analysis::program::{Network, Program};
 use ladder_instructions::Profile;
 use ladder_notation::{
-    Companion, LineColumn, Lines, Report, Unwritable, WriteError, Writing, no_program,
-    with_arrays_as_elements, with_functions_as_blocks, with_loops_as_jumps, with_other_files,
+    Companion, LineColumn, Lines, Report, Unwritable, WriteError, Writing, no_program, with_blocks_alone,
 };
 use ladder_syntax::{Name, TextSize};
 use power::Power;
@@ -46,13 +45,7 @@ struct Writer<'a> {
 
 /// Writes a program.
 pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
-    with_other_files(analysis, |analysis, unwritable| {
-        with_arrays_as_elements(analysis, &["[UNPACK]", "[FILL]"], |analysis| {
-            with_loops_as_jumps(analysis, |analysis| {
-                with_functions_as_blocks(analysis, |analysis| documents(analysis, unwritable))
-            })
-        })
-    })
+    with_blocks_alone(analysis, documents)
 }
 
 fn documents(analysis: &Analysis, unwritable: &Unwritable) -> Result<Writing, WriteError> {
