@@ -15,7 +15,9 @@ use crate::unrolled::{Found, From, Unrolled};
 use ladder_analysis::program::{Block, BlockKind, Program, Tag};
 use ladder_simulator::compiled::{Compiled, compile};
 use rustc_hash::FxHashMap;
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -42,7 +44,12 @@ pub enum Meaning {
 pub struct Compared {
     old: Form,
     new: Form,
+    /// The bodies of blocks, each compiled when the first of its networks is asked about.
+    bodies: RefCell<Bodies>,
 }
+
+/// By a block of the old program and one of the new.
+type Bodies = FxHashMap<(usize, usize), Result<Rc<Compared>, String>>;
 
 /// A program, compiled.
 #[derive(Debug)]
@@ -167,7 +174,11 @@ impl Compared {
         let (mut old, mut new) = (Form::new(old)?, Form::new(new)?);
         old.cells.keep_idle(&new.cells);
         new.cells.keep_idle(&old.cells);
-        Ok(Compared { old, new })
+        Ok(Compared {
+            old,
+            new,
+            bodies: RefCell::default(),
+        })
     }
 
     /// Whether two networks of the new program may change places: neither writes what the other reads or writes, and neither
@@ -198,9 +209,11 @@ impl Compared {
     }
 
     /// The bodies of two blocks.
-    fn bodies(&self, was: usize, is: usize) -> Result<Compared, String> {
+    fn bodies(&self, was: usize, is: usize) -> Result<Rc<Compared>, String> {
         let body = |form: &Form, block| body::program(&form.program, block).map(Arc::new);
-        Compared::new(&body(&self.old, was)?, &body(&self.new, is)?)
+        let compiled = || Compared::new(&body(&self.old, was)?, &body(&self.new, is)?).map(Rc::new);
+        let mut bodies = self.bodies.borrow_mut();
+        bodies.entry((was, is)).or_insert_with(compiled).clone()
     }
 
     /// See [`other_tags`].

@@ -1,6 +1,6 @@
 //! Other files that programs use, and what became of them.
 
-use crate::comparison::{Change, compare};
+use crate::comparison::compare;
 use crate::outline::Outline;
 use crate::whole::is_harmless;
 use ladder_analysis::context::Context;
@@ -92,8 +92,5 @@ fn do_the_same(old: &Arc<Context>, new: &Arc<Context>) -> bool {
     }
     let (old, new) = (Outline::new(Arc::clone(old)), Outline::new(Arc::clone(new)));
     let comparison = compare(&old, &new);
-    comparison
-        .changes
-        .iter()
-        .all(|change: &Change<'_>| is_harmless(change))
+    comparison.changes.iter().all(is_harmless)
 }

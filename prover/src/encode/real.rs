@@ -164,26 +164,21 @@ impl Scan<'_, '_> {
 
     /// A time in whole milliseconds, half to even. Where times are open it may be any.
     fn milliseconds(&mut self, source: Word) -> Number {
-        if self.times == Times::Exact {
-            let is_counted = source == Word::TIME && self.interval % NANOSECONDS == 0;
-            return match self.world.clock.clone().filter(|_| is_counted) {
-                Some(scans) => {
-                    let each = Number::constant(self.interval / NANOSECONDS);
-                    let most =
-                        converted(Conversion::ToMilliseconds(Width::I64), i64::MAX).unwrap_or(i64::MAX);
-                    let time = self.world.graph.mul(&scans, &each, 128);
-                    self.world.graph.min(&time, &Number::constant(most))
-                }
-                None => {
-                    let time = self.word(source);
-                    self.world.graph.rounded_quotient(&time, NANOSECONDS)
-                }
-            };
+        if self.times == Times::Open {
+            // No time of 64 bits has more.
+            let bits: Vec<Lit> = (0..45).map(|_| self.world.graph.leaf()).collect();
+            self.world.times.extend(&bits);
+            return Number::of_bits(bits);
         }
-        // No time of 64 bits has more.
-        let bits: Vec<Lit> = (0..45).map(|_| self.world.graph.leaf()).collect();
-        self.world.times.extend(&bits);
-        Number::of_bits(bits)
+        let is_counted = source == Word::TIME && self.interval % NANOSECONDS == 0;
+        let Some(scans) = self.world.clock.clone().filter(|_| is_counted) else {
+            let time = self.word(source);
+            return self.world.graph.rounded_quotient(&time, NANOSECONDS);
+        };
+        let most = converted(Conversion::ToMilliseconds(Width::I64), i64::MAX).unwrap_or(i64::MAX);
+        let graph = &mut self.world.graph;
+        let time = graph.mul(&scans, &Number::constant(self.interval / NANOSECONDS), 128);
+        graph.min(&time, &Number::constant(most))
     }
 }
 

@@ -6,10 +6,7 @@ use crate::words::{heading, reason};
 /// The report of some files.
 pub fn report(files: &[Compared<'_>]) -> String {
     let mut out = String::new();
-    let is_changed = |file: &&Compared<'_>| {
-        file.comparison.differs() || file.renamed || file.old.is_some() != file.new.is_some()
-    };
-    for file in files.iter().filter(is_changed) {
+    for file in files.iter().filter(|file| file.is_different()) {
         let renamed = match (file.old, file.new) {
             (Some(old), Some(new)) if path(old) != path(new) => format!(" (was {})", code(old)),
             (None, _) => " (new file)".to_owned(),

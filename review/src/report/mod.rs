@@ -22,6 +22,11 @@ pub struct Compared<'c> {
 }
 
 impl Compared<'_> {
+    /// A file that is new, gone or renamed is a difference, whatever is in it.
+    pub fn is_different(&self) -> bool {
+        self.comparison.differs() || self.renamed || self.old.is_some() != self.new.is_some()
+    }
+
     /// The file as it is called now, or was.
     pub fn name(&self) -> &str {
         self.new.or(self.old).unwrap_or_default()
