@@ -15,6 +15,7 @@
 //! - `features` has what a command says whose part was left out of the build.
 //! - `findings` shows what is wrong in a program. Programs come in there, those of other systems too.
 //! - `form` is what a program is written in.
+//! - `found_runs` is what `--write` writes: runs that were found, next to their program.
 //! - `git` reads what git knows.
 //! - `json` writes what machines read.
 //! - `settings` has what the `ladder.toml` of a program's workspace asks for.
@@ -48,6 +49,7 @@ mod diff;
 mod features;
 mod findings;
 mod form;
+mod found_runs;
 mod git;
 mod json;
 mod outcome;

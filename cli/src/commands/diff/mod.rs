@@ -7,8 +7,6 @@ mod same;
 mod settings;
 mod side;
 
-pub(crate) use side::folder_of;
-
 use crate::git::objects::Objects;
 use crate::outcome::{Failure, Outcome};
 use crate::output::{Existing, Output, may_write};
@@ -171,7 +169,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         renamed: *renamed,
         comparison: compare(outline(old.as_ref()), outline(new.as_ref())),
     });
-    let mut compared: Vec<Compared<'_>> = compared.filter(is_different).collect();
+    let mut compared: Vec<Compared<'_>> = compared.filter(Compared::is_different).collect();
     let end = Instant::now() + TIME;
     for compared in &mut compared {
         let left = || end.saturating_duration_since(Instant::now());
@@ -217,11 +215,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     out.finish()?;
     Ok(outcome)
-}
-
-/// A file that is new, gone or renamed is a difference, whatever is in it.
-fn is_different(compared: &Compared<'_>) -> bool {
-    compared.comparison.differs() || compared.renamed || compared.old.is_some() != compared.new.is_some()
 }
 
 /// What the programs of both sides see of others.

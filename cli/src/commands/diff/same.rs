@@ -1,9 +1,8 @@
 //! `--same`: whether programs do the same.
 
 use super::settings::SettingsDiff;
-use super::side::folder_of;
-use crate::outcome::Failure;
-use crate::outcome::Outcome;
+use crate::found_runs::{are_together, of_one};
+use crate::outcome::{Failure, Outcome};
 use crate::terminal;
 use ladder_prover::{Which, scenario_file, scenario_of_difference};
 use ladder_review::report::Compared;
@@ -61,20 +60,12 @@ pub(super) fn write(file: &Path, compared: &[Compared<'_>]) -> Result<(), Failur
         Some(Whole::Differs(run)) => Some((of, run)),
         _ => None,
     });
-    let (of, run) = match runs.collect::<Vec<_>>()[..] {
-        [] => {
-            terminal::note(&"no run was found: nothing is written");
-            return Ok(());
-        }
-        [one] => one,
-        _ => {
-            return Err(Failure::new(
-                "--write takes the run of one program: name two files",
-            ));
-        }
+    let several = "--write takes the run of one program: name two files";
+    let Some((of, run)) = of_one(&runs.collect::<Vec<_>>(), several)? else {
+        return Ok(());
     };
     let names = [of.new, of.old].into_iter().flatten().map(Path::new);
-    let mut here = names.filter(|name| name.is_file() && folder_of(name) == folder_of(file));
+    let mut here = names.filter(|name| name.is_file() && are_together(name, file));
     let Some(program) = here.next().and_then(Path::file_name) else {
         return Err(Failure::new(format!(
             "{}: the file for --write is in the folder of one of the programs, which it names",

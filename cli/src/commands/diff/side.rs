@@ -215,11 +215,3 @@ fn companions(notation: &dyn Notation, name: &str, objects: &mut Objects) -> Res
     }
     Ok(companions)
 }
-
-/// The folder that a file is in.
-pub(crate) fn folder_of(file: &Path) -> Option<PathBuf> {
-    let folder = file.parent()?;
-    let is_here = folder.as_os_str().is_empty();
-    let folder = if is_here { Path::new(".") } else { folder };
-    folder.canonicalize().ok()
-}

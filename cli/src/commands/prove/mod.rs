@@ -6,8 +6,8 @@ mod json;
 mod junit;
 mod people;
 
-use crate::commands::diff::folder_of;
 use crate::findings::Workspaces;
+use crate::found_runs::{are_together, of_one};
 use crate::outcome::{Failure, Outcome, unreadable};
 use crate::output::{Existing, may_write};
 use crate::terminal::{self, Stdout, stdout_has_colours};
@@ -183,19 +183,11 @@ fn write_runs(file: &Path, all: &[FileAnswers]) -> Result<(), Failure> {
         .iter()
         .filter(|answers| !answers.scenarios().is_empty())
         .collect();
-    let answers = match with_runs[..] {
-        [] => {
-            terminal::note(&"no run was found: nothing is written");
-            return Ok(());
-        }
-        [one] => one,
-        _ => {
-            return Err(Failure::new(
-                "--write takes the runs of one program: name one file of scenarios",
-            ));
-        }
+    let several = "--write takes the runs of one program: name one file of scenarios";
+    let Some(answers) = of_one(&with_runs, several)? else {
+        return Ok(());
     };
-    if folder_of(file) != folder_of(Path::new(&answers.file)) {
+    if !are_together(file, Path::new(&answers.file)) {
         return Err(Failure::new(format!(
             "{}: the file for --write is in the folder of {}, which names its program",
             shown::path(file),
