@@ -83,11 +83,12 @@ impl Code {
 
     /// The innermost block that an instruction belongs to, as an index into the blocks.
     pub fn block_at(&self, pc: u32) -> u32 {
-        let mut block = self.blocks.partition_point(|block| block.start <= pc);
-        while block > 1 && self.blocks[block - 1].end <= pc {
-            block -= 1;
+        let through = self.blocks.partition_point(|block| block.start <= pc);
+        let mut block = through.saturating_sub(1) as u32;
+        while block > 0 && self.blocks[block as usize].end <= pc {
+            block = self.blocks[block as usize].outer;
         }
-        block.saturating_sub(1) as u32
+        block
     }
 
     /// Notes where scans can halt.
@@ -120,6 +121,8 @@ pub struct BlockPlace {
     pub start: u32,
     /// The one after it.
     pub end: u32,
+    /// The block in whose body it is; the first one for a block that is in none.
+    pub outer: u32,
     /// What the watchdog counts for it and the blocks before it.
     pub work_through: u32,
     /// The power that leaves it: low if it faults.

@@ -134,6 +134,7 @@ pub fn compile(program: &Program, interval: i64) -> Result<Compiled> {
         constants: HashMap::new(),
         arrays: HashMap::new(),
         regions: Vec::new(),
+        outer: 0,
         functions: vec![0; program.functions.len()],
         calls: Vec::new(),
         powers: Vec::new(),
@@ -179,6 +180,8 @@ struct Compiler<'p> {
     arrays: HashMap<ArrayPlace, u32>,
     /// The stretch of networks that is being compiled, with those it is in.
     regions: Vec<Region>,
+    /// The block that is being compiled, of `code.blocks`; the first one outside of all blocks.
+    outer: u32,
     /// The first instruction of each function.
     functions: Vec<u32>,
     /// Calls whose function was not compiled yet: instruction and function.

@@ -106,15 +106,18 @@ impl Compiler<'_> {
         code: impl FnOnce(&mut Self) -> Result<Bit>,
     ) -> Result<Bit> {
         let number = self.code.blocks.len();
+        let outer = std::mem::replace(&mut self.outer, number as u32);
         self.code.blocks.push(BlockPlace {
             start: self.here(),
             end: self.here(),
+            outer,
             work_through: 0,
             out: en,
             location: block.location,
             controller: self.semantics.controller,
         });
         let out = code(self)?;
+        self.outer = outer;
         let end = self.here();
         let place = &mut self.code.blocks[number];
         (place.end, place.out) = (end, out);
