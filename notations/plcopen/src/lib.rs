@@ -15,6 +15,7 @@
 //! Other files that hold such graphs are read into the same [`model`] and go the same way through [`reading`].
 #![forbid(unsafe_code)]
 
+mod along;
 mod brought;
 pub mod declarations;
 mod emit;

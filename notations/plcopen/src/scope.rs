@@ -116,7 +116,10 @@ impl<'p> Shared<'p> {
         }
         let mut globals = Scope::default();
         for variable in &project.globals {
-            globals.declare(&variable.name, &variable.ty, "");
+            match own::system(variable) {
+                Some(tag) => globals.alias(&variable.name, tag, &variable.ty),
+                None => globals.declare(&variable.name, &variable.ty, ""),
+            }
         }
         let mut blocks = HashMap::new();
         let mut taken = HashSet::new();

@@ -20,6 +20,7 @@ pub(crate) enum StandardBlock {
 pub(crate) fn block(name: &str) -> Option<StandardBlock> {
     use StandardBlock::{Falling, Rising, Stateful};
     const TIMER: &[(&str, Option<&str>)] = &[("PT", None)];
+    const RESETTABLE: &[(&str, Option<&str>)] = &[("PT", None), ("R", Some("R"))];
     let upper = name.to_ascii_uppercase();
     let base = match upper.split_once('_') {
         Some((base, "INT" | "DINT" | "LINT" | "UINT" | "UDINT" | "ULINT" | "TIME")) => base,
@@ -30,6 +31,9 @@ pub(crate) fn block(name: &str) -> Option<StandardBlock> {
         "TOF" => Stateful("TOF", "IN", TIMER),
         "TP" => Stateful("TP", "IN", TIMER),
         "CTU" => Stateful("CTU", "CU", &[("PV", None), ("R", Some("R"))]),
+        "LADDER_RTO" => Stateful("RTO", "IN", RESETTABLE),
+        "LADDER_RTOF" => Stateful("RTOF", "IN", RESETTABLE),
+        "LADDER_CTC" => Stateful("CTC", "CU", &[("PV", None), ("R", Some("R"))]),
         "CTD" => Stateful("CTD", "CD", &[("PV", None), ("LD", Some("LD"))]),
         "CTUD" => Stateful(
             "CTUD",

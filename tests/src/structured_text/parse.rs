@@ -296,6 +296,14 @@ impl Parser {
             self.sign(";")?;
             return Ok(Statement::For(path, from, to, body));
         }
+        if self.take_word("WHILE") {
+            let condition = self.expression(0)?;
+            self.expect("DO")?;
+            let body = self.statements()?;
+            self.expect("END_WHILE")?;
+            self.sign(";")?;
+            return Ok(Statement::While(condition, body));
+        }
         for (word, statement) in [("RETURN", Statement::Return), ("EXIT", Statement::Exit)] {
             if self.take_word(word) {
                 self.sign(";")?;

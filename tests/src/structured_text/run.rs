@@ -295,6 +295,15 @@ impl Machine {
                         }
                     }
                 }
+                Statement::While(condition, body) => {
+                    while self.value_of(condition, frame)? == Value::Bool(true) {
+                        match self.statements(body, frame)? {
+                            End::Through => {}
+                            End::Exit => break,
+                            End::Return => return Ok(End::Return),
+                        }
+                    }
+                }
                 Statement::Call(path, arguments) => self.call(path, arguments, frame)?,
                 Statement::Return => return Ok(End::Return),
                 Statement::Exit => return Ok(End::Exit),

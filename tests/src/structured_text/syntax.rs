@@ -117,6 +117,8 @@ pub(super) enum Statement {
     If(Vec<(Expr, Vec<Statement>)>, Vec<Statement>),
     /// `FOR`
     For(Path, Expr, Expr, Vec<Statement>),
+    /// `WHILE`
+    While(Expr, Vec<Statement>),
     /// A call of a block.
     Call(Path, Vec<(String, Expr)>),
     /// `RETURN`

@@ -19,6 +19,7 @@ mod ldmicro_traces;
 mod library;
 mod notations_back;
 mod pictures_wiring;
+mod plcopen_along;
 mod power;
 mod proved;
 mod refactorings;

@@ -110,6 +110,7 @@ fn unit(xml: &mut Xml, unit: Unit) {
         });
         xml.around("body", &[], |xml| match unit.body {
             Body::Graph(graph) => body::body(xml, graph),
+            Body::Text("ST", text) => xml.around("ST", &[], |xml| xml.words("xhtml:p", &text)),
             _ => xml.empty("LD", &[]),
         });
         said(xml, "documentation", unit.comment.as_deref());

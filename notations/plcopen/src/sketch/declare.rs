@@ -176,6 +176,12 @@ pub(super) fn globals(shared: &Shared<'_>, project: &Project, reading: &mut Read
     let mut sections = Sections::default();
     let mut seen = std::collections::HashSet::new();
     for variable in &project.globals {
+        if own::system(variable).is_some() {
+            reading
+                .report
+                .translated(variable.place, format!("variable {}", variable.name));
+            continue;
+        }
         if !seen.insert(variable.name.to_lowercase()) {
             let why = "another global has this name, and is read";
             reading

@@ -145,14 +145,15 @@ impl Writer<'_> {
     /// A timer, counter or bistable.
     pub(super) fn state(&self, rung: &mut Rung, row: &Instruction, mut power: Vec<End>) -> Power {
         let state = row.state().ok_or("it has no state")?;
-        let name = state_name(state)?;
+        let name = state_name(state);
         let instance = self.first_text(rung)?;
         if self.operand("B").is_some() {
             return Err("a timer there has no time base".to_owned());
         }
         let (first, pins, outputs): (&str, &[&str], &[&str]) = match row.op {
             Op::Ton | Op::Tof | Op::Tp => ("IN", &["PT"], &["Q", "ET"]),
-            Op::Ctu => ("CU", &["R", "PV"], &["Q", "CV"]),
+            Op::Rto | Op::Rtof => ("IN", &["PT", "R"], &["Q", "ET"]),
+            Op::Ctu | Op::Ctc => ("CU", &["R", "PV"], &["Q", "CV"]),
             Op::Ctd => ("CD", &["LD", "PV"], &["Q", "CV"]),
             Op::Ctud => ("CU", &["CD", "R", "LD", "PV"], &["QU", "QD", "CV"]),
             Op::Sr => ("S1", &["R"], &["Q1"]),

@@ -15,8 +15,8 @@ use ladder_notation::{LineColumn, comments};
 use ladder_syntax::TextSize;
 
 /// How a function block of the standard is called there.
-pub(super) fn state_name(state: StateType) -> Result<&'static str, String> {
-    Ok(match state {
+pub(super) fn state_name(state: StateType) -> &'static str {
+    match state {
         StateType::Ton => "TON",
         StateType::Tof => "TOF",
         StateType::Tp => "TP",
@@ -26,10 +26,11 @@ pub(super) fn state_name(state: StateType) -> Result<&'static str, String> {
         StateType::Ctud => "CTUD_DINT",
         StateType::Sr => "SR",
         StateType::Rs => "RS",
-        StateType::Rto | StateType::Rtof | StateType::Ctc => {
-            return Err(format!("the standard has no {}", state.name()));
-        }
-    })
+        // Of these the units are written along.
+        StateType::Rto => "LADDER_RTO",
+        StateType::Rtof => "LADDER_RTOF",
+        StateType::Ctc => "LADDER_CTC",
+    }
 }
 
 fn named(name: impl Into<String>) -> Type {
@@ -61,7 +62,7 @@ pub(super) fn type_of(blocks: &Names, ty: OwnType) -> Result<Type, String> {
     let bounds = |(first, last): &(i64, i64)| (first.to_string(), last.to_string());
     Ok(match ty {
         OwnType::Scalar(ty) => scalar(ty),
-        OwnType::State(state) => named(state_name(state)?),
+        OwnType::State(state) => named(state_name(state)),
         OwnType::Array { first, last, element } => {
             Type::Array(vec![bounds(&(first, last))], Box::new(scalar(element)))
         }

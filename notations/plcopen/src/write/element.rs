@@ -151,9 +151,17 @@ impl Writer<'_> {
                     vec![rung.block(("AND", None), inputs, &["OUT"], Touched::default(), false)]
                 }
             }
-            Op::Ton | Op::Tof | Op::Tp | Op::Ctu | Op::Ctd | Op::Ctud | Op::Sr | Op::Rs => {
-                self.state(rung, row, power)?
-            }
+            Op::Ton
+            | Op::Tof
+            | Op::Tp
+            | Op::Rto
+            | Op::Rtof
+            | Op::Ctu
+            | Op::Ctd
+            | Op::Ctud
+            | Op::Ctc
+            | Op::Sr
+            | Op::Rs => self.state(rung, row, power)?,
             Op::Coil | Op::RetentiveCoil => {
                 let tag = self.coil_tag(rung, row)?;
                 vec![rung.coil(&tag, none, Storage::None, power, touched)]

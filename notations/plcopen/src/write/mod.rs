@@ -13,15 +13,17 @@ mod functions;
 mod names;
 mod networks;
 mod rung;
+mod system;
 mod text;
 mod touched;
 mod unit;
 
 use super::emit;
-use super::model::{Project, Task, TypeDeclaration, UnitKind};
+use super::model::{Project, Role, Task, TypeDeclaration, UnitKind};
 use declare::Source;
 use faces::{Broken, Face, Faces, Parameter};
 use ladder_analysis::context::Body;
+use ladder_analysis::names::system_tag::SystemTag;
 use ladder_analysis::networks::network::Meaning;
 use ladder_analysis::program::Program;
 use ladder_analysis::{Analysis, analyze_in};
@@ -95,6 +97,13 @@ fn project(analysis: &Analysis, unwritable: &Unwritable) -> Result<(Project, Rep
     }
     project.types = types(&own, &shared, &mut report);
     project.globals = own.globals(&mut shared, &mut report);
+    let system = system_tags(&own, &mut shared);
+    project.globals.extend(
+        system
+            .iter()
+            .map(|(tag, name)| system::variable(*tag, name, Role::Global)),
+    );
+    let clock = shared.globals.fresh(system::NAME);
     let mut faces = faces(&own, &shared);
     let (mut broken, users) = broken(
         &own,
@@ -128,6 +137,8 @@ fn project(analysis: &Analysis, unwritable: &Unwritable) -> Result<(Project, Rep
         priority: 0,
         programs: vec![(LineColumn::START, name)],
     });
+    system::add(&mut project, &system, clock);
+    crate::along::add(&mut project);
     debug_assert!(
         project
             .units
@@ -136,6 +147,23 @@ fn project(analysis: &Analysis, unwritable: &Unwritable) -> Result<(Project, Rep
     );
     report.entries.sort_by_key(|entry| entry.place);
     Ok((project, report))
+}
+
+/// The tags of `SYS` that the file names, and the globals for them.
+fn system_tags(own: &Unit<'_>, shared: &mut Shared<'_>) -> Vec<(SystemTag, String)> {
+    let blocks = (0..own.context().own_blocks).map(Some);
+    let mut tags: Vec<SystemTag> = blocks
+        .chain([None])
+        .flat_map(|block| system::used(own, block))
+        .collect();
+    tags.sort_by_key(|tag| tag.name());
+    tags.dedup();
+    let globals = tags.into_iter().map(|tag| {
+        let name = shared.globals.fresh(&format!("SYS_{}", tag.name()));
+        shared.globals.alias(&system::key(tag), &name);
+        (tag, name)
+    });
+    globals.collect()
 }
 
 /// A file in which every block of its own is used: what nothing uses is not in a program. What is added stands at the end of the

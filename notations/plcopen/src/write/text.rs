@@ -1,6 +1,7 @@
 //! Operands as expressions of ST.
 
 use super::names::{Names, identifier};
+use super::system;
 use ladder_analysis::networks::facts::{Node, NodeKind, Operator};
 use ladder_analysis::program::{BinaryOperator, Expr, ExprKind, Member, Place, SystemTag, UnaryOperator};
 use ladder_analysis::values::compound::Compound;
@@ -43,7 +44,7 @@ impl Words<'_> {
             NodeKind::Literal(_) => literal(self.slice(node.range + self.base), None),
             NodeKind::Member(base, word) => match &base.kind {
                 NodeKind::Name(name) if name.eq_ignore_ascii_case("SYS") => {
-                    return Err(format!("the standard has no SYS.{}", word.text));
+                    return self.system(&word.text);
                 }
                 // A value of an enumeration, after the name of its type.
                 NodeKind::Name(name) if self.names.get(name).is_none() => {
@@ -114,6 +115,18 @@ impl Words<'_> {
                 Some(ty)
             }
             _ => None,
+        }
+    }
+
+    /// A tag of `SYS`, by its word.
+    fn system(&self, word: &str) -> Result<String, String> {
+        match SystemTag::from_name(word) {
+            Some(SystemTag::On) => Ok("TRUE".to_owned()),
+            Some(SystemTag::Off) => Ok("FALSE".to_owned()),
+            tag => tag
+                .and_then(|tag| self.names.get(&system::key(tag)))
+                .map(str::to_owned)
+                .ok_or_else(|| format!("the standard has no SYS.{word}")),
         }
     }
 
@@ -267,8 +280,7 @@ impl Words<'_> {
     /// Why it has no counterpart.
     pub(super) fn place(&self, place: &Place, node: &Node) -> Result<String, String> {
         match (place, &node.kind) {
-            (Place::System(SystemTag::On), _) => Ok("TRUE".to_owned()),
-            (Place::System(SystemTag::Off), _) => Ok("FALSE".to_owned()),
+            (Place::System(tag), _) => self.system(tag.name()),
             (Place::Member(_, member) | Place::ChosenMember(_, member), NodeKind::Member(base, word)) => {
                 let name = match member {
                     Member::Changed | Member::Timing => {

@@ -4,6 +4,7 @@ use super::declare::{self, Source, place};
 use super::faces::Faces;
 use super::names::Names;
 use super::networks::Networks;
+use super::system;
 use crate::graph::Graph;
 use crate::model::{Body, Role, Type, Unit as Made, UnitKind, Variable};
 use crate::own;
@@ -91,6 +92,12 @@ impl<'u> Unit<'u> {
             names.alias("ENO", &leaves);
             power = Some((enters, leaves));
         }
+        for tag in system::used(self, scope.checked_sub(1)) {
+            let key = system::key(tag);
+            if let Some(global) = project.globals.get(&key) {
+                names.alias(&key, global);
+            }
+        }
         for tag in self.tags(scope) {
             if tag.origin == Origin::Implicit {
                 continue;
@@ -137,6 +144,10 @@ impl<'u> Unit<'u> {
                     )
                 });
             }
+        }
+        for tag in system::used(self, scope.checked_sub(1)) {
+            let name = names.get(&system::key(tag));
+            variables.extend(name.map(|name| system::variable(tag, name, Role::External)));
         }
         for tag in self.tags(scope) {
             let Some(name) = names.get(&tag.name).filter(|_| tag.origin != Origin::Implicit) else {

@@ -39,7 +39,8 @@ fn plcopen() {
         assert_eq!(different, None, "seed {seed}\n{ladder}\nof\n{text}");
         let is_through_tags =
             ladder.contains("power at a point") || ladder.contains("at the last evaluation");
-        let is_otherwise = ["[NOT]", "[TON]( t1, T#"].iter().any(|word| text.contains(word));
+        let is_otherwise =
+            text.contains("[NOT]") || text.contains("[TON]( t1, T#") || ladder.contains(".Q )");
         if is_through_tags {
             through_tags += 1;
         } else if !is_otherwise {
@@ -95,23 +96,13 @@ fn examples_as_plcopen() {
         conveyor.clad: not the same again, 0 remarks on that
         garage_door.clad: the same again, 0 remarks on that
         level_control.clad: not the same again, 0 remarks on that
-            19:1: the standard has no SYS.SCAN_TIME
-            45:1: a network of $Tank is not written
         mixer.clad: the same again, 0 remarks on that
         motor.clad: the same again, 0 remarks on that
-        pump_alternation.clad: not the same again, 0 remarks on that
-            31:5: the standard has no RTO
-            31:14: the standard has no RTO
-            43:1: the type of `hours_1` has no counterpart
-            44:1: the type of `hours_1` has no counterpart
-            55:1: the standard has no [RTO]
-            56:1: the standard has no [RTO]
+        pump_alternation.clad: the same again, 0 remarks on that
         pump_group.clad: not the same again, 0 remarks on that
-            40:1: the standard has no SYS.SCAN_TIME
         tank.clad: the same again, 0 remarks on that
         tank_level.clad: not the same again, 0 remarks on that
-        traffic_light.clad: not the same again, 0 remarks on that
-            48:1: the standard has no SYS.CLOCK_1S
+        traffic_light.clad: the same again, 0 remarks on that
     "#]]
     .assert_eq(&account);
 }

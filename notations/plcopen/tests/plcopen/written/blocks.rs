@@ -147,7 +147,7 @@ VAR  a, b : BOOL;  k : DINT;  Step, Größe : BOOL;  END_VAR
             5:1: refused network: the standard has no loops of networks, and jumps cannot stand for this one: something jumps into it, or an <MCR> is around
             6:1: refused network: the standard has no loops of networks, and jumps cannot stand for this one: something jumps into it, or an <MCR> is around
             7:1: refused network: the standard has no loops of networks, and jumps cannot stand for this one: something jumps into it, or an <MCR> is around
-            8:1: refused network: the standard has no SYS.FIRST_SCAN
+            8:1: approximated <LBL>( out ): the generators of Beremiz and OpenPLC Editor up to 3 pass over jumps, labels and returns, and say nothing
             9:1: approximated <RET>: the generators of Beremiz and OpenPLC Editor up to 3 pass over jumps, labels and returns, and say nothing
             10:1: refused network: the standard has no <MCR>, which this is or stands after
             11:1: refused network: the standard has no <MCR>, which this is or stands after
@@ -174,8 +174,8 @@ VAR  a, b : BOOL;  k : DINT;  Step, Größe : BOOL;  END_VAR
             # +--<NEXT>--+ #
             +--<LBL>( out )----------------------------------------------------------------+
 
-            # Not written, because the standard has no SYS.FIRST_SCAN: #
-            # +--<LBL>( out )--[ ]( SYS.FIRST_SCAN )--( )( b )--+ #
+            +--[ ]( SYS.FIRST_SCAN )---------------------------------------------( )( b )--+
+
             +--[ ]( SYS.ON )--------------------------------------------------------<RET>--+
 
             # Not written, because the standard has no <MCR>, which this is or stands after: #

@@ -190,9 +190,7 @@ VAR  a, r : BOOL;  t : TON;  c : CTU;  d : CTUD;  k : RTO;  END_VAR
 +--[ ]( t.TT )--( )( a )--+
 ",
         expect![[r#"
-            2:1: refused tag k: the standard has no RTO
-            6:1: refused network: the standard has no [RTO]
-            7:1: refused network: the type of `k` has no counterpart
+            7:1: refused network: the standard has no (RES)
             8:1: refused network: timers and counters there have no `TT`
             # plant #
             # ladder: cycle 10ms #
@@ -203,6 +201,7 @@ VAR  a, r : BOOL;  t : TON;  c : CTU;  d : CTUD;  k : RTO;  END_VAR
                 t : TON;
                 c : CTU;
                 d : CTUD;
+                k : RTO;
             END_VAR
 
             +--[ ]( a )--[/]( r )-------------------------------------[TON]( t, T#500ms )--+
@@ -211,9 +210,9 @@ VAR  a, r : BOOL;  t : TON;  c : CTU;  d : CTUD;  k : RTO;  END_VAR
 
             +--[ ]( a )--[CTUD]( d, 5, CD := r, LD := c.Q )--[GE]( d.CV, 3 )-----( )( r )--+
 
-            # Not written, because the standard has no [RTO]: #
-            # +--[ ]( a )--[RTO]( k, 5s )--+ #
-            # Not written, because the type of `k` has no counterpart: #
+            +--[ ]( a )--------------------------------------------------[RTO]( k, T#5s )--+
+
+            # Not written, because the standard has no (RES): #
             # +--[ ]( k.Q )--(RES)( c )--+ #
             # Not written, because timers and counters there have no `TT`: #
             # +--[ ]( t.TT )--( )( a )--+ #
