@@ -18,9 +18,11 @@ pub fn with_blocks_alone(
 ) -> Result<Writing, WriteError> {
     with_other_files(analysis, |analysis, unwritable| {
         with_arrays_as_elements(analysis, &["[UNPACK]", "[FILL]"], |analysis| {
-            with_loops_as_jumps(analysis, |analysis| {
-                with_functions_as_blocks(analysis, |analysis| write(analysis, unwritable))
-            })
+            with_loops_as_jumps(
+                analysis,
+                |_, _| true,
+                |analysis| with_functions_as_blocks(analysis, |analysis| write(analysis, unwritable)),
+            )
         })
     })
 }

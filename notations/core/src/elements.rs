@@ -9,15 +9,10 @@ use std::ops::Range;
 /// What a network holds, if it is one rung without branches.
 pub(crate) fn series(network: &Network) -> Option<Vec<&str>> {
     match &network.drawing {
-        Drawing::Circuit(Circuit::Element(element)) => Some(vec![&element.text]),
-        Drawing::Circuit(Circuit::Series(parts)) => parts
-            .iter()
-            .map(|part| match part {
-                Circuit::Element(element) => Some(element.text.as_str()),
-                _ => None,
-            })
-            .collect(),
-        Drawing::Circuit(Circuit::Parallel(_)) => None,
+        Drawing::Circuit(circuit) => {
+            let mut found = Vec::new();
+            in_series(circuit, &mut found).then_some(found)
+        }
         Drawing::Rungs(rungs) => match &rungs[..] {
             [rung] => rung
                 .iter()
@@ -29,6 +24,18 @@ pub(crate) fn series(network: &Network) -> Option<Vec<&str>> {
                 .collect(),
             _ => None,
         },
+    }
+}
+
+/// Whether a circuit has no branches: then its elements are found, a series in another one as part of that.
+fn in_series<'c>(circuit: &'c Circuit<Element>, found: &mut Vec<&'c str>) -> bool {
+    match circuit {
+        Circuit::Element(element) => {
+            found.push(&element.text);
+            true
+        }
+        Circuit::Series(parts) => parts.iter().all(|part| in_series(part, found)),
+        Circuit::Parallel(_) => false,
     }
 }
 

@@ -16,16 +16,17 @@ use std::collections::{HashMap, HashSet};
 use std::ops::RangeInclusive;
 
 /// Writes a program whose loops are jumps. One that cannot be, because something outside jumps into it or an `<MCR>` rules it, stays
-/// a loop for `write`.
+/// a loop for `write`, and so does one for which `are_jumps` says no, of what it is in and its number of turns as it is written.
 ///
 /// # Errors
 ///
 /// Those of `write`.
 pub fn with_loops_as_jumps(
     analysis: &Analysis,
+    are_jumps: impl Fn(Body, &str) -> bool,
     write: impl Fn(&Analysis) -> Result<Writing, WriteError>,
 ) -> Result<Writing, WriteError> {
-    let Some((jumps, lines)) = as_jumps(analysis) else {
+    let Some((jumps, lines)) = as_jumps(analysis, are_jumps) else {
         return write(analysis);
     };
     let mut writing = write(&jumps)?;
@@ -62,11 +63,12 @@ struct Loop {
 }
 
 /// The program with jumps, and for each line of it the line that it was. None: it has no loops that can be.
-fn as_jumps(analysis: &Analysis) -> Option<(Analysis, Vec<u32>)> {
+fn as_jumps(analysis: &Analysis, are_jumps: impl Fn(Body, &str) -> bool) -> Option<(Analysis, Vec<u32>)> {
     let context = &analysis.context;
     let program = analysis.program()?;
     let text = context.parse.to_string();
-    let loops = loops(context, program, &text.to_lowercase());
+    let mut loops = loops(context, program, &text.to_lowercase());
+    loops.retain(|it| are_jumps(context.bodies[it.first], &text[it.count]));
     if loops.is_empty() {
         return None;
     }

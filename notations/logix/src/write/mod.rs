@@ -27,7 +27,9 @@ mod xml;
 use crate::model::{Raw, Tag};
 use crate::types::Elem;
 use ladder_analysis::Analysis;
+use ladder_analysis::context::Body;
 use ladder_analysis::names::scope::TagFacts;
+use ladder_analysis::networks::NetworkAt;
 use ladder_analysis::program::{Program, TagId};
 use ladder_instructions::Profile;
 use ladder_notation::{
@@ -107,13 +109,38 @@ struct Writer<'a> {
 pub(crate) fn write(analysis: &Analysis) -> std::result::Result<Writing, WriteError> {
     with_other_files(analysis, |analysis, unwritable| {
         // Loops that were read from there are in an instruction again.
-        if analysis.context.profile == Profile::Logix {
-            return file(analysis, unwritable);
+        let natives = native::natives(&analysis.context);
+        let turns = turns_of_instructions(analysis);
+        let are_jumps = |body: Body, count: &str| {
+            let is_native = matches!(body, Body::Block(block) if natives.contains(&block));
+            !is_native && !turns.contains(&Name::new(count.trim()))
+        };
+        let by_jumps = |analysis: &Analysis| {
+            with_loops_as_jumps(analysis, are_jumps, |analysis| file(analysis, unwritable))
+        };
+        match analysis.context.profile {
+            Profile::Logix => by_jumps(analysis),
+            _ => with_arrays_as_elements(analysis, &["[UNPACK]"], by_jumps),
         }
-        with_arrays_as_elements(analysis, &[], |analysis| {
-            with_loops_as_jumps(analysis, |analysis| file(analysis, unwritable))
-        })
     })
+}
+
+/// The tags with the numbers of turns of `FAL`, `FSC` and `FOR`.
+fn turns_of_instructions(analysis: &Analysis) -> HashSet<Name> {
+    let context = &analysis.context;
+    if context.profile != Profile::Logix {
+        return HashSet::new();
+    }
+    let blocks = context.networks.iter().flat_map(NetworkAt::blocks);
+    let instructions =
+        blocks.filter(|block| matches!(block.head_text().as_str(), "[$FAL]" | "[$FSC]" | "[$FOR]"));
+    let turns = instructions.filter_map(|block| {
+        let last = block.facts.operands.last()?;
+        Some(Name::new(
+            &context.parse.text_in(block.absolute(last.value.range)),
+        ))
+    });
+    turns.collect()
 }
 
 fn file(analysis: &Analysis, unwritable: &Unwritable) -> std::result::Result<Writing, WriteError> {

@@ -5,10 +5,12 @@ use super::rung::{Series, it};
 use super::{Result, Writer};
 use crate::blocks::{Blocks, OTE_BIT};
 use crate::types::Elem;
+use ladder_analysis::context::Context;
 use ladder_analysis::program::{Argument, Block, Bound, Expr, ExprKind, ParameterKind};
 use ladder_analysis::values::types::Scalar;
 use ladder_notation::Unwritable;
 use ladder_syntax::{LineKind, Name};
+use std::collections::HashSet;
 
 /// What a user-defined block is there.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -70,6 +72,18 @@ fn native_of_texts(own: &'static str, digits: &str, definition: &str) -> Option<
 fn same(blocks: &Blocks, definition: &str) -> bool {
     let bare_definition = bare(definition);
     blocks.texts().any(|text| bare(text) == bare_definition)
+}
+
+/// The definitions of a file that the reader writes in this way, by their numbers.
+pub(super) fn natives(context: &Context) -> HashSet<usize> {
+    let lines = context.parse.lines();
+    let own = context.user_blocks[..context.own_blocks].iter().enumerate();
+    let natives = own.filter(|(number, block)| {
+        let own = context.parse.structure().blocks[*number].lines.clone();
+        let text: String = own.map(|line| lines[line].text()).collect();
+        native(&block.name, &text).is_some()
+    });
+    natives.map(|(number, _)| number).collect()
 }
 
 impl Writer<'_> {

@@ -230,9 +230,7 @@ fn blocks_of_the_library_are_add_on_instructions() {
         $Alarm: true
             3:5 tag delay: Approximated("there a time is a DINT in milliseconds")
             11:33 [$Alarm]: Approximated("there a time is a DINT in milliseconds")
-        $Alternate: false
-            11:1 network: Refused("`[$Alternate]( wanted, pumps, swap, healthy, pump1, pump2, pump3 )`: `$Alternate` of the library has no form there: `[UNPACK]( fit[0..7], available )`: it has no counterpart there")
-            11:33 [$Alternate]: Refused("`$Alternate` of the library has no form there: `[UNPACK]( fit[0..7], available )`: it has no counterpart there")
+        $Alternate: true
         $Average: true
         $Blink: true
             3:5 tag on: Approximated("there a time is a DINT in milliseconds")
@@ -242,10 +240,9 @@ fn blocks_of_the_library_are_add_on_instructions() {
         $Debounce: true
             4:5 tag wait: Approximated("there a time is a DINT in milliseconds")
             9:35 [$Debounce]: Approximated("there a time is a DINT in milliseconds")
-        $Drum: false
-            15:1 network: Refused("`[$Drum]( patterns, times, count, valves, step, finished, arrived, again, jog, reset )`: `$Drum` of the library has no form there: `[UNPACK]( event[1..16], events )`: it has no counterpart there")
+        $Drum: true
             15:33 [$Interval]: Approximated("there a time is a DINT in milliseconds")
-            15:33 [$Drum]: Refused("`$Drum` of the library has no form there: `[UNPACK]( event[1..16], events )`: it has no counterpart there")
+            15:33 [$Drum]: Approximated("there a time is a DINT in milliseconds")
         $FirstOut: true
         $Hysteresis: true
         $Interval: true

@@ -78,7 +78,13 @@ pub(crate) fn operand(text: &str, meaning: Meaning<'_>) -> Result<Operand, Strin
             })
             .ok_or_else(|| "a number of milliseconds is that of a TIME".to_owned());
     }
-    let tokens = tokens(text)?;
+    // Some editors take any name: `pump 1`, `valve-2`.
+    let whole = text.trim();
+    let is_variable = meaning.scope.get(whole).or_else(|| meaning.shared.globals.get(whole));
+    let tokens = match is_variable {
+        Some(_) => vec![Token::Word(whole.to_owned())],
+        None => tokens(text)?,
+    };
     let mut parser = Parser {
         tokens: &tokens,
         at: 0,

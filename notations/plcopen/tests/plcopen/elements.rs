@@ -619,7 +619,9 @@ fn names_that_cannot_be_spelled() {
          contact 2 from=1 TON
          coil 3 from=2 sys
          contact 4 from=1 a;b
-         coil 5 from=4 undeclared",
+         coil 5 from=4 undeclared
+         contact 6 from=1 Ton-2
+         coil 7 from=6 TON",
         expect![[r#"
             VAR
                 _ton  : BOOL;  # ton in the project #
@@ -630,6 +632,8 @@ fn names_that_cannot_be_spelled() {
             +--[ ]( _ton )----------------------------------------------------( )( _SYS )--+
 
             +--# contact a;b: not translated #--------------------------( )( undeclared )--+
+
+            +--[ ]( Ton_2 )---------------------------------------------------( )( _ton )--+
             approximated variable ton: it is spelled `_ton` here
             approximated variable Ton-2: it is spelled `Ton_2` here
             approximated variable SYS: it is spelled `_SYS` here
