@@ -6,7 +6,7 @@ use crate::reader::entries;
 use ladder_analysis::context::Context;
 use ladder_analysis::names::join::context;
 use ladder_analysis::program::Program;
-use ladder_analysis::{Others, RuleSettings, analyze_context};
+use ladder_analysis::{NotWhole, Others, RuleSettings, analyze_context};
 use ladder_syntax::{Name, TextRange, TextSize};
 use std::cell::OnceCell;
 use std::collections::{BTreeMap, HashMap};
@@ -122,6 +122,15 @@ pub struct Entry {
     pub(crate) said: Canonical,
     /// The comments in it and right above it.
     pub(crate) comments: String,
+}
+
+/// Why a program does not run, of which `own` is the file; other files are named as `shown` has it.
+pub fn why_not(not_whole: &NotWhole, own: &str, shown: impl Fn(&str) -> String) -> String {
+    match not_whole {
+        NotWhole::Errors(file) if **file == *own => "has errors".to_owned(),
+        NotWhole::Errors(file) => format!("uses {}, which has errors", shown(file)),
+        NotWhole::Missing(file) => format!("uses {}, which cannot be read", shown(file)),
+    }
 }
 
 impl Outline {

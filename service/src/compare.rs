@@ -1,10 +1,12 @@
 //! What changed in an open program since an earlier text of it, which the client has from its version control. `docs/protocol.md`
 //! shows the messages.
 
+use std::collections::BTreeMap;
+use std::sync::Arc;
 use std::time::Duration;
 
 use ladder_picture::Theme;
-use ladder_review::outline::Entry;
+use ladder_review::outline::{Entry, why_not};
 use ladder_review::report::{html, summary};
 use ladder_review::words::{heading, names, reason, word};
 use ladder_review::{Change, Comparison, Outline, compare, is_wanted};
@@ -100,8 +102,15 @@ pub(crate) fn compare_with(revision: &Revision, asked: &Compare) -> Option<Compa
     if !base_fits || !revision.fits() {
         return None;
     }
-    // Both alone, as `ladder diff` compares them: of other files there are no earlier texts here.
-    let outline = |text: &str| Outline::of_text(revision.name(), text);
+    // Both among the other files as they are now: what changed in those is said where they are compared.
+    let outline = |text: &str| {
+        let (analysis, linked) = revision.earlier(text);
+        let context = Arc::clone(&analysis.context);
+        let program = linked
+            .map(|linked| linked.program)
+            .map_err(|not_whole| why_not(&not_whole, &context.name, str::to_owned));
+        Outline::among(context, program, BTreeMap::new())
+    };
     let (old, new) = (outline(base), outline(&revision.text()));
     let mut comparison = compare(&old, &new);
     comparison.decide(TIME);

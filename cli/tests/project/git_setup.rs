@@ -110,7 +110,7 @@ fn nothing_is_written_that_nobody_said_yes_to() {
           + diff.ladder.wordRegex = [][()<>+/\]|[^][()<>+/\ -]+
           + diff.ladder-text.textconv = ladder git show
           + diff.ladder-text.xfuncname = ^(#.*|FUNCTION_BLOCK.*|.*<(FUN|LBL)>.*)$
-          + difftool.ladder.cmd = ladder diff "$LOCAL" "$REMOTE"
+          + difftool.ladder.cmd = ladder diff "$LOCAL" "$REMOTE" ${MERGED:+--among="$MERGED"}
           + merge.ladder.name = networks and declarations of ladder programs
           + merge.ladder.driver = ladder merge --path=%P %O %A %B
         note: nothing is written; `--yes` writes it
@@ -241,6 +241,12 @@ fn git_shows_what_changed() {
         "{shown}"
     );
     assert!(shown.contains("^^^^^^^^"), "{shown}");
+    assert!(!shown.contains("git-blob"), "{shown}");
+    let folders = repository.shell("git difftool -d --no-symlinks -t ladder -- p.clad");
+    assert!(
+        folders.contains("edited, does another thing: network"),
+        "{folders}"
+    );
     repository.write("p.L5X", &logix("XIO(a)OTE(x);"));
     let shown = repository.shell("git diff -- p.L5X");
     assert!(shown.contains("\n++--[/]( a )--"), "{shown}");
@@ -248,6 +254,23 @@ fn git_shows_what_changed() {
     repository.write("p.L5X", "<RSLogix5000Content>\n");
     let shown = repository.shell("git diff -- p.L5X");
     assert!(shown.contains("+<RSLogix5000Content>"), "{shown}");
+}
+
+#[test]
+fn copies_that_git_makes_are_compared_among_the_files_of_the_folder() {
+    let repository = Repository::new();
+    repository.shell("ladder git install --yes");
+    repository.commit(
+        "plant/blocks.clad",
+        "FUNCTION_BLOCK [$Both]\nVAR_INPUT\n    one, other : BOOL;\nEND_VAR\n+--[ ]( one )--[ ]( other )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
+    );
+    repository.commit("plant/p.clad", "+--[$Both]( a, b )--( )( x )--+\n");
+    repository.write("plant/p.clad", "+--[$Both]( b, a )--( )( x )--+\n");
+    let shown = repository.shell("cd plant && git difftool -y -t ladder");
+    assert!(
+        shown.contains("edited, does the same: network, line 1, writes x\n"),
+        "{shown}"
+    );
 }
 
 #[test]

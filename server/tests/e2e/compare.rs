@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::client::{Answer, Client, URI};
+use crate::plant::Plant;
 
 const BASE: &str = "\
 +--[ ]( a )--[ ]( b )--( )( x )--+
@@ -69,6 +70,30 @@ async fn each_network_is_said_with_its_lines_in_both() {
         "with a off, y goes off in the old and on in the new program"
     );
     assert_eq!(changes[1]["names"], json!(["y"]));
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn blocks_of_other_files_are_followed() {
+    let plant = Plant::with(&[(
+        "blocks.clad",
+        "FUNCTION_BLOCK [$Both]\nVAR_INPUT\n    one, other : BOOL;\nEND_VAR\n+--[ ]( one )--[ ]( other )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
+    )]);
+    let now = "+--[$Both]( b, a )--( )( x )--+\n\n+--[$Both]( a, c )--( )( y )--+\n";
+    let base = "+--[$Both]( a, b )--( )( x )--+\n\n+--[$Both]( a, b )--( )( y )--+\n";
+    plant.write("motor.clad", now);
+    let uri = plant.uri("motor.clad");
+    let mut client = Client::new().await;
+    client.open_as(&uri, 1, now).await;
+    let answer = asked(&mut client, json!({"uri": uri, "base": base}))
+        .await
+        .unwrap();
+    let changes = answer["changes"].as_array().unwrap();
+    assert_eq!(
+        changes.iter().map(said).collect::<Vec<_>>(),
+        ["0: edited same 0-0 0-0", "2: edited other 2-2 2-2"],
+        "{changes:?}"
+    );
     client.finish().await;
 }
 

@@ -320,6 +320,20 @@ impl Revision {
         })
     }
 
+    /// The same of an earlier text of the file, among the other files as they are now.
+    pub(crate) fn earlier(&self, text: &str) -> (Arc<ladder_analysis::Analysis>, Result<Linked, NotWhole>) {
+        let parse = Arc::new(ladder_syntax::parse(text));
+        let Some(place) = &self.place else {
+            let analysis = Arc::new(analyze(&parse, self.name()));
+            let linked = link_files(&analysis, &|_| None);
+            return (analysis, linked);
+        };
+        let (name, others) = place.neighbours.view(&place.path);
+        let analysis = Arc::new(analyze_with(&parse, &name, &others, &RuleSettings::default()));
+        let linked = place.neighbours.link(&place.path, &analysis);
+        (analysis, linked)
+    }
+
     /// How the workspace has its programs run.
     pub(crate) fn simulate(&self) -> ladder_workspace::Simulate {
         let place = self.place.as_ref();

@@ -5,8 +5,9 @@ use crate::findings::Source;
 use crate::git::objects::Objects;
 use crate::git::revision::Revision;
 use crate::outcome::Failure;
-use ladder_analysis::{NotWhole, analyze};
+use ladder_analysis::analyze;
 use ladder_review::Outline;
+use ladder_review::outline::why_not;
 use ladder_workspace::{Root, Workspace};
 use std::collections::hash_map::{DefaultHasher, Entry};
 use std::collections::{BTreeMap, HashMap};
@@ -19,6 +20,8 @@ use std::sync::Arc;
 pub(super) struct Around {
     /// What the other side is, where that is on the disk: the programs of this side do not see it.
     apart: Option<PathBuf>,
+    /// Where its file is taken to be.
+    among: Option<PathBuf>,
     revisions: HashMap<String, Option<Revision>>,
     /// By their revision and their folder.
     workspaces: HashMap<(Option<String>, PathBuf), Option<Seen>>,
@@ -40,10 +43,11 @@ struct At {
 }
 
 impl Around {
-    /// Those of the side that is compared with `other`.
-    pub(super) fn new(other: &Path) -> Around {
+    /// Those of the side that is compared with `other`; its file is taken to be at `among`, if that is said.
+    pub(super) fn new(other: &Path, among: Option<&Path>) -> Around {
         Around {
             apart: other.canonicalize().ok(),
+            among: among.map(Path::to_owned),
             ..Around::default()
         }
     }
@@ -87,18 +91,17 @@ impl Around {
         };
         let alone = analyze(&parse(), &file.name);
         let program = alone.program().cloned().ok_or_else(|| {
-            let name = |name: &str| seen.name(name);
-            match &not_whole {
-                NotWhole::Errors(other) if **other == *source.analyze().context.name => "has errors".into(),
-                NotWhole::Errors(other) => format!("uses {}, which has errors", name(other)),
-                NotWhole::Missing(other) => format!("uses {}, which cannot be read", name(other)),
-            }
+            let own = &source.analyze().context.name;
+            why_not(&not_whole, own, |name| seen.name(name))
         });
         Ok(Outline::among(alone.context, program, BTreeMap::new()))
     }
 
     /// Where a file is. None: in no workspace that can be used.
     fn at(&mut self, file: &File, objects: &mut Option<Objects>) -> Result<Option<At>, Failure> {
+        if let Some(path) = self.among.clone() {
+            return Ok(self.on_disk(&path));
+        }
         match &file.place {
             Place::Disk(path) => Ok(self.on_disk(path)),
             Place::Git {

@@ -71,6 +71,12 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE", requires = "same")]
     write: Option<PathBuf>,
 
+    /// Compare both files as if each were at this path, among the files that are there
+    ///
+    /// For copies that stand elsewhere, as those of `git difftool`.
+    #[arg(long, value_name = "PATH", conflicts_with = "write")]
+    among: Option<PathBuf>,
+
     /// How to show what changed
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -134,7 +140,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         may_write(file, Existing::by(arguments.force))?;
     }
     let mut objects = None;
-    let pairs = pairs(Side::of(&arguments.old)?, Side::of(&arguments.new)?, &mut objects)?;
+    let side = |argument| Ok::<_, Failure>(Side::of(argument)?.named(arguments.among.as_deref()));
+    let pairs = pairs(side(&arguments.old)?, side(&arguments.new)?, &mut objects)?;
     let mut sides = Sides::new(arguments);
     let mut programs = Vec::new();
     let mut settings = Vec::new();
@@ -226,8 +233,8 @@ struct Sides {
 impl Sides {
     fn new(arguments: &Arguments) -> Sides {
         Sides {
-            old: Around::new(&arguments.new),
-            new: Around::new(&arguments.old),
+            old: Around::new(&arguments.new, arguments.among.as_deref()),
+            new: Around::new(&arguments.old, arguments.among.as_deref()),
         }
     }
 

@@ -101,6 +101,19 @@ impl Side {
     }
 }
 
+impl Side {
+    /// The same under another name, of one program.
+    pub(super) fn named(self, name: Option<&Path>) -> Side {
+        match (self, name) {
+            (Side::File(file), Some(name)) => Side::File(File {
+                name: name.display().to_string(),
+                ..file
+            }),
+            (side, _) => side,
+        }
+    }
+}
+
 /// Whether a file of a folder is compared: the programs and the settings.
 fn is_compared(path: &Path) -> bool {
     is_program(path) || is_settings(path)

@@ -41,7 +41,10 @@ const SETTINGS: [(&str, &str); 7] = [
         "diff.ladder-text.xfuncname",
         "^(#.*|FUNCTION_BLOCK.*|.*<(FUN|LBL)>.*)$",
     ),
-    ("difftool.ladder.cmd", "ladder diff \"$LOCAL\" \"$REMOTE\""),
+    (
+        "difftool.ladder.cmd",
+        "ladder diff \"$LOCAL\" \"$REMOTE\" ${MERGED:+--among=\"$MERGED\"}",
+    ),
     (
         "merge.ladder.name",
         "networks and declarations of ladder programs",

@@ -80,7 +80,10 @@ pub(crate) fn operand(text: &str, meaning: Meaning<'_>) -> Result<Operand, Strin
     }
     // Some editors take any name: `pump 1`, `valve-2`.
     let whole = text.trim();
-    let is_variable = meaning.scope.get(whole).or_else(|| meaning.shared.globals.get(whole));
+    let is_variable = meaning
+        .scope
+        .get(whole)
+        .or_else(|| meaning.shared.globals.get(whole));
     let tokens = match is_variable {
         Some(_) => vec![Token::Word(whole.to_owned())],
         None => tokens(text)?,
