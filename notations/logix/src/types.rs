@@ -90,8 +90,15 @@ impl Elem {
         match to {
             Elem::Real => self.is_integer() && self.bits() <= 16,
             Elem::Lreal => (self.is_integer() && self.bits() <= 32) || matches!(self, Elem::Real),
+            _ if !self.is_integer() || !to.is_integer() => false,
+            // A number without a sign has one in a wider type alone.
+            _ if self.is_signed() == to.is_signed() || to.is_signed() => self.bits() < to.bits(),
             _ => false,
         }
+    }
+
+    const fn is_signed(self) -> bool {
+        matches!(self, Elem::Sint | Elem::Int | Elem::Dint | Elem::Lint)
     }
 
     /// A number cut to this type.
