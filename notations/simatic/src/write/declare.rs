@@ -106,6 +106,8 @@ pub(super) enum TypeForm {
     Structure(Vec<Declared>),
     /// Another name for this type, with a first value of its own.
     Alias(Declared),
+    /// No type, but a number that the bounds of arrays may name.
+    Constant(i64),
     /// A block that is not written; why.
     Missing(String),
 }
@@ -148,8 +150,11 @@ pub(super) fn type_text(text: &str, types: &Types, depth: usize) -> Result<Strin
         let mut bounds = Vec::new();
         for bound in text[start..end].split(',') {
             let (low, high) = bound.split_once("..").ok_or("an array has no range")?;
-            let number = |bound: &str| bound.trim().replace(' ', "").parse::<i64>();
-            let (Ok(low), Ok(high)) = (number(low), number(high)) else {
+            let number = |bound: &str| match types.get(&bound.trim().to_lowercase()) {
+                Some((_, TypeForm::Constant(number))) => Some(*number),
+                _ => bound.trim().replace(' ', "").parse::<i64>().ok(),
+            };
+            let (Some(low), Some(high)) = (number(low), number(high)) else {
                 return Err("the bounds of an array are numbers there".to_owned());
             };
             bounds.push(format!("{low}..{high}"));
@@ -188,7 +193,7 @@ pub(super) fn type_text(text: &str, types: &Types, depth: usize) -> Result<Strin
         Some((_, TypeForm::Alias(alias))) if alias.ty.starts_with('(') => Ok("DInt".to_owned()),
         Some((_, TypeForm::Alias(alias))) => type_text(&alias.ty, types, depth + 1),
         Some((_, TypeForm::Missing(why))) => Err(why.clone()),
-        None => Err(format!("`{text}` has no form there")),
+        Some((_, TypeForm::Constant(_))) | None => Err(format!("`{text}` has no form there")),
     }
 }
 

@@ -144,6 +144,17 @@ impl Writer<'_> {
                 }
             }
         }
+        let constants = units.iter().flat_map(|unit| &unit.sections);
+        let constants = constants.filter(|section| section.qualifier.as_deref() == Some("CONSTANT"));
+        for declared in constants.flat_map(|section| &section.declared) {
+            let Some(Ok(number)) = declared.initial.as_deref().map(str::parse) else {
+                continue;
+            };
+            for name in &declared.names {
+                let own = (name.clone(), TypeForm::Constant(number));
+                self.types.entry(name.to_lowercase()).or_insert(own);
+            }
+        }
         let types = std::mem::take(&mut self.types);
         let mut all: Vec<&(String, TypeForm)> = types.values().collect();
         all.sort_by(|(one, _), (other, _)| one.cmp(other));
