@@ -159,6 +159,37 @@ fn a_project_in_another_encoding_is_read() {
 }
 
 #[test]
+fn a_report_in_markdown_is_a_table_that_nothing_in_the_program_breaks() {
+    let plant = PLANT.replace("<variable>y</variable>", "<variable>y | `*</variable>");
+    let folder = Folder::with(&[("plant_1.xml", &plant)]);
+    folder.ladder(&["convert", "plant_1.xml", "-o", "plant/", "--report", "report.MD"]);
+    expect![[r#"
+        # plant\_1.xml
+
+        14 translated, 0 approximated, 1 refused
+
+        | place | element | outcome | reason |
+        | --- | --- | --- | --- |
+        | 3:1 | program Main | translated |  |
+        | 4:12 | variable a | translated |  |
+        | 5:13 | variable y | translated |  |
+        | 6:1 | left rail | translated |  |
+        | 7:1 | contact a | translated |  |
+        | 8:1 | coil y \| \`\* | refused | \`\|\` has no place in an expression here |
+        | 10:1 | program Count | translated |  |
+        | 11:1 | input level | translated |  |
+        | 12:1 | input 1 | translated |  |
+        | 13:1 | block ADD | translated |  |
+        | 17:1 | output level | translated |  |
+        | 20:13 | variable level | translated |  |
+        | 21:20 | task t | translated |  |
+        | 22:1 | instance of Main | translated |  |
+        | 22:40 | instance of Count | translated |  |
+    "#]]
+    .assert_eq(&folder.read("report.MD"));
+}
+
+#[test]
 fn of_a_file_that_was_cut_off_nothing_is_written() {
     let folder = Folder::with(&[("plant.xml", &PLANT[..1000])]);
     let run = folder.ladder(&["convert", "plant.xml", "-o", "plant/", "--report", "report.md"]);

@@ -58,7 +58,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "NOTATION", value_parser = form::targets())]
     to: Option<String>,
 
-    /// Say what became of each element: `json` on stderr, or in this file, as JSON if it is called .json
+    /// Say what became of each element: `json` on stderr, or in this file, as JSON or Markdown if it is called .json or .md
     #[arg(long, value_name = "FORM|FILE")]
     report: Option<PathBuf>,
 

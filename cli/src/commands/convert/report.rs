@@ -5,6 +5,7 @@ use crate::outcome::{Failure, Outcome};
 use crate::output::{Existing, Output};
 use crate::terminal;
 use ladder_analysis::Severity;
+use ladder_ide::markdown::escaped;
 use ladder_notations::{Finding, LineColumn, Outcome as Became, Report, Tally};
 use ladder_workspace::shown;
 use serde::Serialize;
@@ -43,11 +44,13 @@ struct Entry {
 }
 
 impl Entry {
+    /// `12:5`: nothing where it is in a text that nobody sees.
+    fn place(&self) -> Option<String> {
+        Some(format!("{}:{}", self.line?, self.column?))
+    }
+
     fn line(&self) -> String {
-        let place = match (self.line, self.column) {
-            (Some(line), Some(column)) => format!(":{line}:{column}"),
-            _ => String::new(),
-        };
+        let place = self.place().map(|place| format!(":{place}")).unwrap_or_default();
         let element = shown::line(&self.element);
         let reason = self.reason.as_deref().map(shown::line);
         let reason = reason.map(|reason| format!(": {reason}")).unwrap_or_default();
@@ -115,6 +118,15 @@ impl Account {
         });
     }
 
+    fn counts(&self) -> String {
+        let Tally {
+            translated,
+            approximated,
+            refused,
+        } = self.tally;
+        format!("{translated} translated, {approximated} approximated, {refused} refused")
+    }
+
     /// What was refused, and errors in the program, are findings.
     pub(super) fn outcome(&self) -> Outcome {
         if self.tally.refused > 0 || self.has_errors {
@@ -135,15 +147,7 @@ pub(super) fn people(accounts: &[Account]) {
                 out.push('\n');
             }
         }
-        let Tally {
-            translated,
-            approximated,
-            refused,
-        } = account.tally;
-        out.push_str(&format!(
-            "{}: {translated} translated, {approximated} approximated, {refused} refused\n",
-            account.file
-        ));
+        out.push_str(&format!("{}: {}\n", account.file, account.counts()));
     }
     if !out.is_empty() {
         terminal::plain(&out.trim_end());
@@ -166,14 +170,50 @@ fn write_json(accounts: &[Account], out: &mut impl Write) -> Result<(), Failure>
     Ok(())
 }
 
-/// Every element in a file: the same JSON if it is called so, else a line for each.
+/// A heading and a table for each program.
+fn write_markdown(accounts: &[Account], out: &mut impl Write) -> std::io::Result<()> {
+    for (index, account) in accounts.iter().enumerate() {
+        let before = if index > 0 { "\n" } else { "" };
+        writeln!(
+            out,
+            "{before}# {}\n\n{}",
+            escaped(&account.file),
+            account.counts()
+        )?;
+        if account.entries.is_empty() {
+            continue;
+        }
+        writeln!(
+            out,
+            "\n| place | element | outcome | reason |\n| --- | --- | --- | --- |"
+        )?;
+        for entry in &account.entries {
+            let place = entry.place().unwrap_or_default();
+            let element = shown::line(&entry.element);
+            let reason = shown::line(entry.reason.as_deref().unwrap_or_default());
+            writeln!(
+                out,
+                "| {place} | {} | {} | {} |",
+                escaped(&element),
+                entry.outcome,
+                escaped(&reason)
+            )?;
+        }
+    }
+    Ok(())
+}
+
+/// Every element in a file, whose name says how: the same JSON, a page of Markdown, or a line for each.
 pub(super) fn file(accounts: &[Account], file: &Path, existing: Existing) -> Result<(), Failure> {
     let mut output = Output::open(Some(file), existing)?;
-    if file.extension().is_some_and(|extension| extension == "json") {
-        write_json(accounts, &mut output)?;
-    } else {
-        for entry in accounts.iter().flat_map(|account| &account.entries) {
-            writeln!(output, "{}", entry.line())?;
+    let extension = file.extension().unwrap_or_default().to_ascii_lowercase();
+    match extension.to_str() {
+        Some("json") => write_json(accounts, &mut output)?,
+        Some("md" | "markdown") => write_markdown(accounts, &mut output)?,
+        _ => {
+            for entry in accounts.iter().flat_map(|account| &account.entries) {
+                writeln!(output, "{}", entry.line())?;
+            }
         }
     }
     output.finish()
