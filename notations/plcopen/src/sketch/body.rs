@@ -481,11 +481,17 @@ impl<'b> Body<'b> {
             ends
         };
         for end in ends {
+            // What a condition decided holds for all that asks for it, and power at a point for this drawing alone.
+            let lasts = self.is_asked_again(end, &HashSet::from([node]));
             let several = self.uses.get(&end).is_some_and(|uses| uses.len() > 1);
-            if several && !self.results.contains_key(&end) && self.has_power(end) {
-                let tag = self.helper("point", "BOOL", "power at a point of the drawing");
-                if self.network(&[Target::End(end, tag.clone())]) {
-                    self.results.insert(end, tag);
+            if (several || lasts) && !self.results.contains_key(&end) && self.has_power(end) {
+                let (like, comment) = if lasts {
+                    ("decided", "what a condition decided")
+                } else {
+                    ("point", "power at a point of the drawing")
+                };
+                let tag = self.helper(like, "BOOL", comment);
+                if self.network(&[Target::End(end, tag)]) && !lasts {
                     cuts.push(end);
                 }
             }

@@ -86,8 +86,12 @@ impl Drawn {
         if let Some(drawn) = Drawn::holding(body, targets, true)? {
             return Ok(Some(drawn));
         }
-        // What conditions decide may not be held where it stands: then they are asked again.
+        // What conditions decide may not be held where it stands: then it is in pieces, and in the end they are asked again.
+        let is_held = body.made.helpers.len() > helpers;
         body.made.helpers.truncate(helpers);
+        if is_held && !body.is_in_pieces {
+            return Ok(None);
+        }
         Drawn::holding(body, targets, false)
     }
 
@@ -164,6 +168,7 @@ impl Pencil<'_, '_> {
             Target::End(end, tag) => {
                 let before = self.end(*end, RAIL)?;
                 self.last(before, format!("( )( {tag} )"), end.node);
+                self.held.push((*end, tag.clone()));
                 Ok(())
             }
             Target::Edge(node, tag) => {
@@ -582,7 +587,8 @@ impl Pencil<'_, '_> {
             let Some(point) = self.ends.get(&(end, RAIL)).copied() else {
                 continue;
             };
-            if self.body.goes_on_from(end, &self.done) && self.body.may_change(node) {
+            let has_tag = self.held.iter().any(|(held, _)| *held == end);
+            if !has_tag && self.body.is_asked_again(end, &self.done) {
                 let tag = self.body.helper("decided", "BOOL", "what a condition decided");
                 self.series(point, [format!("( )( {tag} )")], node);
                 self.held.push((end, tag));

@@ -85,9 +85,7 @@ impl Body<'_> {
         if is_negated && !inline && !self.results.contains_key(&end) {
             let tag = self.helper("inverted", "BOOL", "what leaves a gate");
             self.flush();
-            if self.network(&[Target::End(end, tag.clone())]) {
-                self.results.insert(end, tag);
-            }
+            self.network(&[Target::End(end, tag)]);
         }
     }
 

@@ -2,7 +2,7 @@
 //! what it feeds, and reads contacts only then; in a network they run where they stand. Where that is not the same, because
 //! something reads by name what a block in the same network writes, each stands in a network of its own, in their order.
 
-use super::blocks::{Class, power_pins};
+use super::blocks::{Class, power_output, power_pins};
 use super::body::Body;
 use super::draw::Target;
 use crate::expression::Operand;
@@ -14,11 +14,16 @@ use std::collections::HashSet;
 /// What feeds an element, by whatever pins.
 #[derive(Default)]
 struct Before {
-    /// The blocks that act and the contacts that see edges, in the order in which a generator runs them.
+    /// The blocks that act, the comparisons and the contacts that see edges, in the order in which a generator runs them.
     turns: Vec<usize>,
     /// The tags that are read by name, in small letters.
     reads: HashSet<String>,
     seen: HashSet<usize>,
+}
+
+/// Whether a generator runs a block before what it feeds.
+fn has_turn(class: Class) -> bool {
+    class.acts() || matches!(class, Class::Compare(_))
 }
 
 impl Body<'_> {
@@ -56,7 +61,7 @@ impl Body<'_> {
                 Kind::Contact(_, modifier) if modifier.edge != Edge::None && !modifier.negated => {
                     before.turns.push(node);
                 }
-                Kind::Block { .. } if node != root && self.class(node).is_some_and(Class::acts) => {
+                Kind::Block { .. } if node != root && self.class(node).is_some_and(has_turn) => {
                     waiting.push((node, true));
                 }
                 _ => {}
@@ -85,10 +90,10 @@ impl Body<'_> {
             return false;
         }
         self.flush();
-        for turn in before.turns {
-            match self.graph.nodes[turn].kind {
-                Kind::Block { .. } => self.run_alone(turn),
-                _ => self.see_edge(turn),
+        for (number, turn) in before.turns.iter().enumerate() {
+            match self.graph.nodes[*turn].kind {
+                Kind::Block { .. } => self.run_alone(*turn, &before.turns[number + 1..]),
+                _ => self.see_edge(*turn),
             }
         }
         true
@@ -170,16 +175,32 @@ impl Body<'_> {
 
     /// Runs the blocks that feed an element, each in a network of its own.
     pub(super) fn run_blocks_before(&mut self, node: usize) {
-        for turn in self.before(node).turns {
-            if matches!(self.graph.nodes[turn].kind, Kind::Block { .. }) {
-                self.run_alone(turn);
+        let turns = self.before(node).turns;
+        for (number, turn) in turns.iter().enumerate() {
+            if matches!(self.graph.nodes[*turn].kind, Kind::Block { .. }) {
+                self.run_alone(*turn, &turns[number + 1..]);
             }
         }
     }
 
-    fn run_alone(&mut self, block: usize) {
-        self.prepare(block);
-        self.execute(block);
+    /// Runs a block in a network of its own. A comparison has one if it reads what a later block writes.
+    fn run_alone(&mut self, block: usize, later: &[usize]) {
+        if self.class(block).is_some_and(Class::acts) {
+            self.prepare(block);
+            return self.execute(block);
+        }
+        let reads = self.before(block).reads;
+        let is_written = later
+            .iter()
+            .flat_map(|turn| self.writes(*turn))
+            .any(|tag| reads.contains(&tag));
+        let output = power_output(self, block).unwrap_or(0);
+        let end = End { node: block, output };
+        if is_written && !self.results.contains_key(&end) && !self.is_refused(block) {
+            self.prepare(block);
+            let tag = self.helper("decided", "BOOL", "what a condition decided");
+            self.network(&[Target::End(end, tag)]);
+        }
     }
 
     /// A tag is high while a contact sees its edge.
@@ -330,9 +351,13 @@ impl Body<'_> {
         }
     }
 
-    /// Whether a condition that is decided once may change before it is asked for again.
-    pub(super) fn may_change(&self, node: usize) -> bool {
-        let before = self.before(node);
+    /// Whether what a condition decided goes on to something that is not here, and may have changed until then.
+    pub(super) fn is_asked_again(&self, end: End, here: &HashSet<usize>) -> bool {
+        let is_condition = self.class(end.node).is_some_and(|class| !class.acts());
+        if !is_condition || !self.goes_on_from(end, here) {
+            return false;
+        }
+        let before = self.before(end.node);
         before.reads.iter().any(|tag| self.written.contains(tag))
     }
 }
