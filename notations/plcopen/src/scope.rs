@@ -20,6 +20,8 @@ pub(crate) struct Scope {
     known: HashMap<String, Known>,
     names: Names,
     taken: HashSet<String>,
+    /// Whether one of the names is more than a word, as `pump 1`.
+    has_odd: bool,
     /// How many tags were made for each name.
     numbers: HashMap<String, u32>,
 }
@@ -29,6 +31,8 @@ pub(crate) struct Shared<'p> {
     pub(crate) globals: Scope,
     /// The types, by their names in small letters: how each is spelled, and what it is.
     pub(crate) types: HashMap<String, (String, &'p Type)>,
+    /// The names of members that are more than a word, in small letters.
+    pub(crate) odd_members: HashSet<String>,
     /// What is compiled as Beremiz and OpenPLC do: a function without power at EN has 0.
     pub(crate) is_compiled: bool,
     /// The functions and function blocks, by their names in small letters.
@@ -50,6 +54,7 @@ impl Scope {
             known: HashMap::new(),
             names: globals.names.clone(),
             taken: globals.taken.clone(),
+            has_odd: false,
             numbers: globals.numbers.clone(),
         }
     }
@@ -57,6 +62,11 @@ impl Scope {
     /// The variable of a name.
     pub(crate) fn get(&self, name: &str) -> Option<&Known> {
         self.known.get(&name.to_lowercase())
+    }
+
+    /// Whether one of the variables has a name that is more than a word.
+    pub(crate) fn has_odd(&self) -> bool {
+        self.has_odd
     }
 
     /// A name for something that the source has no variable for.
@@ -89,6 +99,7 @@ impl Scope {
             self.fresh(&like)
         };
         let ty = ty.clone();
+        self.has_odd |= !is_plain(name);
         self.known.insert(key, Known { spelled, ty });
     }
 
@@ -148,6 +159,7 @@ impl<'p> Shared<'p> {
             blocks.insert(unit.name.to_lowercase(), BlockOf { name, unit, scope });
         }
         Shared {
+            odd_members: odd_members(project),
             is_compiled: project.evaluation == Evaluation::EachOutput && !project.is_own,
             globals,
             types,
@@ -192,6 +204,26 @@ impl<'p> Shared<'p> {
     }
 }
 
+/// The members of types and units whose names are more than a word.
+fn odd_members(project: &Project) -> HashSet<String> {
+    let of_types = project.types.iter().flat_map(|declared| match &declared.ty {
+        Type::Structure(members) => &members[..],
+        _ => &[],
+    });
+    let of_units = project.units.iter().flat_map(local);
+    of_types
+        .chain(of_units)
+        .filter(|variable| !is_plain(&variable.name))
+        .map(|variable| variable.name.to_lowercase())
+        .collect()
+}
+
+/// Whether a name is a word of letters, digits and `_`.
+pub(crate) fn is_plain(name: &str) -> bool {
+    let is_digit = name.starts_with(|c: char| c.is_ascii_digit());
+    !is_digit && name.chars().all(|c| c.is_alphanumeric() || c == '_')
+}
+
 /// The variables that a unit declares, without those that are elsewhere.
 pub(crate) fn local(unit: &Unit) -> impl Iterator<Item = &Variable> {
     unit.variables
@@ -205,7 +237,7 @@ pub(crate) fn member(name: &str) -> String {
 }
 
 /// Names are no longer: each is drawn wherever it is used.
-const LONGEST: usize = 100;
+pub(crate) const LONGEST: usize = 100;
 
 /// The first characters of a name.
 pub(crate) fn short(name: &str) -> &str {

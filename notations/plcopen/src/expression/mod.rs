@@ -78,16 +78,7 @@ pub(crate) fn operand(text: &str, meaning: Meaning<'_>) -> Result<Operand, Strin
             })
             .ok_or_else(|| "a number of milliseconds is that of a TIME".to_owned());
     }
-    // Some editors take any name: `pump 1`, `valve-2`.
-    let whole = text.trim();
-    let is_variable = meaning
-        .scope
-        .get(whole)
-        .or_else(|| meaning.shared.globals.get(whole));
-    let tokens = match is_variable {
-        Some(_) => vec![Token::Word(whole.to_owned())],
-        None => tokens(text)?,
-    };
+    let tokens = tokens(text, meaning)?;
     let mut parser = Parser {
         tokens: &tokens,
         at: 0,

@@ -1,6 +1,7 @@
 //! Words, literals and signs of an expression.
 
-use crate::scope::member;
+use super::Meaning;
+use crate::scope::{LONGEST as LONGEST_NAME, is_plain, member};
 use crate::standard;
 
 /// A longer expression is not read.
@@ -20,7 +21,7 @@ const SIGNS: [&str; 18] = [
     "<>", "<=", ">=", "**", "(", ")", "[", "]", ",", ".", "+", "-", "*", "/", "=", "<", ">", "&",
 ];
 
-pub(super) fn tokens(text: &str) -> Result<Vec<Token>, String> {
+pub(super) fn tokens(text: &str, meaning: Meaning<'_>) -> Result<Vec<Token>, String> {
     if text.len() > LONGEST {
         return Err(format!("it is longer than {LONGEST} characters"));
     }
@@ -30,6 +31,9 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, String> {
         let length = if c.is_whitespace() {
             rest = rest.trim_start();
             continue;
+        } else if let Some(length) = odd_name(rest, tokens.last(), meaning) {
+            tokens.push(Token::Word(rest[..length].to_owned()));
+            length
         } else if c.is_alphabetic() || c == '_' || c == '%' {
             let length = word_length(rest);
             let word = &rest[..length];
@@ -66,6 +70,35 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, String> {
         rest = &rest[length..];
     }
     Ok(tokens)
+}
+
+/// How long the name at the beginning is, if it is more than a word: some editors take `pump 1` and `valve-2`. Of several
+/// it is the longest.
+fn odd_name(text: &str, before: Option<&Token>, meaning: Meaning<'_>) -> Option<usize> {
+    let Meaning { shared, scope } = meaning;
+    let is_member = before == Some(&Token::Sign("."));
+    let has_none = if is_member {
+        shared.odd_members.is_empty()
+    } else {
+        !scope.has_odd() && !shared.globals.has_odd()
+    };
+    if has_none {
+        return None;
+    }
+    let is_name = |name: &str| {
+        if is_member {
+            shared.odd_members.contains(&name.to_lowercase())
+        } else {
+            scope.get(name).or_else(|| shared.globals.get(name)).is_some()
+        }
+    };
+    let ends = text.char_indices().take(LONGEST_NAME);
+    let ends = ends.map(|(at, c)| at + c.len_utf8()).filter(|end| {
+        let next = text[*end..].chars().next();
+        !next.is_some_and(|c| c.is_alphanumeric() || c == '_')
+    });
+    ends.filter(|end| !is_plain(&text[..*end]) && is_name(&text[..*end]))
+        .last()
 }
 
 fn word_length(text: &str) -> usize {

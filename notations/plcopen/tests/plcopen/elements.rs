@@ -641,3 +641,55 @@ fn names_that_cannot_be_spelled() {
         "#]],
     );
 }
+
+#[test]
+fn names_of_several_words() {
+    body(
+        "pump-1 : BOOL
+         n+1 : INT
+         n : INT
+         localVars my timer : TON
+         t2 : TON
+         y : BOOL",
+        "leftPowerRail 1
+         contact 2 from=1 PUMP-1
+         coil 3 from=2 y
+         contact 4 from=1 my timer.Q
+         coil 5 from=4 pump-1
+         inVariable 6 n+1 + n
+         inVariable 7 n + 1
+         block 8 GT IN1=6 IN2=7 / OUT
+         coil 9 from=8.OUT y
+         contact 10 from=1 y
+         inVariable 11 T#1s
+         block 12 TON t2 IN=10 PT=11 / Q ET
+         coil 13 from=12.Q y",
+        expect![[r#"
+            VAR
+                pump_1   : BOOL;  # pump-1 in the project #
+                n_1      : INT;  # n+1 in the project #
+                n        : INT;
+                my_timer : TON;  # my timer in the project #
+                t2       : TON;
+                y        : BOOL;
+                value    : INT;  # the value of an expression #
+                value_2  : INT;  # the value of an expression #
+            END_VAR
+
+            +--[ ]( pump_1 )-----------------------------------------------------( )( y )--+
+
+            +--[ ]( my_timer.Q )--------------------------------------------( )( pump_1 )--+
+
+            +----------------------------------------------------[CALC]( value, n_1 + n )--+
+
+            +----------------------------------------------------[CALC]( value_2, n + 1 )--+
+
+            +--[GT]( value, value_2 )--------------------------------------------( )( y )--+
+
+            +--[ ]( y )---------------------------------------[TON]( t2, T#1s )--( )( y )--+
+            approximated variable pump-1: it is spelled `pump_1` here
+            approximated variable n+1: it is spelled `n_1` here
+            approximated variable my timer: it is spelled `my_timer` here
+        "#]],
+    );
+}
