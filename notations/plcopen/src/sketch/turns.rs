@@ -111,6 +111,10 @@ impl Body<'_> {
         before.seen.iter().filter(reads).any(|reader| {
             let comes_after = match self.graph.nodes[*reader].kind {
                 Kind::Value(..) => users(*reader).all(|user| self.comes_after(user, block)),
+                // An edge is seen before all that feeds its contact.
+                Kind::Contact(_, modifier) if modifier.edge != Edge::None && !modifier.negated => {
+                    !self.is_fed_by(*reader, block) && self.comes_after(*reader, block)
+                }
                 _ => self.comes_after(*reader, block),
             };
             let mut past = HashSet::new();
