@@ -31,10 +31,10 @@ use ladder_analysis::context::Body;
 use ladder_analysis::names::scope::TagFacts;
 use ladder_analysis::networks::NetworkAt;
 use ladder_analysis::program::{Program, TagId};
-use ladder_instructions::Profile;
+use ladder_instructions::{Op, Profile};
 use ladder_notation::{
     LineColumn, Lines, Report, Unwritable, WriteError, Writing, stand_in, with_arrays_as_elements,
-    with_loops_as_jumps, with_other_files,
+    with_calls_as_instructions, with_loops_as_jumps, with_other_files,
 };
 use ladder_syntax::{Name, TextSize};
 use names::{Kind, Names};
@@ -116,7 +116,10 @@ pub(crate) fn write(analysis: &Analysis) -> std::result::Result<Writing, WriteEr
             !is_native && !turns.contains(&Name::new(count.trim()))
         };
         let by_jumps = |analysis: &Analysis| {
-            with_loops_as_jumps(analysis, are_jumps, |analysis| file(analysis, unwritable))
+            with_loops_as_jumps(analysis, are_jumps, |analysis| {
+                let functions = [Op::Min, Op::Max, Op::Limit, Op::Sel, Op::Mux];
+                with_calls_as_instructions(analysis, &functions, |analysis| file(analysis, unwritable))
+            })
         };
         match analysis.context.profile {
             Profile::Logix => by_jumps(analysis),

@@ -211,11 +211,14 @@ impl Writer<'_> {
                     formula.push_str(&upper);
                 }
                 "EXPE" if rest.starts_with('(') => formula.push_str("EXP"),
-                _ if rest.starts_with('(') || matches!(upper.as_str(), "SHL" | "SHR" | "PI") => {
+                _ if rest.starts_with('(') || matches!(upper.as_str(), "SHL" | "SHR") => {
                     return Err(format!("Calculate has no `{upper}`"));
                 }
                 _ => {
-                    let pin = operand(word, tags)?;
+                    let pin = match upper.as_str() {
+                        "PI" => std::f64::consts::PI.to_string(),
+                        _ => operand(word, tags)?,
+                    };
                     let number = pins.iter().position(|own| *own == pin).unwrap_or_else(|| {
                         pins.push(pin);
                         pins.len() - 1

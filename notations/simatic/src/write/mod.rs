@@ -11,9 +11,10 @@ mod unit;
 use declare::{TypeForm, Types};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{Network, Program};
-use ladder_instructions::Profile;
+use ladder_instructions::{Op, Profile};
 use ladder_notation::{
     Companion, LineColumn, Lines, Report, Unwritable, WriteError, Writing, no_program, with_blocks_alone,
+    with_calls_as_instructions,
 };
 use ladder_syntax::{Name, TextSize};
 use power::Power;
@@ -45,7 +46,10 @@ struct Writer<'a> {
 
 /// Writes a program.
 pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
-    with_blocks_alone(analysis, documents)
+    with_blocks_alone(analysis, |analysis, unwritable| {
+        let functions = [Op::Min, Op::Max, Op::Limit, Op::Sel, Op::Mux];
+        with_calls_as_instructions(analysis, &functions, |analysis| documents(analysis, unwritable))
+    })
 }
 
 fn documents(analysis: &Analysis, unwritable: &Unwritable) -> Result<Writing, WriteError> {

@@ -239,6 +239,31 @@ fn with_loop(text: &str, dice: &mut Dice) -> String {
 }
 
 #[test]
+fn functions_in_formulas_are_instructions_there() {
+    const FORMULAS: &str = "VAR_INPUT\n    start, level : BOOL;\n    a, b, c : DINT;\nEND_VAR\nVAR\n    n, m, k : DINT;\nEND_VAR\n\n\
+         +--[ ]( start )--[CALC]( n, LIMIT(0, a * 2 + MIN(b, c, 7), 50) )--( )( lamp )--+\n\n\
+         +--[CALC]( m, MAX(a, n) - SEL(level, b, -c) )--+\n\n\
+         +--[CALC]( k, 100 / (MAX(a, 3) + 2) )--( )( divides )--+\n";
+    for notation in ["l5x", "simatic"] {
+        let notation = by_name(notation).expect("the notation is registered");
+        let analysis = ladder_analysis::analyze(&Arc::new(parse(FORMULAS)), "test.clad");
+        let writing = notation.write(&analysis).expect("it has no errors");
+        let refused: Vec<_> = writing.report.remarks().collect();
+        assert_eq!(writing.report.tally().refused, 0, "{refused:?}");
+        let source = Source {
+            companions: writing.companions,
+            ..Source::alone("test", &writing.bytes)
+        };
+        let back = convert(notation, &source, &Options::default()).expect("what is written is read");
+        let ladder = back.written.text;
+        for seed in 0..20 {
+            let different = next_to(FORMULAS, &ladder, Stimulus { seed, scans: 60 });
+            assert_eq!(different, None, "seed {seed}\n{ladder}");
+        }
+    }
+}
+
+#[test]
 fn loops_come_back_from_logix_and_go_there_again() {
     const LOOP: &str = "VAR_INPUT\n    go : BOOL;\nEND_VAR\nVAR\n    n, k : DINT;\n    a : ARRAY[0..9] OF DINT;\nEND_VAR\n\n\
          # Sums them #\n+--<FOR>( 9, I => k )--+\n\n+--[ ]( go )--[ADD]( n, n, a[k] )--+\n\n+--<NEXT>--+\n\n+--[GT]( n, 5 )--[MOV]( n, 0 )--+\n";

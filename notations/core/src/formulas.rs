@@ -1,0 +1,188 @@
+//! Programs whose formulas call functions (`[CALC]( y, a + MIN(b, c * 2) )`), for systems whose formulas have others: what they call
+//! becomes an instruction of its own, in front of the formula, and tags hold the parts.
+
+use crate::{WriteError, Writing};
+use ladder_analysis::context::Body;
+use ladder_analysis::program::{Argument, Block, BlockKind, Expr, ExprKind};
+use ladder_analysis::{Analysis, analyze_in};
+use ladder_instructions::Op;
+use ladder_syntax::{TextRange, TextSize, parse};
+use std::collections::HashSet;
+
+/// The comment on a tag for a part.
+const PART: &str = "a part of a formula";
+
+/// Writes a program in whose formulas none of these functions is called. A formula in the body of a block, or in a network of
+/// several lines, stays for `write` as it is.
+///
+/// # Errors
+///
+/// Those of `write`.
+pub fn with_calls_as_instructions(
+    analysis: &Analysis,
+    functions: &[Op],
+    write: impl Fn(&Analysis) -> Result<Writing, WriteError>,
+) -> Result<Writing, WriteError> {
+    match by_instructions(analysis, functions) {
+        Some(parts) => write(&parts),
+        None => write(analysis),
+    }
+}
+
+fn by_instructions(analysis: &Analysis, functions: &[Op]) -> Option<Analysis> {
+    let context = &analysis.context;
+    let text = context.parse.to_string();
+    let networks = context.networks.iter();
+    // Else what stands in another line would no longer be below what it is wired to.
+    let plain = networks.filter(|network| {
+        let in_block = matches!(context.bodies[network.index], Body::Block(_));
+        !in_block && !text[network.range].trim_end().contains('\n')
+    });
+    let plain: HashSet<TextSize> = plain.map(|network| network.range.start()).collect();
+    let mut parts = Parts {
+        lower: text.to_lowercase(),
+        text: &text,
+        functions,
+        number: 0,
+        declared: String::new(),
+    };
+    let mut edits: Vec<(TextRange, String)> = Vec::new();
+    let networks = analysis.program()?.networks.iter();
+    let own = networks.filter(|network| network.location.file == 0);
+    for network in own.filter(|network| plain.contains(&network.location.range.start())) {
+        let blocks = network.blocks.iter();
+        edits.extend(blocks.filter_map(|block| Some((block.location.range, parts.of(block)?))));
+    }
+    if edits.is_empty() {
+        return None;
+    }
+    let declared = parts.declared;
+    let mut out = text.clone();
+    edits.sort_by_key(|(at, _)| at.start());
+    for (at, with) in edits.into_iter().rev() {
+        out.replace_range(std::ops::Range::<usize>::from(at), &with);
+    }
+    // All lines are where they were.
+    out.push_str(&format!("\nVAR\n{declared}END_VAR\n"));
+    let parts = analyze_in(&parse(&out).into(), &context.name, &context.others);
+    parts.program().is_some().then_some(parts)
+}
+
+/// The mnemonic of an instruction, its result, and its other operands.
+type Instruction = (String, String, String);
+
+/// The parts of formulas.
+struct Parts<'t> {
+    text: &'t str,
+    lower: String,
+    functions: &'t [Op],
+    number: usize,
+    /// The declarations of their tags.
+    declared: String,
+}
+
+impl Parts<'_> {
+    /// What stands in the place of a formula that calls one of the functions.
+    fn of(&mut self, block: &Block) -> Option<String> {
+        let BlockKind::Instruction(row) = block.kind else {
+            return None;
+        };
+        let [to, from] = &block.arguments[..] else {
+            return None;
+        };
+        let (Op::Calc, Argument::Value(formula)) = (row.op, &from.argument) else {
+            return None;
+        };
+        if !self.calls(formula) {
+            return None;
+        }
+        let mut chain = Vec::new();
+        let to = self.text[to.range].trim().to_owned();
+        let value = self.text_of(formula, &mut chain);
+        // The value of the last call is that of the formula.
+        match chain.last_mut() {
+            Some((_, result, _)) if *result == value && matches!(formula.kind, ExprKind::Call(..)) => {
+                result.clone_from(&to);
+            }
+            _ => chain.push(("CALC".to_owned(), to, value)),
+        }
+        let chain: Vec<String> = chain
+            .iter()
+            .map(|(name, result, operands)| format!("[{name}]( {result}, {operands} )"))
+            .collect();
+        Some(chain.join("--"))
+    }
+
+    /// An expression without these calls; the instructions in their place are added to the chain.
+    fn text_of(&mut self, formula: &Expr, chain: &mut Vec<Instruction>) -> String {
+        let own = &self.text[formula.range];
+        if !self.calls(formula) {
+            return own.to_owned();
+        }
+        if let ExprKind::Call(op, arguments) = &formula.kind
+            && self.functions.contains(op)
+        {
+            let name = own.split('(').next().unwrap_or_default().trim().to_uppercase();
+            let operands: Vec<String> = arguments
+                .iter()
+                .map(|argument| self.operand(argument, chain))
+                .collect();
+            return self.part(formula, name, operands.join(", "), chain);
+        }
+        let inner: Vec<&Expr> = match &formula.kind {
+            ExprKind::Call(_, arguments) => arguments.iter().collect(),
+            ExprKind::Pass(inner) | ExprKind::Unary(_, inner) => vec![inner],
+            ExprKind::Binary(_, left, right) | ExprKind::Compare(_, left, right) => vec![left, right],
+            _ => Vec::new(),
+        };
+        let (mut out, mut from) = (String::new(), formula.range.start());
+        for inner in inner {
+            out.push_str(&self.text[TextRange::new(from, inner.range.start())]);
+            out.push_str(&self.text_of(inner, chain));
+            from = inner.range.end();
+        }
+        out + &self.text[TextRange::new(from, formula.range.end())]
+    }
+
+    /// An argument of a call as an operand: a tag, a literal, or a part.
+    fn operand(&mut self, argument: &Expr, chain: &mut Vec<Instruction>) -> String {
+        let mut inner = argument;
+        while let ExprKind::Pass(of) = &inner.kind {
+            inner = of;
+        }
+        let text = self.text_of(inner, chain);
+        match &inner.kind {
+            ExprKind::Constant(_) | ExprKind::Read(_) => text,
+            ExprKind::Call(op, _) if self.functions.contains(op) => text,
+            _ => self.part(inner, "CALC".to_owned(), text, chain),
+        }
+    }
+
+    fn part(&mut self, of: &Expr, name: String, operands: String, chain: &mut Vec<Instruction>) -> String {
+        let part = loop {
+            self.number += 1;
+            let part = format!("part_{}", self.number);
+            if !self.lower.contains(&part) {
+                break part;
+            }
+        };
+        let ty = of.ty.name();
+        self.declared
+            .push_str(&format!("    {part} : {ty};  # {PART} #\n"));
+        chain.push((name, part.clone(), operands));
+        part
+    }
+
+    fn calls(&self, formula: &Expr) -> bool {
+        match &formula.kind {
+            ExprKind::Call(op, arguments) => {
+                self.functions.contains(op) || arguments.iter().any(|argument| self.calls(argument))
+            }
+            ExprKind::Pass(inner) | ExprKind::Unary(_, inner) => self.calls(inner),
+            ExprKind::Binary(_, left, right) | ExprKind::Compare(_, left, right) => {
+                self.calls(left) || self.calls(right)
+            }
+            _ => false,
+        }
+    }
+}
