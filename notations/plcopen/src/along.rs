@@ -1,9 +1,22 @@
-//! Blocks of ladder text that the standard does not have: a project that uses them has them as units of its own, in ST. The remark
-//! on such a unit says so, and the reader takes it out again.
+//! What ladder text has and the standard does not: a project that uses it has units of its own for it, in ST. Three instructions
+//! are function blocks; the tags of `SYS` are globals, which a program sets before the others run. Remarks say what they are. The
+//! reader takes out again what is as it was written: what was changed since stays, and is said like any other text in ST.
 
 use crate::model::{Body, Project, Role, Type, Unit, UnitKind, Variable};
-use crate::own;
+use ladder_analysis::names::system_tag::SystemTag;
 use ladder_notation::LineColumn;
+use std::fmt::Write as _;
+
+/// The remark on a unit.
+const ALONG: &str = "of ladder text: written along with what needs it";
+
+/// What the remark on a global ends with that stands for a tag of `SYS`.
+const SYSTEM: &str = " of ladder text";
+
+/// The name of the program that sets these globals.
+pub(crate) const PROGRAM: &str = "LADDER_SYS";
+
+const CLOCK: &str = "LADDER_CLOCK";
 
 /// A block: its name in the project, its variables with their types, and what it does.
 struct Row {
@@ -14,20 +27,28 @@ struct Row {
     text: &'static str,
 }
 
-/// A clock measures the time between two evaluations, and starts again after half an hour: a TIME of 32 bits ends after weeks.
+/// Each may use those above it.
 const BLOCKS: &[Row] = &[
+    // The time since the evaluation before, while it runs. It starts again after half an hour: a TIME of 32 bits ends after weeks.
+    Row {
+        name: CLOCK,
+        inputs: &[("RUN", "BOOL")],
+        outputs: &[("PASSED", "TIME")],
+        locals: &[("timer", "TON"), ("before", "TIME")],
+        text: include_str!("along/CLOCK.st"),
+    },
     Row {
         name: "LADDER_RTO",
         inputs: &[("IN", "BOOL"), ("PT", "TIME"), ("R", "BOOL")],
         outputs: &[("Q", "BOOL"), ("ET", "TIME")],
-        locals: &[("clock", "TON"), ("before", "TIME")],
+        locals: &[("clock", CLOCK)],
         text: include_str!("along/RTO.st"),
     },
     Row {
         name: "LADDER_RTOF",
         inputs: &[("IN", "BOOL"), ("PT", "TIME"), ("R", "BOOL")],
         outputs: &[("Q", "BOOL"), ("ET", "TIME")],
-        locals: &[("clock", "TON"), ("before", "TIME"), ("was_high", "BOOL")],
+        locals: &[("clock", CLOCK), ("was_high", "BOOL")],
         text: include_str!("along/RTOF.st"),
     },
     Row {
@@ -39,19 +60,122 @@ const BLOCKS: &[Row] = &[
     },
 ];
 
-/// Puts the units that a written project uses before all others.
-pub(crate) fn add(project: &mut Project) {
-    let is_used = |row: &&Row| {
+/// Puts the units that a written project needs before all others: the program that sets these globals for tags of `SYS`, under this
+/// name, and the blocks that units use.
+pub(crate) fn add(project: &mut Project, system: &[(SystemTag, String)], program: String) {
+    if !system.is_empty() {
+        for task in &mut project.tasks {
+            task.programs.insert(0, (LineColumn::START, program.clone()));
+        }
+        project.units.insert(0, system_program(program, system));
+    }
+    for row in BLOCKS.iter().rev() {
         let of_units = project.units.iter().flat_map(|unit| &unit.variables);
-        let members = project.types.iter().map(|declared| &declared.ty);
         let mut types = of_units
             .chain(&project.globals)
             .map(|variable| &variable.ty)
-            .chain(members);
-        types.any(|ty| is_of(ty, row.name))
+            .chain(project.types.iter().map(|declared| &declared.ty));
+        if types.any(|ty| is_of(ty, row.name)) {
+            project.units.insert(0, block(row));
+        }
+    }
+}
+
+/// Takes these units out of a project, where they are as they were written. The globals of `SYS` have no meaning without theirs.
+pub(crate) fn take_out(project: &mut Project) {
+    let globals: Vec<(SystemTag, String)> = project
+        .globals
+        .iter()
+        .filter_map(|global| Some((SystemTag::from_name(&system(global)?[4..])?, global.name.clone())))
+        .collect();
+    let mut is_set = false;
+    let units = std::mem::take(&mut project.units);
+    for unit in units {
+        let written = match unit.kind {
+            _ if unit.comment.as_deref() != Some(ALONG) => None,
+            UnitKind::Program => Some(system_program(unit.name.clone(), &globals)),
+            _ => BLOCKS.iter().find(|row| row.name == unit.name).map(block),
+        };
+        if !written.is_some_and(|written| is_same(&written, &unit)) {
+            project.units.push(unit);
+            continue;
+        }
+        is_set |= unit.kind == UnitKind::Program;
+        for task in &mut project.tasks {
+            task.programs
+                .retain(|(_, name)| !name.eq_ignore_ascii_case(&unit.name));
+        }
+        project
+            .report
+            .translated(unit.place, format!("unit {}", unit.name));
+    }
+    if !is_set {
+        for global in project
+            .globals
+            .iter_mut()
+            .filter(|global| system(global).is_some())
+        {
+            global.comment = global.comment.take().map(|said| format!("once {said}"));
+        }
+    }
+}
+
+/// Whether two units have the same variables, and the same text but for how it is broken into lines.
+fn is_same(one: &Unit, other: &Unit) -> bool {
+    let (Body::Text("ST", own), Body::Text("ST", there)) = (&one.body, &other.body) else {
+        return false;
     };
-    let used: Vec<Unit> = BLOCKS.iter().filter(is_used).map(unit).collect();
-    project.units.splice(0..0, used);
+    let roles = |unit: &Unit| unit.variables.iter().map(|it| it.role).collect::<Vec<_>>();
+    own.split_whitespace().eq(there.split_whitespace())
+        && one.variables == other.variables
+        && roles(one) == roles(other)
+}
+
+/// A tag of `SYS` as a global, or in a unit that uses it.
+pub(crate) fn system_variable(tag: SystemTag, name: &str, role: Role) -> Variable {
+    Variable {
+        comment: (role == Role::Global).then(|| format!("SYS.{}{SYSTEM}", tag.name())),
+        ..variable(name, tag.ty().name(), role)
+    }
+}
+
+/// The tag of `SYS` that a global stands for, as it is written.
+pub(crate) fn system(variable: &Variable) -> Option<&str> {
+    let said = variable.comment.as_deref()?.strip_suffix(SYSTEM)?;
+    SystemTag::from_name(said.strip_prefix("SYS.")?).map(|_| said)
+}
+
+/// The program that sets the globals of these tags.
+fn system_program(name: String, tags: &[(SystemTag, String)]) -> Unit {
+    let mut variables: Vec<Variable> = tags
+        .iter()
+        .map(|(tag, name)| system_variable(*tag, name, Role::External))
+        .collect();
+    variables.push(variable("clock", CLOCK, Role::Local));
+    variables.push(variable("runs", "BOOL", Role::Local));
+    let mut text = "clock(RUN := TRUE);\n".to_owned();
+    for (tag, name) in tags {
+        let said = match tag {
+            SystemTag::FirstScan => writeln!(text, "{name} := NOT runs;"),
+            SystemTag::Scan => writeln!(text, "IF runs THEN\n    {name} := {name} + 1;\nEND_IF;"),
+            SystemTag::Time => writeln!(text, "{name} := {name} + clock.PASSED;"),
+            SystemTag::ScanTime => writeln!(text, "{name} := clock.PASSED;"),
+            SystemTag::Clock(clock) => {
+                let phase = format!("in_{}", tag.name());
+                let milliseconds = clock.period() / 1_000_000;
+                let (whole, half) = (format!("T#{milliseconds}ms"), format!("T#{}ms", milliseconds / 2));
+                variables.push(variable(&phase, "TIME", Role::Local));
+                writeln!(
+                    text,
+                    "{phase} := {phase} + clock.PASSED;\nWHILE {phase} >= {whole} DO\n    {phase} := {phase} - {whole};\nEND_WHILE;\n{name} := {phase} >= {half};"
+                )
+            }
+            SystemTag::Fault | SystemTag::On | SystemTag::Off => Ok(()),
+        };
+        debug_assert!(said.is_ok());
+    }
+    text.push_str("runs := TRUE;\n");
+    unit(name, UnitKind::Program, variables, text)
 }
 
 /// Whether a type is this one, or has parts of it.
@@ -64,30 +188,40 @@ fn is_of(ty: &Type, name: &str) -> bool {
     }
 }
 
-fn unit(row: &Row) -> Unit {
+fn block(row: &Row) -> Unit {
     let variables = [
         (Role::Input, row.inputs),
         (Role::Output, row.outputs),
         (Role::Local, row.locals),
     ];
-    let variables = variables.iter().flat_map(|(role, list)| {
-        list.iter().map(|(name, ty)| Variable {
-            role: *role,
-            ..Variable::local(
-                LineColumn::START,
-                (*name).to_owned(),
-                Type::Named((*ty).to_owned()),
-            )
-        })
-    });
+    let variables = variables
+        .iter()
+        .flat_map(|(role, list)| list.iter().map(|(name, ty)| variable(name, ty, *role)));
+    let kind = UnitKind::FunctionBlock;
+    unit(
+        row.name.to_owned(),
+        kind,
+        variables.collect(),
+        row.text.to_owned(),
+    )
+}
+
+fn unit(name: String, kind: UnitKind, variables: Vec<Variable>, text: String) -> Unit {
     Unit {
         place: LineColumn::START,
-        name: row.name.to_owned(),
-        kind: UnitKind::FunctionBlock,
+        name,
+        kind,
         returns: None,
-        variables: variables.collect(),
-        comment: Some(own::ALONG.to_owned()),
-        body: Body::Text("ST", row.text.to_owned()),
+        variables,
+        comment: Some(ALONG.to_owned()),
+        body: Body::Text("ST", text),
         parts: Vec::new(),
+    }
+}
+
+fn variable(name: &str, ty: &str, role: Role) -> Variable {
+    Variable {
+        role,
+        ..Variable::local(LineColumn::START, name.to_owned(), Type::Named(ty.to_owned()))
     }
 }

@@ -2,8 +2,7 @@
 //! variable says so, for people and for the reader.
 
 use crate::graph::Kind;
-use crate::model::{Body, Project, Role, Unit, Variable};
-use ladder_analysis::names::system_tag::SystemTag;
+use crate::model::{Body, Role, Unit, Variable};
 
 /// The company of a project that is written: editors put something there. In such a project standard blocks mean those of
 /// ladder text, as counters that go on past PV.
@@ -18,38 +17,6 @@ pub(crate) const POWER_OUT: &str = "ENO of the block in ladder text";
 
 /// The remark on a variable that power ends in. Generators run a block when something after it asks for it.
 pub(crate) const SINK: &str = "takes power that nothing else takes, so that its block runs in its turn";
-
-/// The remark on a unit that is written along with a program that needs it.
-pub(crate) const ALONG: &str = "of ladder text: written along with what needs it";
-
-/// What the remark on a global ends with that stands for a tag of `SYS`.
-const SYSTEM: &str = " of ladder text";
-
-/// The remark on the global that stands for a tag of `SYS`.
-pub(crate) fn system_remark(tag: SystemTag) -> String {
-    format!("SYS.{}{SYSTEM}", tag.name())
-}
-
-/// The tag of `SYS` that a global stands for, as it is written.
-pub(crate) fn system(variable: &Variable) -> Option<&str> {
-    let said = variable.comment.as_deref()?.strip_suffix(SYSTEM)?;
-    SystemTag::from_name(said.strip_prefix("SYS.")?).map(|_| said)
-}
-
-/// Takes the units out of a project that were written along.
-pub(crate) fn without_along(project: &mut Project) {
-    let is_along = |unit: &Unit| unit.comment.as_deref() == Some(ALONG);
-    for unit in project.units.iter().filter(|unit| is_along(unit)) {
-        for task in &mut project.tasks {
-            task.programs
-                .retain(|(_, name)| !name.eq_ignore_ascii_case(&unit.name));
-        }
-        project
-            .report
-            .translated(unit.place, format!("unit {}", unit.name));
-    }
-    project.units.retain(|unit| !is_along(unit));
-}
 
 /// What a TIME as a number is divided by: some systems count seconds there, others milliseconds.
 const ONE: &str = "TIME_TO_LREAL(T#1ms)";

@@ -1,5 +1,6 @@
 //! What names mean: the variables of a unit and of the project, its types, its blocks.
 
+use super::along;
 use super::brought;
 use super::model::{Body, Evaluation, Project, Role, Type, Unit, UnitKind, Variable};
 use super::own;
@@ -127,7 +128,7 @@ impl<'p> Shared<'p> {
         }
         let mut globals = Scope::default();
         for variable in &project.globals {
-            match own::system(variable) {
+            match along::system(variable) {
                 Some(tag) => globals.alias(&variable.name, tag, &variable.ty),
                 None => globals.declare(&variable.name, &variable.ty, ""),
             }

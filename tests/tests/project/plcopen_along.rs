@@ -2,9 +2,10 @@
 
 use ladder_analysis::analyze;
 use ladder_analysis::values::value::Value;
+use ladder_format::Options;
 use ladder_invariants::generator::Dice;
-use ladder_notations::by_name;
-use ladder_simulator::{Options, Simulation};
+use ladder_notations::{Source, by_name, convert};
+use ladder_simulator::{Options as Run, Simulation};
 use ladder_syntax::parse;
 use ladder_tests::structured_text::{Machine, Value as Held};
 use std::fmt::Write as _;
@@ -103,6 +104,35 @@ fn units(project: &str) -> String {
 }
 
 #[test]
+fn what_was_changed_since_stays() {
+    let text = "VAR  a, lamp : BOOL;  k : RTO;  END_VAR\n+--[ ]( a )--[RTO]( k, 5s )--[ ]( SYS.CLOCK_1S )--( )( lamp )--+\n";
+    let analysis = analyze(&Arc::new(parse(text)), "test.clad");
+    let notation = by_name("plcopen").expect("the notation is registered");
+    let writing = notation.write(&analysis).expect("it has no errors");
+    let project = String::from_utf8(writing.bytes).expect("a project is text");
+    let read = |project: &str| {
+        let source = Source::alone("test", project.as_bytes());
+        convert(notation, &source, &Options::default()).expect("it is read")
+    };
+    assert_eq!(read(&project).report.remarks().count(), 0);
+    for (was, is) in [
+        ("ET + clock.PASSED", "ET + clock.PASSED + PT"),
+        ("runs := TRUE;", "runs := FALSE;"),
+    ] {
+        let changed = project.replace(was, is);
+        assert_ne!(changed, project);
+        let back = read(&changed);
+        assert!(back.written.text.contains(is), "{}", back.written.text);
+        let said: Vec<String> = back.report.remarks().map(|entry| format!("{entry:?}")).collect();
+        assert!(
+            said.iter()
+                .any(|said| said.contains("a body in ST is not run here")),
+            "{said:?}"
+        );
+    }
+}
+
+#[test]
 fn what_is_written_along_does_the_same() {
     let analysis = analyze(&Arc::new(parse(PROGRAM)), "test.clad");
     let writing = by_name("plcopen")
@@ -122,9 +152,9 @@ fn what_is_written_along_does_the_same() {
     ] {
         let interval = interval * MILLISECOND;
         let mut machine = Machine::new(&text).unwrap_or_else(|why| panic!("{why}\n{text}"));
-        let options = Options {
+        let options = Run {
             interval,
-            ..Options::default()
+            ..Run::default()
         };
         let mut simulation = Simulation::new(Arc::clone(program), options).expect("it runs");
         let mut dice = Dice::new(seed);

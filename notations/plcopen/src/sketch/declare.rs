@@ -1,6 +1,7 @@
 //! Declarations: types, variables, initial values.
 
 use super::initial::{initial_text, zero};
+use crate::along;
 use crate::expression::{Meaning, address_of, operand};
 use crate::model::{Project, Role, Type, Unit, UnitKind, Variable};
 use crate::own;
@@ -176,7 +177,7 @@ pub(super) fn globals(shared: &Shared<'_>, project: &Project, reading: &mut Read
     let mut sections = Sections::default();
     let mut seen = std::collections::HashSet::new();
     for variable in &project.globals {
-        if own::system(variable).is_some() {
+        if along::system(variable).is_some() {
             reading
                 .report
                 .translated(variable.place, format!("variable {}", variable.name));

@@ -25,7 +25,7 @@ use units::{Inside, Place, unit_items};
 /// The whole project.
 pub fn reading(project: Project) -> Reading {
     let mut project = project;
-    crate::own::without_along(&mut project);
+    crate::along::take_out(&mut project);
     let mut reading = Reading {
         report: std::mem::take(&mut project.report),
         ..Reading::default()

@@ -18,6 +18,7 @@ mod text;
 mod touched;
 mod unit;
 
+use super::along;
 use super::emit;
 use super::model::{Project, Role, Task, TypeDeclaration, UnitKind};
 use declare::Source;
@@ -101,9 +102,9 @@ fn project(analysis: &Analysis, unwritable: &Unwritable) -> Result<(Project, Rep
     project.globals.extend(
         system
             .iter()
-            .map(|(tag, name)| system::variable(*tag, name, Role::Global)),
+            .map(|(tag, name)| along::system_variable(*tag, name, Role::Global)),
     );
-    let clock = shared.globals.fresh(system::NAME);
+    let sets_system = shared.globals.fresh(along::PROGRAM);
     let mut faces = faces(&own, &shared);
     let (mut broken, users) = broken(
         &own,
@@ -137,8 +138,7 @@ fn project(analysis: &Analysis, unwritable: &Unwritable) -> Result<(Project, Rep
         priority: 0,
         programs: vec![(LineColumn::START, name)],
     });
-    system::add(&mut project, &system, clock);
-    crate::along::add(&mut project);
+    along::add(&mut project, &system, sets_system);
     debug_assert!(
         project
             .units

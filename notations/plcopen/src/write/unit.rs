@@ -5,6 +5,7 @@ use super::faces::Faces;
 use super::names::Names;
 use super::networks::Networks;
 use super::system;
+use crate::along;
 use crate::graph::Graph;
 use crate::model::{Body, Role, Type, Unit as Made, UnitKind, Variable};
 use crate::own;
@@ -147,7 +148,7 @@ impl<'u> Unit<'u> {
         }
         for tag in system::used(self, scope.checked_sub(1)) {
             let name = names.get(&system::key(tag));
-            variables.extend(name.map(|name| system::variable(tag, name, Role::External)));
+            variables.extend(name.map(|name| along::system_variable(tag, name, Role::External)));
         }
         for tag in self.tags(scope) {
             let Some(name) = names.get(&tag.name).filter(|_| tag.origin != Origin::Implicit) else {
