@@ -12,7 +12,10 @@ use std::collections::HashSet;
 /// The comment on a tag for a part.
 const PART: &str = "a part of a formula";
 
-/// Writes a program in whose formulas none of these functions is called. A formula in the body of a block, or in a network of
+/// The functions. No other system has them in its formulas.
+const FUNCTIONS: [Op; 5] = [Op::Min, Op::Max, Op::Limit, Op::Sel, Op::Mux];
+
+/// Writes a program in whose formulas none of `MIN`, `MAX`, `LIMIT`, `SEL` and `MUX` is called. A formula in the body of a block, or in a network of
 /// several lines, stays for `write` as it is.
 ///
 /// # Errors
@@ -20,16 +23,15 @@ const PART: &str = "a part of a formula";
 /// Those of `write`.
 pub fn with_calls_as_instructions(
     analysis: &Analysis,
-    functions: &[Op],
     write: impl Fn(&Analysis) -> Result<Writing, WriteError>,
 ) -> Result<Writing, WriteError> {
-    match by_instructions(analysis, functions) {
+    match by_instructions(analysis) {
         Some(parts) => write(&parts),
         None => write(analysis),
     }
 }
 
-fn by_instructions(analysis: &Analysis, functions: &[Op]) -> Option<Analysis> {
+fn by_instructions(analysis: &Analysis) -> Option<Analysis> {
     let context = &analysis.context;
     let text = context.parse.to_string();
     let networks = context.networks.iter();
@@ -42,7 +44,6 @@ fn by_instructions(analysis: &Analysis, functions: &[Op]) -> Option<Analysis> {
     let mut parts = Parts {
         lower: text.to_lowercase(),
         text: &text,
-        functions,
         number: 0,
         declared: String::new(),
     };
@@ -75,7 +76,6 @@ type Instruction = (String, String, String);
 struct Parts<'t> {
     text: &'t str,
     lower: String,
-    functions: &'t [Op],
     number: usize,
     /// The declarations of their tags.
     declared: String,
@@ -93,7 +93,7 @@ impl Parts<'_> {
         let (Op::Calc, Argument::Value(formula)) = (row.op, &from.argument) else {
             return None;
         };
-        if !self.calls(formula) {
+        if !calls(formula) {
             return None;
         }
         let mut chain = Vec::new();
@@ -116,11 +116,11 @@ impl Parts<'_> {
     /// An expression without these calls; the instructions in their place are added to the chain.
     fn text_of(&mut self, formula: &Expr, chain: &mut Vec<Instruction>) -> String {
         let own = &self.text[formula.range];
-        if !self.calls(formula) {
+        if !calls(formula) {
             return own.to_owned();
         }
         if let ExprKind::Call(op, arguments) = &formula.kind
-            && self.functions.contains(op)
+            && FUNCTIONS.contains(op)
         {
             let name = own.split('(').next().unwrap_or_default().trim().to_uppercase();
             let operands: Vec<String> = arguments
@@ -153,7 +153,7 @@ impl Parts<'_> {
         let text = self.text_of(inner, chain);
         match &inner.kind {
             ExprKind::Constant(_) | ExprKind::Read(_) => text,
-            ExprKind::Call(op, _) if self.functions.contains(op) => text,
+            ExprKind::Call(op, _) if FUNCTIONS.contains(op) => text,
             _ => self.part(inner, "CALC".to_owned(), text, chain),
         }
     }
@@ -172,17 +172,14 @@ impl Parts<'_> {
         chain.push((name, part.clone(), operands));
         part
     }
+}
 
-    fn calls(&self, formula: &Expr) -> bool {
-        match &formula.kind {
-            ExprKind::Call(op, arguments) => {
-                self.functions.contains(op) || arguments.iter().any(|argument| self.calls(argument))
-            }
-            ExprKind::Pass(inner) | ExprKind::Unary(_, inner) => self.calls(inner),
-            ExprKind::Binary(_, left, right) | ExprKind::Compare(_, left, right) => {
-                self.calls(left) || self.calls(right)
-            }
-            _ => false,
-        }
+/// Whether a formula calls one of the functions.
+fn calls(formula: &Expr) -> bool {
+    match &formula.kind {
+        ExprKind::Call(op, arguments) => FUNCTIONS.contains(op) || arguments.iter().any(calls),
+        ExprKind::Pass(inner) | ExprKind::Unary(_, inner) => calls(inner),
+        ExprKind::Binary(_, left, right) | ExprKind::Compare(_, left, right) => calls(left) || calls(right),
+        _ => false,
     }
 }

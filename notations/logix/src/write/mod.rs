@@ -27,11 +27,11 @@ mod xml;
 use crate::model::{Raw, Tag};
 use crate::types::Elem;
 use ladder_analysis::Analysis;
-use ladder_analysis::context::Body;
+use ladder_analysis::context::{Body, Context};
 use ladder_analysis::names::scope::TagFacts;
 use ladder_analysis::networks::NetworkAt;
 use ladder_analysis::program::{Program, TagId};
-use ladder_instructions::{Op, Profile};
+use ladder_instructions::Profile;
 use ladder_notation::{
     LineColumn, Lines, Report, Unwritable, WriteError, Writing, stand_in, with_arrays_as_elements,
     with_calls_as_instructions, with_loops_as_jumps, with_other_files,
@@ -108,32 +108,26 @@ struct Writer<'a> {
 /// Writes a program.
 pub(crate) fn write(analysis: &Analysis) -> std::result::Result<Writing, WriteError> {
     with_other_files(analysis, |analysis, unwritable| {
+        let plain =
+            |analysis: &Analysis| with_calls_as_instructions(analysis, |analysis| file(analysis, unwritable));
+        if analysis.context.profile != Profile::Logix {
+            return with_arrays_as_elements(analysis, &["[UNPACK]"], |analysis| {
+                with_loops_as_jumps(analysis, |_, _| true, plain)
+            });
+        }
         // Loops that were read from there are in an instruction again.
         let natives = native::natives(&analysis.context);
-        let turns = turns_of_instructions(analysis);
+        let turns = turns_of_instructions(&analysis.context);
         let are_jumps = |body: Body, count: &str| {
             let is_native = matches!(body, Body::Block(block) if natives.contains(&block));
             !is_native && !turns.contains(&Name::new(count.trim()))
         };
-        let by_jumps = |analysis: &Analysis| {
-            with_loops_as_jumps(analysis, are_jumps, |analysis| {
-                let functions = [Op::Min, Op::Max, Op::Limit, Op::Sel, Op::Mux];
-                with_calls_as_instructions(analysis, &functions, |analysis| file(analysis, unwritable))
-            })
-        };
-        match analysis.context.profile {
-            Profile::Logix => by_jumps(analysis),
-            _ => with_arrays_as_elements(analysis, &["[UNPACK]"], by_jumps),
-        }
+        with_loops_as_jumps(analysis, are_jumps, plain)
     })
 }
 
 /// The tags with the numbers of turns of `FAL`, `FSC` and `FOR`.
-fn turns_of_instructions(analysis: &Analysis) -> HashSet<Name> {
-    let context = &analysis.context;
-    if context.profile != Profile::Logix {
-        return HashSet::new();
-    }
+fn turns_of_instructions(context: &Context) -> HashSet<Name> {
     let blocks = context.networks.iter().flat_map(NetworkAt::blocks);
     let instructions =
         blocks.filter(|block| matches!(block.head_text().as_str(), "[$FAL]" | "[$FSC]" | "[$FOR]"));

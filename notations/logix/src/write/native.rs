@@ -74,14 +74,18 @@ fn same(blocks: &Blocks, definition: &str) -> bool {
     blocks.texts().any(|text| bare(text) == bare_definition)
 }
 
+/// The text of some lines.
+fn lines_text(context: &Context, lines: std::ops::Range<usize>) -> String {
+    let all = context.parse.lines();
+    lines.map(|line| all[line].text()).collect()
+}
+
 /// The definitions of a file that the reader writes in this way, by their numbers.
 pub(super) fn natives(context: &Context) -> HashSet<usize> {
-    let lines = context.parse.lines();
     let own = context.user_blocks[..context.own_blocks].iter().enumerate();
     let natives = own.filter(|(number, block)| {
-        let own = context.parse.structure().blocks[*number].lines.clone();
-        let text: String = own.map(|line| lines[line].text()).collect();
-        native(&block.name, &text).is_some()
+        let lines = context.parse.structure().blocks[*number].lines.clone();
+        native(&block.name, &lines_text(context, lines)).is_some()
     });
     natives.map(|(number, _)| number).collect()
 }
@@ -105,7 +109,7 @@ impl Writer<'_> {
                 continue;
             }
             let lines = context.parse.structure().blocks[of].lines.clone();
-            let text = self.lines_text(lines.clone());
+            let text = lines_text(context, lines.clone());
             let known = match native(&block.name, &text) {
                 Some(own) => Known::Native(own),
                 None => match self.idle(lines.start) {
@@ -137,12 +141,6 @@ impl Writer<'_> {
             self.body_of.insert(number, of);
             self.known.insert(number, known);
         }
-    }
-
-    /// The text of some lines.
-    pub(super) fn lines_text(&self, lines: std::ops::Range<usize>) -> String {
-        let all = self.analysis.context.parse.lines();
-        lines.map(|line| all[line].text()).collect()
     }
 
     /// The name of the instruction that a block stands for which does nothing.

@@ -11,7 +11,7 @@ mod unit;
 use declare::{TypeForm, Types};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{Network, Program};
-use ladder_instructions::{Op, Profile};
+use ladder_instructions::Profile;
 use ladder_notation::{
     Companion, LineColumn, Lines, Report, Unwritable, WriteError, Writing, no_program, with_blocks_alone,
     with_calls_as_instructions,
@@ -47,8 +47,7 @@ struct Writer<'a> {
 /// Writes a program.
 pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     with_blocks_alone(analysis, |analysis, unwritable| {
-        let functions = [Op::Min, Op::Max, Op::Limit, Op::Sel, Op::Mux];
-        with_calls_as_instructions(analysis, &functions, |analysis| documents(analysis, unwritable))
+        with_calls_as_instructions(analysis, |analysis| documents(analysis, unwritable))
     })
 }
 
