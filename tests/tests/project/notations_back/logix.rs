@@ -106,17 +106,19 @@ fn examples_do_the_same_in_logix() {
         let start =
             |text: &str| Simulation::new(compile(text).expect("a program"), Run::default()).expect("it runs");
         let (mut one, mut other) = (start(&text), start(&ladder));
-        // Bits, which have their names in both.
+        // Bits and numbers, which have their names and types in both.
         let points: Vec<(Point, Point)> = one
             .points()
             .iter()
-            .filter(|point| point.ty == Scalar::Bool && !point.name.contains('.'))
+            .filter(|point| (point.ty == Scalar::Bool || point.ty.is_number()) && !point.name.contains('.'))
             .filter_map(|point| Some((point.clone(), other.resolve(&point.name).ok()?)))
+            .filter(|(point, same)| point.ty == same.ty)
             .collect();
-        assert!(!points.is_empty(), "{}", path.display());
+        assert!(points.len() > 3, "{}", path.display());
         let mut dice = Dice::new(7);
         for scan in 0..4_000 {
-            for (point, same) in points.iter().filter(|(point, _)| point.role == Role::Input) {
+            let inputs = points.iter().filter(|(point, _)| point.role == Role::Input);
+            for (point, same) in inputs.filter(|(point, _)| point.ty == Scalar::Bool) {
                 if dice.one_in(200) {
                     let value = Value::Bool(dice.one_in(2));
                     one.set(point, value.clone()).expect("an input takes a value");

@@ -1,7 +1,7 @@
 //! Programs as PLCopen XML, and back.
 
-use super::says::networks;
-use super::tables::PLCOPEN;
+use super::says::{Says, networks};
+use super::tables::{PLCOPEN, PLCOPEN_ALONG};
 use expect_test::expect;
 use ladder_analysis::analyze;
 use ladder_analysis::networks::NetworkAt;
@@ -14,10 +14,23 @@ use std::sync::Arc;
 
 #[test]
 fn plcopen() {
-    let notation: &dyn Notation = by_name(PLCOPEN.notation).expect("the notation is registered");
+    let (same, through_tags) = come_back(&PLCOPEN, &["[NOT]", "[TON]( t1, T#"]);
+    assert!(same > 10 && through_tags > 10, "{same} {through_tags}");
+}
+
+#[test]
+fn what_is_written_along_comes_back() {
+    let (same, _) = come_back(&PLCOPEN_ALONG, &["[RTO]( t1", "[RTOF]( t1", "[CTC]( c1"]);
+    assert!(same > 10, "{same}");
+}
+
+/// Of 200 programs, how many are drawn as they were, and how many have tags for powers. All do the same, and have the same blocks with
+/// state. Those with one of these words may be drawn otherwise.
+fn come_back(says: &Says, otherwise: &[&str]) -> (usize, usize) {
+    let notation: &dyn Notation = by_name(says.notation).expect("the notation is registered");
     let (mut same, mut through_tags) = (0, 0);
     for seed in 0..200 {
-        let text = PLCOPEN.program(&mut Dice::new(seed));
+        let text = says.program(&mut Dice::new(seed));
         let analysis = analyze(&Arc::new(parse(&text)), "test.clad");
         let writing = notation
             .write(&analysis)
@@ -39,8 +52,12 @@ fn plcopen() {
         assert_eq!(different, None, "seed {seed}\n{ladder}\nof\n{text}");
         let is_through_tags =
             ladder.contains("power at a point") || ladder.contains("at the last evaluation");
-        let is_otherwise =
-            text.contains("[NOT]") || text.contains("[TON]( t1, T#") || ladder.contains(".Q )");
+        for (_, ty, _) in says.states {
+            let block = format!("[{ty}]");
+            let count = |text: &str| text.matches(&block).count();
+            assert_eq!(count(&ladder), count(&text), "seed {seed}\n{ladder}\nof\n{text}");
+        }
+        let is_otherwise = otherwise.iter().any(|word| text.contains(word));
         if is_through_tags {
             through_tags += 1;
         } else if !is_otherwise {
@@ -48,7 +65,7 @@ fn plcopen() {
             assert_eq!(networks(&ladder), networks(&text), "seed {seed}");
         }
     }
-    assert!(same > 10 && through_tags > 10, "{same} {through_tags}");
+    (same, through_tags)
 }
 
 /// Each example as a project, and what is read of that.

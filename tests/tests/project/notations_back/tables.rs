@@ -524,9 +524,6 @@ pub(super) const PLCOPEN: Says = Says {
         "[OSF]",
         "[NOT]",
         "[ ]( SYS.ON )",
-        "[ ]( SYS.CLOCK_100MS )",
-        "[/]( SYS.FIRST_SCAN )",
-        "[GE]( SYS.SCAN, {#} )",
         "[EQ]( {n}, {#} )",
         "[GE]( {n}, {n} )",
         "[LT]( {#}, {n}, {n} )",
@@ -550,9 +547,6 @@ pub(super) const PLCOPEN: Says = Says {
         ("t", "TON", "[TON]( {t}, T#{#}0ms, R := halt )"),
         ("t", "TOF", "[TOF]( {t}, T#{#}0ms )"),
         ("t", "TP", "[TP]( {t}, T#{#}0ms )"),
-        ("t", "RTO", "[RTO]( {t}, T#{#}0ms, R := halt )"),
-        ("t", "RTOF", "[RTOF]( {t}, T#{#}0ms )"),
-        ("c", "CTC", "[CTC]( {t}, {#}, R := level )"),
         ("c", "CTU", "[CTU]( {t}, {#} )"),
         ("c", "CTU", "[CTU]( {t}, {n}, R := level )"),
         ("c", "CTD", "[CTD]( {t}, {n}, LD := level )"),
@@ -563,4 +557,21 @@ pub(super) const PLCOPEN: Says = Says {
     bits: &["start", "halt", "level", "run", "lamp", "held"],
     numbers: &["n", "m"],
     always: &[],
+};
+
+/// What is written along: of the standard's own timers and counters there are none.
+pub(super) const PLCOPEN_ALONG: Says = Says {
+    conditions: &[
+        "[ ]( {} )",
+        "[/]( {} )",
+        "[ ]( SYS.CLOCK_100MS )",
+        "[/]( SYS.FIRST_SCAN )",
+        "[GE]( SYS.SCAN, {#} )",
+    ],
+    states: &[
+        ("t", "RTO", "[RTO]( {t}, T#{#}0ms, R := halt )"),
+        ("t", "RTOF", "[RTOF]( {t}, T#{#}0ms )"),
+        ("c", "CTC", "[CTC]( {t}, {#}, R := level )"),
+    ],
+    ..PLCOPEN
 };
