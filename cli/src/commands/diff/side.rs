@@ -99,9 +99,7 @@ impl Side {
             }
         }
     }
-}
 
-impl Side {
     /// The same under another name, of one program.
     pub(super) fn named(self, name: Option<&Path>) -> Side {
         match (self, name) {
