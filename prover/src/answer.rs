@@ -1,7 +1,7 @@
 //! The answers: what is known of each property, and why no more.
 
 use crate::causes::{left_open, what_takes_long};
-use crate::decide::{CONFLICTS, Depth, Known, Seeks, decide};
+use crate::decide::{CONFLICTS, DEAR, Depth, Known, Seeks, decide};
 use crate::encode;
 use crate::graph::Lit;
 use crate::lemmas;
@@ -106,7 +106,7 @@ pub fn prove(
         step: 5,
         end,
         seeks: Seeks::Every,
-        conflicts: OPEN_CONFLICTS,
+        conflicts: DEAR,
     };
     let (known, clauses) = decide(&open, &targets, depth);
     let is_late = end.is_over();
@@ -122,7 +122,7 @@ pub fn prove(
     if is_late || rest.is_empty() && !open.properties.iter().any(may_be_noted) {
         let mut answers: Vec<Answer> = answers.into_iter().flatten().collect();
         for answer in &mut answers {
-            note_late(answer, end);
+            note_end(answer, end);
         }
         return Ok(answers);
     }
@@ -168,7 +168,7 @@ pub fn prove(
         if let Verdict::Unknown(scans) = answer.verdict {
             let long = what_takes_long(simulation, &exact, property.bad, scans);
             answer.open.extend(long);
-            note_late(answer, end);
+            note_end(answer, end);
             if answer.open.is_empty() && scans < options.scans {
                 let why = format!("what happens in scan {scans} is too hard for the solver");
                 answer.open.push((why, None));
@@ -238,21 +238,17 @@ fn answer(
     }
 }
 
-/// Conflicts that a question may have while times may be anything: it comes back with those that they are.
-const OPEN_CONFLICTS: u64 = 20_000;
-/// Conflicts that a question may have of which no verdict depends.
-const NOTE_CONFLICTS: u64 = 5_000;
-
-/// Says of what is not known that more time may help.
-fn note_late(answer: &mut Answer, end: End) {
+/// Says of what is not known whether more time may help, if nothing else says why it is not.
+fn note_end(answer: &mut Answer, end: End) {
     let is_said = answer.open.iter().any(|(what, _)| what == LATE);
-    if !matches!(answer.verdict, Verdict::Unknown(_)) || !end.is_over() || is_said {
+    if !matches!(answer.verdict, Verdict::Unknown(_)) || is_said {
         return;
     }
-    let why = if is_wanted() {
-        "the time was over"
-    } else {
-        "it was stopped"
+    let why = match (end.is_over(), is_wanted()) {
+        (true, true) => "the time was over",
+        (true, false) => "it was stopped",
+        (false, _) if answer.open.is_empty() => "no induction excludes a longer run: an assumption may help",
+        (false, _) => return,
     };
     answer.open.push((why.to_owned(), None));
 }
@@ -272,7 +268,7 @@ fn note_untriggered(model: &Model, answers: &mut [Answer], end: End) {
         step: 8,
         end,
         seeks: Seeks::Every,
-        conflicts: NOTE_CONFLICTS,
+        conflicts: DEAR,
     };
     for ((n, _), known) in asked.into_iter().zip(decide(model, &targets, depth).0) {
         answers[n].never_triggered = matches!(known, Known::Never(_));
@@ -301,7 +297,7 @@ fn note_faults(
         step: 4,
         end,
         seeks: Seeks::Every,
-        conflicts: NOTE_CONFLICTS,
+        conflicts: DEAR,
     };
     for ((n, _), known) in asked.into_iter().zip(decide(model, &targets, depth).0) {
         if let Known::Found(run) = known {

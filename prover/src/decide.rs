@@ -1,16 +1,19 @@
 //! Which properties hold in every run: by induction, and by looking for a run that violates them.
 //!
 //! *Base* has the scans from the cold start, *step* as many from any state. Where step cannot reach a violation after k
-//! scans without one, and base has none in the first k, there is none at all.
+//! scans without one, and base has none in the first k, there is none at all. Step waits where it is the harder of the two:
+//! what happens after a few scans is found soon, whatever an induction would need.
 
 use crate::encode::Input;
 use crate::graph::{Lit, Node};
+use crate::induction::Induction;
 use crate::lanes::Lanes;
 use crate::limits::End;
 use crate::model::Model;
 use crate::unrolled::{Found, From, Unrolled};
 use crate::wanted::{Progress, tell};
 use rustc_hash::FxHashSet;
+use std::collections::BTreeSet;
 
 /// How far is looked.
 #[derive(Debug, Clone, Copy)]
@@ -64,31 +67,58 @@ const TRIED_STEPS: usize = 150_000_000;
 
 /// Conflicts that one question may have where an answer is worth it.
 pub(crate) const CONFLICTS: u64 = 200_000;
-/// The same before all other questions have been asked.
+/// The same before all other questions of a scan have been asked.
 const CHEAP: u64 = 2_000;
-/// The part of them for a question of the induction, after which the next scan may help.
-const STEP_PART: u64 = 10;
+/// The same before those of all later scans have, where a question is put again with times as they are, and where no verdict
+/// depends on it.
+pub(crate) const DEAR: u64 = 5_000;
+/// The steps that the solver of the induction may make before that of the runs has made any, and how many for each of its.
+const INDUCTION_FIRST: u64 = 2_000_000;
+const INDUCTION_SHARE: u64 = 2;
 
-/// The properties whose literals are given, each of which is to be low in every scan.
+/// The properties whose literals are given, each of which is to be low in every scan. And how many clauses the solvers had.
 pub(crate) fn decide(model: &Model, targets: &[Lit], depth: Depth) -> (Vec<Known>, u64) {
+    let conflicts = depth.conflicts.min(DEAR);
+    let first = attempt(model, targets, Depth { conflicts, ..depth });
+    let (mut known, given_up, clauses) = (first.known, first.given_up, first.clauses);
+    let is_found = depth.seeks == Seeks::One && known.iter().any(|known| matches!(known, Known::Found(_)));
+    if given_up.is_empty() || is_found || conflicts == depth.conflicts {
+        return (known, clauses);
+    }
+    // One that is hard has waited for what happens late to the others.
+    let hard: Vec<Lit> = given_up.iter().map(|n| targets[*n]).collect();
+    let again = attempt(model, &hard, depth);
+    for (n, later) in given_up.into_iter().zip(again.known) {
+        match (&known[n], &later) {
+            (Known::NotIn(before), Known::NotIn(after)) if before >= after => {}
+            _ => known[n] = later,
+        }
+    }
+    (known, clauses + again.clauses)
+}
+
+/// What came of one attempt.
+struct Attempt {
+    known: Vec<Known>,
+    /// What had a question that took more conflicts than one may have.
+    given_up: BTreeSet<usize>,
+    clauses: u64,
+}
+
+fn attempt(model: &Model, targets: &[Lit], depth: Depth) -> Attempt {
     let mut base = Unrolled::new(model, From::Start, depth.end);
-    let mut step = Unrolled::new(model, From::Anywhere, depth.end);
+    let mut induction = Induction::new(model, targets, depth);
     let mut known: Vec<Option<Known>> = vec![None; targets.len()];
-    let selectors: Vec<Lit> = targets.iter().map(|_| step.selector()).collect();
-    let states: Vec<Lit> = cone(model, targets).into_iter().collect();
     let mut reached = vec![0; targets.len()];
-    let mut given_up: FxHashSet<usize> = FxHashSet::default();
+    let mut given_up = BTreeSet::new();
     for scan in 0..depth.base {
         if scan == TRIED_AT {
             try_runs(model, targets, &mut known, depth.end);
         }
+        let is_open = |n: &usize| known[*n].is_none() && !given_up.contains(n);
+        let mut left: Vec<usize> = (0..targets.len()).filter(is_open).collect();
         let is_late = depth.end.is_over() || base.is_full();
-        let is_found = depth.seeks == Seeks::One
-            && known
-                .iter()
-                .flatten()
-                .any(|known| matches!(known, Known::Found(_)));
-        if known.iter().all(Option::is_some) || is_late || is_found {
+        if left.is_empty() || !is_wanted(&known, depth.seeks) || is_late {
             break;
         }
         tell(Progress {
@@ -99,21 +129,22 @@ pub(crate) fn decide(model: &Model, targets: &[Lit], depth: Depth) -> (Vec<Known
         let goes_on =
             base.add_scan() && (model.assumed.is_empty() || base.ask(&[], depth.conflicts) != Found::No);
         if !goes_on {
-            if scan == 0 {
-                return (vec![Known::Vacuous; targets.len()], base.clauses());
-            }
             // No run that is assumed goes on: nothing more can be violated.
-            for (n, known) in known.iter_mut().enumerate() {
-                if known.is_none() && !given_up.contains(&n) {
-                    *known = Some(Known::Never(scan));
-                }
+            let rest = if scan == 0 {
+                Known::Vacuous
+            } else {
+                Known::Never(scan)
+            };
+            for n in left {
+                known[n] = Some(rest.clone());
             }
             break;
         }
-        let is_open = |n: &usize| known[*n].is_none() && !given_up.contains(n);
-        let mut left: Vec<usize> = (0..targets.len()).filter(is_open).collect();
-        let can_induce =
-            scan < depth.step && !step.is_full() && prepare(&mut step, targets, &selectors, scan);
+        let most = base
+            .work()
+            .saturating_mul(INDUCTION_SHARE)
+            .saturating_add(INDUCTION_FIRST);
+        let can_induce = induction.add_scan(most);
         // What is hard to answer comes after what is not, and after what that proves.
         for conflicts in [depth.conflicts.min(CHEAP), depth.conflicts] {
             if left.is_empty() {
@@ -141,20 +172,33 @@ pub(crate) fn decide(model: &Model, targets: &[Lit], depth: Depth) -> (Vec<Known
                 }
             }
             if can_induce {
-                // Only what this scan does not violate.
-                let is_open = |n: &usize| known[*n].is_none() && reached[*n] == scan + 1;
-                let open = (0..targets.len()).filter(is_open).collect();
-                for n in induce(&mut step, targets, &selectors, (&states, depth), open, scan) {
-                    known[n] = Some(Known::Never(scan));
-                    step.require(selectors[n]);
-                }
+                induction.decide(&mut known, &reached, most);
             }
         }
         given_up.extend(left);
     }
+    // Now the induction has all the time that is left, unless what was given up waits for it.
+    while given_up.is_empty()
+        && is_wanted(&known, depth.seeks)
+        && !depth.end.is_over()
+        && induction.add_scan(u64::MAX)
+    {
+        induction.decide(&mut known, &reached, u64::MAX);
+    }
+    given_up.retain(|n| known[*n].is_none());
     let answers = known.into_iter().zip(reached);
     let answers = answers.map(|(known, reached)| known.unwrap_or(Known::NotIn(reached)));
-    (answers.collect(), base.clauses() + step.clauses())
+    Attempt {
+        known: answers.collect(),
+        given_up,
+        clauses: base.clauses() + induction.step.clauses(),
+    }
+}
+
+/// Whether more is wanted than what is known.
+fn is_wanted(known: &[Option<Known>], seeks: Seeks) -> bool {
+    let is_found = |known: &Option<Known>| matches!(known, Some(Known::Found(_)));
+    known.iter().any(Option::is_none) && !(seeks == Seeks::One && known.iter().any(is_found))
 }
 
 /// Runs with inputs that are held for a while: many scans, and some of what is far away happens in them.
@@ -182,89 +226,8 @@ fn try_runs(model: &Model, targets: &[Lit], known: &mut [Option<Known>], end: En
     }
 }
 
-/// Adds a scan to those of the induction, before which none of the chosen properties is violated. False: none can be.
-fn prepare(step: &mut Unrolled<'_>, targets: &[Lit], selectors: &[Lit], scan: usize) -> bool {
-    if !step.add_scan() {
-        return false;
-    }
-    if let Some(before) = scan.checked_sub(1) {
-        for (&target, &selector) in targets.iter().zip(selectors) {
-            let bad = step.lit(before, target);
-            step.require_one(&[!selector, !bad]);
-        }
-    }
-    true
-}
-
-/// Those of the open properties that cannot be violated in this scan if none of them was in the scans before.
-fn induce(
-    step: &mut Unrolled<'_>,
-    targets: &[Lit],
-    selectors: &[Lit],
-    (states, depth): (&[Lit], Depth),
-    mut open: Vec<usize>,
-    scan: usize,
-) -> Vec<usize> {
-    loop {
-        let before = open.clone();
-        for n in before.iter().copied() {
-            let bad = step.lit(scan, targets[n]);
-            let mut question: Vec<Lit> = open.iter().map(|n| selectors[*n]).collect();
-            question.push(bad);
-            let mut repeats = 0;
-            loop {
-                match step.ask(&question, depth.conflicts / STEP_PART) {
-                    Found::No => break,
-                    // A run that comes back to where it was need not be followed.
-                    Found::Yes if repeats < MOST_REPEATS && forbid_repeat(step, states, scan) => repeats += 1,
-                    _ => {
-                        open.retain(|other| *other != n);
-                        break;
-                    }
-                }
-            }
-        }
-        if open.len() == before.len() {
-            return open;
-        }
-    }
-}
-
-/// Excludes two scans of the run that was found to begin in the same state, if two do.
-fn forbid_repeat(step: &mut Unrolled<'_>, states: &[Lit], last: usize) -> bool {
-    if states.is_empty() || last == 0 || states.len() > MOST_COMPARED {
-        return false;
-    }
-    // All must be known to the solver, or their values mean nothing: then the question is put once more.
-    let mut is_new = false;
-    for scan in 0..=last {
-        for state in states {
-            is_new |= step.make_known(scan, *state);
-        }
-    }
-    if is_new {
-        return true;
-    }
-    let of = |scan: usize| -> Vec<bool> { states.iter().map(|state| step.value(scan, *state)).collect() };
-    let seen: Vec<Vec<bool>> = (0..=last).map(of).collect();
-    for one in 0..last {
-        for other in one + 1..=last {
-            if seen[one] == seen[other] {
-                let pairs: Vec<(Lit, Lit)> = states
-                    .iter()
-                    .map(|state| (step.lit(one, *state), step.lit(other, *state)))
-                    .collect();
-                let differ = step.differ(&pairs);
-                step.require(differ);
-                return true;
-            }
-        }
-    }
-    false
-}
-
 /// The leaves of what is remembered, on which these and what is assumed depend in any scan.
-fn cone(model: &Model, targets: &[Lit]) -> FxHashSet<Lit> {
+pub(crate) fn cone(model: &Model, targets: &[Lit]) -> FxHashSet<Lit> {
     let nodes = reach(model, targets.iter().chain(&model.assumed).copied());
     let states = model.world.states.iter();
     let states = states.filter(|state| nodes.contains(&state.leaf.node()));
@@ -290,11 +253,6 @@ pub(crate) fn reach(model: &Model, from: impl Iterator<Item = Lit>) -> FxHashSet
     }
     nodes
 }
-
-/// How often a question of the induction is put again without a run that repeats itself.
-const MOST_REPEATS: usize = 100;
-/// Runs of more bits that are remembered are not asked for repetitions.
-const MOST_COMPARED: usize = 4_000;
 
 /// How long a run is made more readable.
 const READABLE: u64 = 20_000_000;
@@ -382,5 +340,34 @@ fn read(base: &Unrolled<'_>, model: &Model, inputs: &[bool], last: usize) -> Run
     Run {
         scans: last + 1,
         inputs: model.world.inputs.iter().zip(inputs).map(of).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::tests::model_of;
+    use std::time::{Duration, Instant};
+
+    /// That two products are equal takes more than anyone waits for; it does not stand before what happens after some scans.
+    #[test]
+    fn what_is_hard_waits_for_what_is_late() {
+        let program = "VAR_INPUT x, y : INT; go : BOOL; END_VAR
+VAR u, v, n : INT; END_VAR
++--[CALC]( u, u * x + y )--[CALC]( v, v * x + y )--+
++--[ ]( go )--[ADD]( n, n, 1 )--+
+";
+        let model = model_of(program, "always u * u = v * v\nnever n > 12");
+        let targets: Vec<Lit> = model.properties.iter().map(|property| property.bad).collect();
+        let depth = Depth {
+            base: 200,
+            step: 20,
+            end: (Instant::now() + Duration::from_secs(60)).into(),
+            seeks: Seeks::One,
+            conflicts: CONFLICTS,
+        };
+        let (known, _) = decide(&model, &targets, depth);
+        let found = matches!(&known[..], [Known::NotIn(_), Known::Found(Run { scans: 13, .. })]);
+        assert!(found, "{known:?}");
     }
 }

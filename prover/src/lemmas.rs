@@ -267,30 +267,12 @@ fn keep(model: &Model, mut guesses: Vec<Lit>, end: End) -> Vec<Lit> {
 mod tests {
     use super::*;
     use crate::decide::{Depth, Known, Seeks, decide};
-    use crate::encode::Times;
-    use crate::model::build;
-    use ladder_simulator::scenario::{bind_properties, parse};
-    use ladder_simulator::{Options, Simulation};
-    use std::sync::Arc;
+    use crate::model::tests::model_of;
     use std::time::{Duration, Instant};
 
     /// What is known of the first property of a program without what always holds, and with it.
     fn without_and_with(program: &str, property: &str) -> [Known; 2] {
-        let analysis = ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(program)), "p.clad");
-        let options = Options {
-            interval: 100_000_000,
-            ..Options::default()
-        };
-        let program = analysis.program().cloned().expect("it has no errors");
-        let simulation = Simulation::new(program, options).expect("it compiles");
-        let suite = parse(&format!("program p.clad\n{property}\n"));
-        let (watched, _) = bind_properties(&suite, &simulation);
-        let mut model = build(
-            &simulation,
-            &watched,
-            Times::Exact,
-            (Instant::now() + Duration::from_secs(20)).into(),
-        );
+        let mut model = model_of(program, property);
         let targets = vec![model.properties[0].bad];
         let depth = Depth {
             base: 5,

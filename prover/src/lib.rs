@@ -17,6 +17,7 @@ mod divergence;
 mod encode;
 mod equal;
 mod graph;
+mod induction;
 mod lanes;
 mod lemmas;
 mod limits;

@@ -414,3 +414,27 @@ impl<'w, 'c> Builder<'w, 'c> {
         }
     }
 }
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use ladder_simulator::Options;
+    use ladder_simulator::scenario::{bind_properties, parse};
+    use std::sync::Arc;
+    use std::time::{Duration, Instant};
+
+    /// The model of a program with the times that it has, and of its properties, with scans of 100 ms.
+    pub(crate) fn model_of(program: &str, properties: &str) -> Model {
+        let analysis = ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(program)), "p.clad");
+        let options = Options {
+            interval: 100_000_000,
+            ..Options::default()
+        };
+        let program = analysis.program().cloned().expect("it has no errors");
+        let simulation = Simulation::new(program, options).expect("it compiles");
+        let suite = parse(&format!("program p.clad\n{properties}\n"));
+        let (watched, _) = bind_properties(&suite, &simulation);
+        let end = Instant::now() + Duration::from_secs(20);
+        build(&simulation, &watched, Times::Exact, end.into())
+    }
+}

@@ -72,7 +72,7 @@ impl Scan<'_, '_> {
         }
     }
 
-    /// By an exponent that is known and small; any other is left open.
+    /// By an exponent that is known and small, or of a base that is known; any other is left open.
     fn power_of(&mut self, at: u32, width: Width, a: &Number, b: &Number) -> (Number, Lit) {
         let unsigned = width == Width::U64;
         if let Some(exponent @ 0..=16) = b.known() {
@@ -82,9 +82,26 @@ impl Scan<'_, '_> {
             }
             return (value, Lit::FALSE);
         }
-        let value = self.open_bits("powers with an exponent that is a tag are not tracked", at, 64);
         let fault = if unsigned { Lit::FALSE } else { b.sign() };
+        if let Some(base) = a.known() {
+            return (self.power_of_known(width, base, &b.seen_as(width)), fault);
+        }
+        let value = self.open_bits("powers of a tag by a tag are not tracked", at, 64);
         (Number::of_bits(value), fault)
+    }
+
+    /// Of a base that is known: its squares are, and each bit of the exponent says whether one of them is a factor.
+    fn power_of_known(&mut self, width: Width, base: i64, exponent: &Number) -> Number {
+        let bits = width.bits() as usize;
+        let (mut value, mut square) = (Number::constant(1), base);
+        for n in 0..exponent.len() {
+            let factor = Number::constant(square).wrapped(width);
+            let graph = &mut self.world.graph;
+            let with = graph.mul(&value, &factor, bits);
+            value = graph.choose_number(exponent.bit(n), &with, &value).wrapped(width);
+            square = square.wrapping_mul(square);
+        }
+        value
     }
 
     /// Bits moved by a number of places that is not negative.

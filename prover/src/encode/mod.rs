@@ -12,6 +12,7 @@ mod arithmetic;
 mod cells;
 mod chosen;
 mod controller;
+mod curve;
 mod cycles;
 mod flow;
 mod formula;

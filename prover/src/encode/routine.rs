@@ -54,7 +54,11 @@ impl Scan<'_, '_> {
                     self.open_routine(at, routine, pool, CURVES);
                 }
             }
-            (Routine::Curve, _) => self.open_routine(at, routine, pool, CURVES),
+            (Routine::Curve, _) => {
+                if self.curve(pool).is_none() {
+                    self.open_routine(at, routine, pool, CURVES);
+                }
+            }
             (Routine::ScanTon | Routine::ScanTof | Routine::ScanRto, _) => self.scan_timer(routine, pool),
             (Routine::WrappingCtu | Routine::WrappingCtd | Routine::WrappingCtc, _) => {
                 self.wrapping_counter(routine, pool);
@@ -120,7 +124,7 @@ impl Scan<'_, '_> {
 }
 
 const TEXTS: &str = "texts and the serial port are not tracked";
-const CURVES: &str = "points on curves are not tracked";
+const CURVES: &str = "curves of reals, and those whose points are tags, are not tracked";
 
 /// Whether it writes something that is not tracked: texts, and the serial port.
 const fn writes_unseen(routine: Routine) -> bool {
