@@ -1,11 +1,12 @@
 //! Programs with instructions on arrays, for systems that have none: `[UNPACK]` and `[FILL]` become a `[MOV]` for each element, and
 //! `SUM(a[1..9])` in a formula the sum of its elements.
 
+use crate::edited::{Edits, Origins};
 use crate::{WriteError, Writing};
+use ladder_analysis::Analysis;
 use ladder_analysis::program::{Argument, Block, BlockKind};
 use ladder_analysis::values::types::Scalar;
-use ladder_analysis::{Analysis, analyze_in};
-use ladder_syntax::{TextRange, parse};
+use ladder_syntax::TextRange;
 
 /// No instruction becomes more of them.
 const MOST: i64 = 64;
@@ -21,36 +22,29 @@ pub fn with_arrays_as_elements(
     instructions: &[&str],
     write: impl Fn(&Analysis) -> Result<Writing, WriteError>,
 ) -> Result<Writing, WriteError> {
-    match by_elements(analysis, instructions) {
-        Some(elements) => write(&elements),
-        None => write(analysis),
-    }
+    let Some((elements, lines)) = by_elements(analysis, instructions) else {
+        return write(analysis);
+    };
+    let mut writing = write(&elements)?;
+    lines.restore(&mut writing.report);
+    Ok(writing)
 }
 
-fn by_elements(analysis: &Analysis, instructions: &[&str]) -> Option<Analysis> {
+fn by_elements(analysis: &Analysis, instructions: &[&str]) -> Option<(Analysis, Origins)> {
     let program = analysis.program()?;
-    let context = &analysis.context;
-    let mut text = context.parse.to_string();
+    let text = analysis.context.parse.to_string();
     let networks = program
         .networks
         .iter()
         .filter(|network| network.location.file == 0);
-    let mut edits: Vec<(TextRange, String)> = Vec::new();
+    let mut edits = Edits::default();
     for block in networks.flat_map(|network| &network.blocks) {
-        if let Some(edit) = edit(block, &text, instructions) {
-            edits.push(edit);
-        }
+        edits.instead.extend(edit(block, &text, instructions));
     }
     if edits.is_empty() {
         return None;
     }
-    edits.sort_by_key(|(at, _)| at.start());
-    for (at, with) in edits.into_iter().rev() {
-        text.replace_range(std::ops::Range::<usize>::from(at), &with);
-    }
-    // All lines are where they were.
-    let elements = analyze_in(&parse(&text).into(), &context.name, &context.others);
-    elements.program().is_some().then_some(elements)
+    edits.program(&analysis.context)
 }
 
 /// What stands in the place of a block, or of a sum in it.

@@ -4,6 +4,7 @@ use super::encoding::in_utf8;
 use super::file_name::file_name;
 use super::functions::again::functions_again;
 use super::loops::again::loops_again;
+use super::system::again::system_tags_again;
 use super::{
     Companion, Content, Finding, LineColumn, Notation, ProjectFile, ReadError, Reading, Report, Source,
 };
@@ -68,6 +69,7 @@ pub fn convert(
     functions_again(&mut [&mut program]);
     functions_again(&mut programs(&mut files).collect::<Vec<_>>());
     loops_again(&mut program.items);
+    system_tags_again(&mut program, notation);
     programs(&mut files).for_each(|program| loops_again(&mut program.items));
     files.retain(|file| !matches!(&file.content, Content::Program(program) if program.items.is_empty()));
     let mut written = program.write(options);

@@ -1,13 +1,14 @@
 //! Programs whose formulas call functions (`[CALC]( y, a + MIN(b, c * 2) )`), for systems whose formulas have others: what they call
 //! becomes an instruction of its own, in front of the formula, and tags hold the parts.
 
+use crate::edited::{Edits, Origins};
 use crate::{WriteError, Writing};
+use ladder_analysis::Analysis;
 use ladder_analysis::context::Body;
 use ladder_analysis::program::{Argument, Block, BlockKind, Expr, ExprKind};
-use ladder_analysis::{Analysis, analyze_in};
 use ladder_instructions::Op;
-use ladder_syntax::{TextRange, TextSize, parse};
-use std::collections::HashSet;
+use ladder_syntax::{TextRange, TextSize};
+use std::collections::HashMap;
 
 /// The comment on a tag for a part.
 const PART: &str = "a part of a formula";
@@ -15,8 +16,8 @@ const PART: &str = "a part of a formula";
 /// The functions. No other system has them in its formulas.
 const FUNCTIONS: [Op; 5] = [Op::Min, Op::Max, Op::Limit, Op::Sel, Op::Mux];
 
-/// Writes a program in whose formulas none of `MIN`, `MAX`, `LIMIT`, `SEL` and `MUX` is called. A formula in the body of a block, or in a network of
-/// several lines, stays for `write` as it is.
+/// Writes a program in whose formulas none of `MIN`, `MAX`, `LIMIT`, `SEL` and `MUX` is called. A formula in a network of several lines stays
+/// for `write` as it is.
 ///
 /// # Errors
 ///
@@ -25,48 +26,46 @@ pub fn with_calls_as_instructions(
     analysis: &Analysis,
     write: impl Fn(&Analysis) -> Result<Writing, WriteError>,
 ) -> Result<Writing, WriteError> {
-    match by_instructions(analysis) {
-        Some(parts) => write(&parts),
-        None => write(analysis),
-    }
+    let Some((parts, lines)) = by_instructions(analysis) else {
+        return write(analysis);
+    };
+    let mut writing = write(&parts)?;
+    lines.restore(&mut writing.report);
+    Ok(writing)
 }
 
-fn by_instructions(analysis: &Analysis) -> Option<Analysis> {
+fn by_instructions(analysis: &Analysis) -> Option<(Analysis, Origins)> {
     let context = &analysis.context;
     let text = context.parse.to_string();
     let networks = context.networks.iter();
     // Else what stands in another line would no longer be below what it is wired to.
-    let plain = networks.filter(|network| {
-        let in_block = matches!(context.bodies[network.index], Body::Block(_));
-        !in_block && !text[network.range].trim_end().contains('\n')
-    });
-    let plain: HashSet<TextSize> = plain.map(|network| network.range.start()).collect();
+    let plain = networks.filter(|network| !text[network.range].trim_end().contains('\n'));
+    let plain: HashMap<TextSize, Body> = plain
+        .map(|network| (network.range.start(), context.bodies[network.index]))
+        .collect();
     let mut parts = Parts {
         lower: text.to_lowercase(),
         text: &text,
         number: 0,
-        declared: String::new(),
+        body: Body::Main,
+        edits: Edits::default(),
     };
-    let mut edits: Vec<(TextRange, String)> = Vec::new();
     let networks = analysis.program()?.networks.iter();
-    let own = networks.filter(|network| network.location.file == 0);
-    for network in own.filter(|network| plain.contains(&network.location.range.start())) {
-        let blocks = network.blocks.iter();
-        edits.extend(blocks.filter_map(|block| Some((block.location.range, parts.of(block)?))));
+    for network in networks.filter(|network| network.location.file == 0) {
+        let Some(body) = plain.get(&network.location.range.start()) else {
+            continue;
+        };
+        parts.body = *body;
+        for block in &network.blocks {
+            if let Some(instead) = parts.of(block) {
+                parts.edits.instead.push((block.location.range, instead));
+            }
+        }
     }
-    if edits.is_empty() {
+    if parts.edits.is_empty() {
         return None;
     }
-    let declared = parts.declared;
-    let mut out = text.clone();
-    edits.sort_by_key(|(at, _)| at.start());
-    for (at, with) in edits.into_iter().rev() {
-        out.replace_range(std::ops::Range::<usize>::from(at), &with);
-    }
-    // All lines are where they were.
-    out.push_str(&format!("\nVAR\n{declared}END_VAR\n"));
-    let parts = analyze_in(&parse(&out).into(), &context.name, &context.others);
-    parts.program().is_some().then_some(parts)
+    parts.edits.program(context)
 }
 
 /// The mnemonic of an instruction, its result, and its other operands.
@@ -77,8 +76,9 @@ struct Parts<'t> {
     text: &'t str,
     lower: String,
     number: usize,
-    /// The declarations of their tags.
-    declared: String,
+    /// What the network is in.
+    body: Body,
+    edits: Edits,
 }
 
 impl Parts<'_> {
@@ -167,8 +167,8 @@ impl Parts<'_> {
             }
         };
         let ty = of.ty.name();
-        self.declared
-            .push_str(&format!("    {part} : {ty};  # {PART} #\n"));
+        self.edits
+            .declare(self.body, &format!("{part} : {ty};  # {PART} #"));
         chain.push((name, part.clone(), operands));
         part
     }

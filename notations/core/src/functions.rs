@@ -5,6 +5,7 @@
 
 pub(crate) mod again;
 
+use crate::edited::edited_line;
 use crate::{WriteError, Writing};
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::names::scope::{Origin, TagFacts};
@@ -303,20 +304,6 @@ pub(crate) fn lines_of_functions(context: &Context) -> BTreeMap<usize, Vec<usize
         }
     }
     lines
-}
-
-/// The text of a line with edits, which are in the order of the text.
-pub(crate) fn edited_line(context: &Context, line: usize, edits: &[(TextRange, String)]) -> String {
-    let start = context.parse.line_start(line);
-    let own = context.parse.lines()[line].text();
-    let mut text = own.to_owned();
-    let range = TextRange::at(start, (own.len() as u32).into());
-    let from = edits.partition_point(|(at, _)| at.start() < range.start());
-    let own = edits[from..].iter().take_while(|(at, _)| at.end() <= range.end());
-    for (at, with) in own.collect::<Vec<_>>().into_iter().rev() {
-        text.replace_range(Range::<usize>::from(*at - start), with);
-    }
-    text
 }
 
 /// The text with blocks in the place of functions: they stand at its end, and all else keeps its line.

@@ -4,15 +4,16 @@
 
 pub(crate) mod again;
 
-use crate::functions::{edited_line, head};
+use crate::edited::{Edits, Origins};
+use crate::functions::head;
 use crate::{WriteError, Writing};
+use ladder_analysis::Analysis;
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::program::{Argument, Block, Expr, ExprKind, Program};
 use ladder_analysis::values::types::{Scalar, passes};
 use ladder_analysis::values::value::Value;
-use ladder_analysis::{Analysis, analyze_in};
-use ladder_syntax::{Item, LineKind, TextRange, TextSize, parse};
-use std::collections::{HashMap, HashSet};
+use ladder_syntax::{LineKind, TextRange, TextSize};
+use std::collections::HashMap;
 use std::ops::RangeInclusive;
 
 /// Writes a program whose loops are jumps. One that cannot be, because something outside jumps into it or an `<MCR>` rules it, stays
@@ -30,14 +31,7 @@ pub fn with_loops_as_jumps(
         return write(analysis);
     };
     let mut writing = write(&jumps)?;
-    for entry in &mut writing.report.entries {
-        let after = (entry.place.line as usize).min(lines.len());
-        if let Some(line) = after.checked_sub(1).map(|line| lines[line]) {
-            entry.place.line = line;
-        }
-    }
-    writing.report.entries.sort_by_key(|entry| entry.place);
-    writing.report.entries.dedup();
+    lines.restore(&mut writing.report);
     Ok(writing)
 }
 
@@ -63,7 +57,7 @@ struct Loop {
 }
 
 /// The program with jumps, and for each line of it the line that it was. None: it has no loops that can be.
-fn as_jumps(analysis: &Analysis, are_jumps: impl Fn(Body, &str) -> bool) -> Option<(Analysis, Vec<u32>)> {
+fn as_jumps(analysis: &Analysis, are_jumps: impl Fn(Body, &str) -> bool) -> Option<(Analysis, Origins)> {
     let context = &analysis.context;
     let program = analysis.program()?;
     let text = context.parse.to_string();
@@ -72,9 +66,7 @@ fn as_jumps(analysis: &Analysis, are_jumps: impl Fn(Body, &str) -> bool) -> Opti
     if loops.is_empty() {
         return None;
     }
-    let (text, lines) = written(context, &text, &loops);
-    let jumps = analyze_in(&parse(&text).into(), &context.name, &context.others);
-    jumps.program().is_some().then_some((jumps, lines))
+    edits(context, &text, &loops).program(context)
 }
 
 /// The loops of a file that can be jumps.
@@ -213,92 +205,49 @@ fn fits(number: &Expr, ty: Scalar) -> bool {
     }
 }
 
-/// The text with jumps, and for each line of it the line that it was.
-fn written(context: &Context, text: &str, loops: &[Loop]) -> (String, Vec<u32>) {
+/// What makes jumps of loops.
+fn edits(context: &Context, text: &str, loops: &[Loop]) -> Edits {
     let parse = &context.parse;
     let structure = parse.structure();
-    let mut edits: Vec<(TextRange, String)> = Vec::new();
-    // What stands before and after lines, and lines that go.
-    let (mut before, mut after) = (HashMap::<usize, String>::new(), HashMap::<usize, String>::new());
-    let mut gone = HashSet::new();
+    let mut edits = Edits::default();
     for it in loops {
-        let Loop { name, .. } = it;
-        edits.push((it.place, format!("[MOV]( {name}_count, {} )", &text[it.count])));
+        let Loop { name, ty, .. } = it;
+        let (body, ty) = (context.bodies[it.first], ty.name());
+        edits.declare(body, &format!("{name}_count : {ty};  # {MARK} #"));
+        edits.declare(body, &format!("{name}_turn : {ty};  # {TURN} #"));
+        edits
+            .instead
+            .push((it.place, format!("[MOV]( {name}_count, {} )", &text[it.count])));
         let own = &structure.networks[it.first].lines;
         let above = (0..own.start).rev();
         let above = above
             .take_while(|line| parse.lines()[*line].kind == LineKind::Comment)
             .count();
-        before.entry(own.start - above).or_default().push_str(&format!(
-            "+--[MOV]( {name}_count, 0 )--+\n\n+--[MOV]( {name}_turn, 0 )--+\n\n"
-        ));
+        edits
+            .before
+            .entry(own.start - above)
+            .or_default()
+            .push_str(&format!(
+                "+--[MOV]( {name}_count, 0 )--+\n\n+--[MOV]( {name}_turn, 0 )--+\n\n"
+            ));
         let turn = it.turn.map(|turn| {
             // `I => k`
             let turn = text[turn].rsplit(['>', '=']).next().unwrap_or_default().trim();
             format!("+--[MOV]( {turn}, {name}_turn )--+\n\n")
         });
-        after.entry(own.end - 1).or_default().push_str(&format!(
+        edits.after.entry(own.end - 1).or_default().push_str(&format!(
             "\n+--<LBL>( {name} )--+\n\n+--[GE]( {name}_turn, {name}_count )--<JMP>( {name}_end )--+\n\n\
              +--[ADD]( {name}_turn, {name}_turn, 1 )--+\n\n{}",
             turn.unwrap_or_default()
         ));
         let last = &structure.networks[it.last].lines;
         let ends = format!("\n+--<JMP>( {name} )--+\n\n+--<LBL>( {name}_end )--+\n\n");
-        after.entry(last.end - 1).or_default().push_str(&ends);
+        edits.after.entry(last.end - 1).or_default().push_str(&ends);
         if context.networks.at(it.last).blocks().count() == 1 {
-            gone.extend(last.clone());
+            edits.gone.extend(last.clone());
         } else {
-            edits.push((it.next, "-".repeat(it.next.len().into())));
+            edits.instead.push((it.next, "-".repeat(it.next.len().into())));
         }
     }
-    edits.sort_by_key(|(at, _)| at.start());
-    let declared = |body: Option<usize>| {
-        let own = loops.iter().filter(|it| match context.bodies[it.first] {
-            Body::Block(block) => Some(block) == body,
-            _ => body.is_none(),
-        });
-        let tags: Vec<String> = own
-            .map(|Loop { name, ty, .. }| {
-                let ty = ty.name();
-                format!("    {name}_count : {ty};  # {MARK} #\n    {name}_turn : {ty};  # {TURN} #\n")
-            })
-            .collect();
-        let tags = tags.concat();
-        if tags.is_empty() {
-            tags
-        } else {
-            format!("VAR\n{tags}END_VAR\n")
-        }
-    };
-    for item in &structure.items {
-        if let Item::BlockHeader(block) = item {
-            let line = structure.blocks[*block].lines.start;
-            after.entry(line).or_default().push_str(&declared(Some(*block)));
-        }
-    }
-    let (mut out, mut lines) = (String::new(), Vec::new());
-    let mut push = |more: &str, from: u32, is_more: bool| {
-        for (number, _) in more.split_inclusive('\n').enumerate() {
-            lines.push(if is_more { from } else { from + number as u32 });
-        }
-        out.push_str(more);
-    };
-    for line in 0..parse.lines().len() {
-        let from = context.line_number(parse.line_start(line)) as u32;
-        if let Some(more) = before.get(&line) {
-            push(more, from, true);
-        }
-        if !gone.contains(&line) {
-            let mut own = edited_line(context, line, &edits);
-            if !own.ends_with('\n') {
-                own.push('\n');
-            }
-            push(&own, from, false);
-        }
-        if let Some(more) = after.get(&line) {
-            push(more, from, true);
-        }
-    }
-    push(&format!("\n{}", declared(None)), 1, true);
-    (out, lines)
+    edits
 }

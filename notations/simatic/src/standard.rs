@@ -283,3 +283,10 @@ pub(crate) const SYSTEM: [(&str, &str); 6] = [
     ("SYS.CLOCK_500MS", "Clock_2Hz"),
     ("SYS.CLOCK_1S", "Clock_1Hz"),
 ];
+
+/// Whether a project has a tag of `SYS`.
+pub(crate) fn has(tag: ladder_analysis::names::system_tag::SystemTag) -> bool {
+    SYSTEM
+        .iter()
+        .any(|(name, _)| name.strip_prefix("SYS.") == Some(tag.name()))
+}

@@ -33,6 +33,7 @@ mod scenarios;
 mod settings_reference;
 mod structured_text;
 mod structures;
+mod system_tags;
 mod tested;
 mod texts;
 mod timing_diagrams;

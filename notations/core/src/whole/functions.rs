@@ -3,7 +3,8 @@
 
 use super::Needed;
 use super::search::{Used, used_by};
-use crate::functions::{edited_line, lines_of_functions};
+use crate::edited::edited_line;
+use crate::functions::lines_of_functions;
 use crate::{Names, comments};
 use ladder_analysis::Analysis;
 use ladder_analysis::context::{Body, Callee, Context};

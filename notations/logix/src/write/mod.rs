@@ -34,7 +34,7 @@ use ladder_analysis::program::{Program, TagId};
 use ladder_instructions::Profile;
 use ladder_notation::{
     LineColumn, Lines, Report, Unwritable, WriteError, Writing, stand_in, with_arrays_as_elements,
-    with_calls_as_instructions, with_loops_as_jumps, with_other_files,
+    with_calls_as_instructions, with_loops_as_jumps, with_other_files, with_system_tags,
 };
 use ladder_syntax::{Name, TextSize};
 use names::{Kind, Names};
@@ -108,22 +108,34 @@ struct Writer<'a> {
 /// Writes a program.
 pub(crate) fn write(analysis: &Analysis) -> std::result::Result<Writing, WriteError> {
     with_other_files(analysis, |analysis, unwritable| {
-        let plain =
-            |analysis: &Analysis| with_calls_as_instructions(analysis, |analysis| file(analysis, unwritable));
-        if analysis.context.profile != Profile::Logix {
-            return with_arrays_as_elements(analysis, &["[UNPACK]"], |analysis| {
-                with_loops_as_jumps(analysis, |_, _| true, plain)
-            });
-        }
-        // Loops that were read from there are in an instruction again.
+        // Blocks that were read from there are instructions again.
         let natives = native::natives(&analysis.context);
-        let turns = turns_of_instructions(&analysis.context);
-        let are_jumps = |body: Body, count: &str| {
-            let is_native = matches!(body, Body::Block(block) if natives.contains(&block));
-            !is_native && !turns.contains(&Name::new(count.trim()))
-        };
-        with_loops_as_jumps(analysis, are_jumps, plain)
+        let is_native = |body: Body| matches!(body, Body::Block(block) if natives.contains(&block));
+        with_system_tags(
+            analysis,
+            |body, _| is_native(body),
+            |analysis| by_own_means(analysis, unwritable),
+        )
     })
+}
+
+/// Writes a program with nothing that only ladder text has.
+fn by_own_means(analysis: &Analysis, unwritable: &Unwritable) -> std::result::Result<Writing, WriteError> {
+    let plain =
+        |analysis: &Analysis| with_calls_as_instructions(analysis, |analysis| file(analysis, unwritable));
+    if analysis.context.profile != Profile::Logix {
+        return with_arrays_as_elements(analysis, &["[UNPACK]"], |analysis| {
+            with_loops_as_jumps(analysis, |_, _| true, plain)
+        });
+    }
+    // Loops that were read from there are in an instruction again.
+    let natives = native::natives(&analysis.context);
+    let turns = turns_of_instructions(&analysis.context);
+    let are_jumps = |body: Body, count: &str| {
+        let is_native = matches!(body, Body::Block(block) if natives.contains(&block));
+        !is_native && !turns.contains(&Name::new(count.trim()))
+    };
+    with_loops_as_jumps(analysis, are_jumps, plain)
 }
 
 /// The tags with the numbers of turns of `FAL`, `FSC` and `FOR`.

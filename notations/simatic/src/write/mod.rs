@@ -14,7 +14,7 @@ use ladder_analysis::program::{Network, Program};
 use ladder_instructions::Profile;
 use ladder_notation::{
     Companion, LineColumn, Lines, Report, Unwritable, WriteError, Writing, no_program, with_blocks_alone,
-    with_calls_as_instructions,
+    with_calls_as_instructions, with_system_tags,
 };
 use ladder_syntax::{Name, TextSize};
 use power::Power;
@@ -47,7 +47,11 @@ struct Writer<'a> {
 /// Writes a program.
 pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     with_blocks_alone(analysis, |analysis, unwritable| {
-        with_calls_as_instructions(analysis, |analysis| documents(analysis, unwritable))
+        with_system_tags(
+            analysis,
+            |_, tag| crate::standard::has(tag),
+            |analysis| with_calls_as_instructions(analysis, |analysis| documents(analysis, unwritable)),
+        )
     })
 }
 

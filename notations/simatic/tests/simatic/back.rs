@@ -1,13 +1,14 @@
 //! Programs there and back.
 
-use super::{errors, networks, read, remarks, write};
+use super::{errors, networks, read_as, remarks, write};
 use ladder_notation::Writing;
 use std::path::Path;
 
 /// What was written, read again.
 fn again(writing: &Writing) -> String {
     let text = String::from_utf8(writing.bytes.clone()).expect("it is text");
-    let converted = read(&text, writing.companions.clone());
+    // The texts of blocks next to it have their own numbers.
+    let converted = read_as("test", &text, writing.companions.clone());
     assert_eq!(remarks(&converted), "", "{text}\n{}", converted.written.text);
     let ladder = converted.written.text;
     assert_eq!(errors(&ladder), Vec::<String>::new(), "{ladder}\nof\n{text}");

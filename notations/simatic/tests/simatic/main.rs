@@ -12,8 +12,13 @@ use ladder_notation_simatic::{Simatic, SimaticMl};
 
 /// What a document becomes.
 fn read(text: &str, companions: Vec<Companion>) -> Converted {
+    read_as("block", text, companions)
+}
+
+/// The same of a file with this name.
+fn read_as(name: &str, text: &str, companions: Vec<Companion>) -> Converted {
     let source = Source {
-        name: "block".into(),
+        name: name.into(),
         bytes: text.as_bytes(),
         companions,
     };

@@ -110,7 +110,7 @@ fn examples_do_the_same_in_logix() {
         let points: Vec<(Point, Point)> = one
             .points()
             .iter()
-            .filter(|point| (point.ty == Scalar::Bool || point.ty.is_number()) && !point.name.contains('.'))
+            .filter(|point| point.ty == Scalar::Bool || point.ty.is_number())
             .filter_map(|point| Some((point.clone(), other.resolve(&point.name).ok()?)))
             .filter(|(point, same)| point.ty == same.ty)
             .collect();
@@ -140,11 +140,14 @@ fn examples_do_the_same_in_logix() {
         [
             "conveyor",
             "garage_door",
+            "level_control",
             "mixer",
             "motor",
             "pump_alternation",
+            "pump_group",
             "tank",
-            "tank_level"
+            "tank_level",
+            "traffic_light"
         ]
     );
 }
