@@ -69,7 +69,7 @@ fn declaration(
         super::pragma_of(cursor)?;
     }
     cursor.expect(":")?;
-    let ty = type_of(cursor, depth)?;
+    let ty = type_of(cursor, texts, depth)?;
     let initial = if cursor.eat(":=") {
         Some(cursor.until(";")?.to_owned())
     } else {
@@ -98,8 +98,8 @@ fn comment_after<'t>(cursor: &Cursor<'t>) -> Option<&'t str> {
     (!said.is_empty()).then_some(said)
 }
 
-/// A type.
-pub(crate) fn type_of(cursor: &mut Cursor<'_>, depth: usize) -> Result<Type> {
+/// A type. `texts`: what is said of the members of a structure.
+pub(crate) fn type_of(cursor: &mut Cursor<'_>, texts: &Texts, depth: usize) -> Result<Type> {
     if depth > DEEPEST {
         return cursor.error(format!("types nest deeper than {DEEPEST}"));
     }
@@ -116,18 +116,12 @@ pub(crate) fn type_of(cursor: &mut Cursor<'_>, depth: usize) -> Result<Type> {
         if !cursor.eat_word("OF") {
             return cursor.error("an array says OF what it is");
         }
-        return Ok(Type::Array(bounds, Box::new(type_of(cursor, depth + 1)?)));
+        return Ok(Type::Array(bounds, Box::new(type_of(cursor, texts, depth + 1)?)));
     }
     if cursor.eat_word("STRUCT") {
         let mut members = Vec::new();
         while !cursor.eat_word("END_STRUCT") {
-            declaration(
-                cursor,
-                (Role::Static, false),
-                &Texts::default(),
-                &mut members,
-                depth + 1,
-            )?;
+            declaration(cursor, (Role::Static, false), texts, &mut members, depth + 1)?;
         }
         return Ok(Type::Structure(members));
     }

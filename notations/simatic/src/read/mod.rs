@@ -47,7 +47,7 @@ pub(crate) fn unit(text: &str, texts: &Texts) -> Result<Unit> {
         ..Unit::default()
     };
     if kind == Kind::Function && cursor.eat(":") {
-        unit.returns = Some(type_of(&mut cursor, 0)?).filter(|ty| !declarations::is_void(ty));
+        unit.returns = Some(type_of(&mut cursor, texts, 0)?).filter(|ty| !declarations::is_void(ty));
     }
     body(&mut cursor, &mut unit, texts)?;
     if !cursor.is_done() {
@@ -78,7 +78,7 @@ fn body(cursor: &mut Cursor<'_>, unit: &mut Unit, texts: &Texts) -> Result<()> {
         } else if let Some(section) = declarations::section(cursor) {
             declarations::variables(cursor, section, texts, &mut unit.variables)?;
         } else if unit.kind == Kind::Type && cursor.peek_word().eq_ignore_ascii_case("STRUCT") {
-            let ty = type_of(cursor, 0)?;
+            let ty = type_of(cursor, texts, 0)?;
             cursor.eat(";");
             if let crate::model::Type::Structure(members) = ty {
                 unit.variables.extend(members);

@@ -5,7 +5,7 @@ use crate::model::{Kind, Role, Type, Unit, Variable};
 use crate::operand::literal;
 use crate::scope::{Scope, block_name, member};
 use crate::standard::{elementary, state_type};
-use ladder_format::program::{Declaration, Item, Qualifier, Section, SectionKind};
+use ladder_format::program::{Declaration, Item, Qualifier, Section, SectionKind, comment_text};
 use ladder_notation::LineColumn;
 
 /// Sections with what was declared so far.
@@ -242,7 +242,9 @@ impl Sketcher<'_> {
             if let Some(initial) = variable.initial.as_deref().and_then(initial_text) {
                 text.push_str(&format!(" := {initial}"));
             }
-            text.push_str(";\n");
+            let comment = with_first_name(&variable.name, &name, variable.comment.as_deref());
+            let comment = comment.map(|said| format!("  # {} #", comment_text(&said).replace('\n', " ")));
+            text.push_str(&format!(";{}\n", comment.unwrap_or_default()));
         }
         let mut declaration = Declaration::new(spelled.clone(), text + "END_STRUCT");
         declaration.comment = original.and_then(|name| with_first_name(name, &spelled, None));

@@ -342,7 +342,12 @@ pub(super) fn declaration(
 /// # Errors
 ///
 /// Why it has no form there.
-pub(super) fn structure(name: &str, members: &[Declared], types: &Types) -> Result<String, String> {
+pub(super) fn structure(
+    name: &str,
+    members: &[Declared],
+    types: &Types,
+    pragma: &mut impl FnMut(&Declared) -> String,
+) -> Result<String, String> {
     let mut out =
         format!("\u{feff}{{\r\n    S7_Version := \"0.1\"\r\n}}\r\nTYPE \"{name}\"\r\n    STRUCT\r\n");
     for declared in members {
@@ -351,7 +356,7 @@ pub(super) fn structure(name: &str, members: &[Declared], types: &Types) -> Resu
                 return Err(format!("the member `{own}` has no form there"));
             }
             let line = declaration(own, &declared.ty, declared.initial.as_deref(), types)?;
-            out.push_str(&format!("        {line}\r\n"));
+            out.push_str(&format!("        {}{line}\r\n", pragma(declared)));
         }
     }
     out.push_str("    END_STRUCT;\r\nEND_TYPE\r\n");

@@ -169,10 +169,13 @@ impl Writer<'_> {
             if let TypeForm::Structure(members) = form {
                 let at = members.first().map_or(0, |member| member.at);
                 let place = self.place(at);
-                match declare::structure(name, members, &types) {
+                self.texts.clear();
+                let document =
+                    declare::structure(name, members, &types, &mut |declared| self.pragma(declared));
+                match document {
                     Ok(document) => {
                         self.report.translated(place, format!("type {name}"));
-                        self.companion(name, document.into_bytes(), None);
+                        self.companion(name, document.into_bytes(), self.resource());
                     }
                     Err(why) => self.report.refused(place, format!("type {name}"), why),
                 }

@@ -204,8 +204,19 @@ impl Writer<'_> {
         document.push_str("\r\n");
         document.push_str(&networks);
         document.push_str("END_FUNCTION_BLOCK\r\n");
-        let resource = (!self.texts.is_empty()).then(|| written(&self.texts).into_bytes());
-        (document.into_bytes(), resource)
+        (document.into_bytes(), self.resource())
+    }
+
+    /// What the texts of a document are, for the file next to it.
+    pub(super) fn resource(&self) -> Option<Vec<u8>> {
+        (!self.texts.is_empty()).then(|| written(&self.texts).into_bytes())
+    }
+
+    /// What stands in front of a declaration.
+    pub(super) fn pragma(&mut self, declared: &Declared) -> String {
+        let said = declared.comment.as_ref();
+        let pragma = said.map(|said| format!("{{ S7_MLC := \"{}\" }} ", self.text_id(said.clone())));
+        pragma.unwrap_or_default()
     }
 
     fn declared(
@@ -235,15 +246,7 @@ impl Writer<'_> {
                 }
             };
             tags.insert(name.to_lowercase(), Ok(declared.ty.to_ascii_uppercase()));
-            let pragma = declared.comment.as_ref().map(|said| {
-                let id = self.text_id(said.clone());
-                format!("{{ S7_MLC := \"{id}\" }} ")
-            });
-            push(
-                out,
-                &header,
-                vec![format!("{}{line}", pragma.unwrap_or_default())],
-            );
+            push(out, &header, vec![format!("{}{line}", self.pragma(declared))]);
             if declare::enumeration(&declared.ty, &self.types).is_some() {
                 let why = "an enumeration is a DInt there, and its values are numbers";
                 self.report.approximated(place, shown, why);

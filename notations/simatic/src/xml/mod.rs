@@ -185,5 +185,9 @@ fn within(ty: Type, of: Type) -> Type {
 
 fn type_text(text: &str) -> Result<Type> {
     let lines = Lines::of(text);
-    type_of(&mut Cursor::new(text, &lines), 0)
+    type_of(
+        &mut Cursor::new(text, &lines),
+        &crate::read::resource::Texts::default(),
+        0,
+    )
 }

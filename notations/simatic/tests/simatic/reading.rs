@@ -245,7 +245,7 @@ fn blocks_types_and_data_of_files_next_to_it() {
         ),
         file(
             "Limits.s7dcl",
-            "{ S7_Version := \"0.1\" }\nTYPE \"Limits\"\nSTRUCT\nlow : Int;\nhigh : Int := 9;\nEND_STRUCT;\nEND_TYPE\n",
+            "{ S7_Version := \"0.1\" }\nTYPE \"Limits\"\nSTRUCT\n\"low end\" : Int; // mm\nhigh : Int := 9;\nEND_STRUCT;\nEND_TYPE\n",
         ),
         file(
             "Plant.s7dcl",
@@ -265,8 +265,8 @@ fn blocks_types_and_data_of_files_next_to_it() {
     expect![[r#"
         TYPE
             Limits     : STRUCT
-                low  : INT;
-                high : INT := 9;
+                low_end : INT;  # low end in the project: mm #
+                high    : INT := 9;
             END_STRUCT;
             Plant_type : STRUCT
                 limits : Limits;
