@@ -351,8 +351,8 @@ fn what_is_in_the_state_of_a_block_comes_from_the_block() {
 FUNCTION_BLOCK [$Motor]
 VAR_INPUT start, stop : BOOL; END_VAR
 VAR_OUTPUT run : BOOL; END_VAR
-VAR t : TON; END_VAR
-+--[ ]( start )--[/]( stop )--[TON]( t, 2s )--( )( run )--+
+VAR t : TON; tripped : BOOL; END_VAR
++--[ ]( start )--[/]( stop )--[/]( tripped )--[TON]( t, 2s )--( )( run )--+
 END_FUNCTION_BLOCK
 
 VAR_INPUT b1, b2 : BOOL; END_VAR
@@ -363,7 +363,10 @@ VAR m1 : $Motor; END_VAR
 ";
     let folder = Folder::with(&[
         ("plant.clad", program),
-        ("values.csv", "b1;ON\nb2;off\nm1.t.ET;300\nm1.run;0\nlamp;0\n"),
+        (
+            "values.csv",
+            "b1;ON\nb2;off\nm1.t.ET;300\nm1.tripped;0\nm1.run;0\nlamp;0\n",
+        ),
     ]);
     let run = folder.ladder(&["why", "plant.clad", "lamp", "--tags", "values.csv"]);
     expect![[r#"
@@ -373,6 +376,8 @@ VAR m1 : $Motor; END_VAR
           m1.run is 0: line 11, [$Motor]( m1, b1, b2 ) writes 0; power came straight from the rail
             b1 is 1: it is an input
             b2 is 0: it is an input
+            m1.t.ET is T#300ms: line 11, [$Motor]( m1, b1, b2 ) writes T#300ms; power came straight from the rail
+            m1.tripped is 0: line 11, [$Motor]( m1, b1, b2 ) writes 0; power came straight from the rail
 
         │  m1.run                                                              lamp   │
         ┝━━┥   ├───────────────────────────────────────────────────────────────(   )──┤

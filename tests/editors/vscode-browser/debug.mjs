@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { command, open } from './palette.mjs';
 
 /** The program that is debugged: its name in the project, and its text. */
-export const PROGRAM = 'press.clad';
+export const PROGRAM = 'presses.clad';
 export const TEXT = `VAR_INPUT
     button : BOOL;
 END_VAR

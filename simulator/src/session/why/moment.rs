@@ -13,7 +13,7 @@ use crate::places::BlockAt;
 use crate::simulation::{Simulation, State, Status};
 use crate::tags::{Point, Within};
 use crate::timers::Timer;
-use ladder_analysis::program::{BlockKind, Network, Step};
+use ladder_analysis::program::{BlockKind, Network, Step, TagId};
 use ladder_analysis::values::value::Value;
 use ladder_instructions::{Group, Op, StateType};
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -154,11 +154,11 @@ impl Moment {
 
     fn judge(&mut self, point: &Point, depth: usize, asked: &mut HashSet<String>) -> Judged {
         asked.insert(point.name.clone());
-        let tag = if point.within == Within::Block {
-            place::holder_of(&self.simulation, point)
-        } else {
-            place::tag_of(&self.simulation, point)
-        };
+        let own = place::tag_of(&self.simulation, point).filter(|_| point.within != Within::Block);
+        // A tag of a body is written where the instance runs.
+        let is_written = |tag: &TagId| !self.writers.of_tag(Some(*tag)).is_empty();
+        let holder = || place::holder_of(&self.simulation, point);
+        let tag = own.filter(is_written).or_else(holder);
         let blocks = self.writers.of_tag(tag).to_vec();
         let found = self.see(point, &blocks);
         let program = self.simulation.program().clone();
@@ -171,7 +171,10 @@ impl Moment {
                     missing.push(needed);
                 }
             }
-            let write = write_of(network, &traced, point);
+            let mut write = write_of(network, &traced, point);
+            if tag != own {
+                write.read.extend(self.held_with(point, tag));
+            }
             let reasons = write.reasons.iter().flatten().flat_map(|reason| &reason.values);
             for (point, _) in reasons.chain(&write.read) {
                 if !point.is_constant() && !point.is_system() && !read.contains(point) {
@@ -187,10 +190,9 @@ impl Moment {
         }
         let value = self.simulation.value(point);
         let mut because = Vec::new();
+        read.retain(|point| depth > 0 && asked.len() < MOST_ASKED && asked.insert(point.name.clone()));
         for point in read {
-            if depth > 0 && asked.len() < MOST_ASKED && !asked.contains(&point.name) {
-                because.push(self.judge(&point, depth - 1, asked));
-            }
+            because.push(self.judge(&point, depth - 1, asked));
         }
         Judged {
             is_given: self.names.contains(&point.name),
@@ -201,6 +203,19 @@ impl Moment {
             missing,
             because,
         }
+    }
+
+    /// What else was given of the instance that holds a point: what its body does is not followed, and depends on that.
+    fn held_with(&self, point: &Point, holder: Option<TagId>) -> Vec<(Point, Value)> {
+        let Some(holder) = holder.map(|tag| &self.simulation.program().tags[tag.0 as usize].name) else {
+            return Vec::new();
+        };
+        let is_held = |name: &str| {
+            name.strip_prefix(holder.as_str())
+                .is_some_and(|rest| rest.starts_with('.'))
+        };
+        let is_with = |(other, _): &&(Point, Value)| other.name != point.name && is_held(&other.name);
+        self.given.iter().filter(is_with).cloned().collect()
     }
 
     /// What was not given and may decide what a block does.
