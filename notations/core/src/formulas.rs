@@ -16,8 +16,7 @@ const PART: &str = "a part of a formula";
 /// The functions. No other system has them in its formulas.
 const FUNCTIONS: [Op; 5] = [Op::Min, Op::Max, Op::Limit, Op::Sel, Op::Mux];
 
-/// Writes a program in whose formulas none of `MIN`, `MAX`, `LIMIT`, `SEL` and `MUX` is called. A formula in a network of several lines stays
-/// for `write` as it is.
+/// Writes a program in whose formulas none of `MIN`, `MAX`, `LIMIT`, `SEL` and `MUX` is called.
 ///
 /// # Errors
 ///
@@ -37,10 +36,7 @@ pub fn with_calls_as_instructions(
 fn by_instructions(analysis: &Analysis) -> Option<(Analysis, Origins)> {
     let context = &analysis.context;
     let text = context.parse.to_string();
-    let networks = context.networks.iter();
-    // Else what stands in another line would no longer be below what it is wired to.
-    let plain = networks.filter(|network| !text[network.range].trim_end().contains('\n'));
-    let plain: HashMap<TextSize, Body> = plain
+    let bodies: HashMap<TextSize, Body> = (context.networks.iter())
         .map(|network| (network.range.start(), context.bodies[network.index]))
         .collect();
     let mut parts = Parts {
@@ -52,10 +48,7 @@ fn by_instructions(analysis: &Analysis) -> Option<(Analysis, Origins)> {
     };
     let networks = analysis.program()?.networks.iter();
     for network in networks.filter(|network| network.location.file == 0) {
-        let Some(body) = plain.get(&network.location.range.start()) else {
-            continue;
-        };
-        parts.body = *body;
+        parts.body = *bodies.get(&network.location.range.start())?;
         for block in &network.blocks {
             if let Some(instead) = parts.of(block) {
                 parts.edits.instead.push((block.location.range, instead));

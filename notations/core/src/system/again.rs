@@ -136,20 +136,33 @@ fn called(items: &[Item]) -> BTreeSet<String> {
 /// Takes out the instances and their calls. False: something else names one of them.
 fn remove_instances(items: &mut Vec<Item>) -> bool {
     let call = format!("[{BLOCK}]( {INSTANCE} )");
-    items.retain_mut(|item| match item {
-        Item::Network(network) => series(network).is_none_or(|own| own != [call.as_str()]),
-        Item::Section(section) => {
-            let is_other = |name: &String| name != INSTANCE;
-            let Section { declarations, .. } = section;
-            declarations.retain(|declared| declared.names.iter().all(is_other));
-            !declarations.is_empty()
+    let mut out: Vec<Item> = Vec::new();
+    for mut item in std::mem::take(items) {
+        match &mut item {
+            Item::Network(network) if series(network).is_some_and(|own| own == [call.as_str()]) => {
+                // What is said there stays.
+                out.extend(
+                    std::mem::take(&mut network.comments)
+                        .into_iter()
+                        .map(Item::Comment),
+                );
+                continue;
+            }
+            Item::Section(Section { declarations, .. }) => {
+                let is_other = |name: &String| name != INSTANCE;
+                declarations.retain(|declared| declared.names.iter().all(is_other));
+                if declarations.is_empty() {
+                    continue;
+                }
+            }
+            Item::Block { items, .. } => {
+                remove_instances(items);
+            }
+            _ => {}
         }
-        Item::Block { items, .. } => {
-            remove_instances(items);
-            true
-        }
-        _ => true,
-    });
+        out.push(item);
+    }
+    *items = out;
     items.dedup_by(|next, item| (&*next, &*item) == (&Item::Blank, &Item::Blank));
     let mut is_named = false;
     elements(items, &mut |text| is_named |= text.contains(INSTANCE));
