@@ -20,7 +20,10 @@ async function pick(page, key, text, name) {
     // Letters that come too soon after the opening would be lost.
     await (await list(page, key)).fill(text);
     // Not the first row: the list has its own opinion of what is meant.
-    await page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first().click();
+    const row = page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first();
+    await row.click();
+    // A click that meets the drawing of a new list is lost.
+    await row.waitFor({ state: 'hidden', timeout: 5000 }).catch(() => row.click());
 }
 
 /** Opens a file of the project. */
