@@ -53,8 +53,9 @@ pub(super) struct Body<'b> {
     pub(super) moves: HashMap<usize, Vec<String>>,
     /// The power with which variables take a result that was made above.
     pub(super) guards: HashMap<usize, End>,
-    /// All elements in the order of execution, and how many of them had their turn.
+    /// All elements in the order of execution, the place of each in it, and how many of them had their turn.
     pub(super) order: Vec<usize>,
+    pub(super) places: Vec<usize>,
     pub(super) turn: usize,
     /// The operands at pins.
     pub(super) operands: HashMap<(usize, usize), Operand>,
@@ -69,8 +70,9 @@ pub(super) struct Body<'b> {
     pub(super) is_in_pieces: bool,
     /// The characters of all networks so far.
     pub(super) characters: usize,
-    /// The tags that something in the drawing writes, in small letters.
-    pub(super) written: HashSet<String>,
+    /// The elements that read a tag by its name in small letters, and those that write it.
+    pub(super) readers: HashMap<String, Vec<usize>>,
+    pub(super) writers: HashMap<String, Vec<usize>>,
     /// Whether a contact sees falls, and whether something reads by name what a block writes.
     pub(super) has_falls: bool,
     pub(super) has_turns: bool,
@@ -114,6 +116,7 @@ impl<'b> Body<'b> {
             moves: HashMap::new(),
             guards: HashMap::new(),
             order: graph.in_order(),
+            places: vec![usize::MAX; count],
             turn: 0,
             operands: HashMap::new(),
             instances: HashMap::new(),
@@ -123,7 +126,8 @@ impl<'b> Body<'b> {
             pieces: 0,
             is_in_pieces: false,
             characters: 0,
-            written: HashSet::new(),
+            readers: HashMap::new(),
+            writers: HashMap::new(),
             has_falls: false,
             has_turns: false,
             seen: vec![false; count],

@@ -30,7 +30,17 @@ impl Body<'_> {
     /// What there is to look out for in the drawing.
     pub(super) fn look_over(&mut self) {
         let nodes = 0..self.graph.nodes.len();
-        self.written = nodes.clone().flat_map(|node| self.writes(node)).collect();
+        for node in nodes.clone() {
+            for tag in self.reads(node) {
+                self.readers.entry(tag).or_default().push(node);
+            }
+            for tag in self.writes(node) {
+                self.writers.entry(tag).or_default().push(node);
+            }
+        }
+        for (place, node) in self.order.iter().enumerate() {
+            self.places[*node] = place;
+        }
         self.has_falls = nodes.clone().any(|node| self.falls(node));
         let is_block = |node: &usize| matches!(self.graph.nodes[*node].kind, Kind::Block { .. });
         let states: HashSet<String> = nodes
@@ -317,21 +327,29 @@ impl Body<'_> {
     /// Whether a variable takes the result of a block later than the block makes it: something that has its turn between the two
     /// reads or writes the same tag, and not only for the block.
     pub(super) fn is_written_later(&self, block: usize, user: usize, tag: &Operand) -> bool {
-        let rest = &self.order[self.turn.min(self.order.len())..];
-        let between: HashSet<usize> = rest.iter().copied().take_while(|node| *node != user).collect();
-        let names_it = |tags: Vec<String>| tags.iter().any(|name| tag.reads.contains(name));
-        if between.iter().any(|node| names_it(self.writes(*node))) {
+        let end = Some(self.places[user]).filter(|place| *place >= self.turn);
+        let between = self.turn..end.unwrap_or(self.order.len());
+        let is_between = |node: usize| between.contains(&self.places[node]);
+        let mut writers = tag
+            .reads
+            .iter()
+            .filter_map(|name| self.writers.get(name))
+            .flatten();
+        if writers.any(|node| is_between(*node)) {
             return true;
         }
         let mut met = HashSet::new();
-        let mut waiting: Vec<usize> = (0..self.graph.nodes.len())
-            .filter(|node| names_it(self.reads(*node)))
-            .collect();
+        let readers = tag
+            .reads
+            .iter()
+            .filter_map(|name| self.readers.get(name))
+            .flatten();
+        let mut waiting: Vec<usize> = readers.copied().collect();
         while let Some(node) = waiting.pop() {
             if node == block || node == user || !met.insert(node) {
                 continue;
             }
-            if between.contains(&node) && self.is_root(node) {
+            if is_between(node) && self.is_root(node) {
                 return true;
             }
             waiting.extend(self.users(node));
@@ -362,6 +380,6 @@ impl Body<'_> {
             return false;
         }
         let before = self.before(end.node);
-        before.reads.iter().any(|tag| self.written.contains(tag))
+        before.reads.iter().any(|tag| self.writers.contains_key(tag))
     }
 }

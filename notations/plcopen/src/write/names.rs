@@ -3,6 +3,7 @@
 use ladder_analysis::values::types::Type;
 use ladder_syntax::Name;
 use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
 
 /// Words that are no names there, in capitals. Names of functions and function blocks are none either: compilers find
 /// the function.
@@ -177,6 +178,8 @@ pub(super) fn identifier(name: &str) -> String {
 /// The names of one unit, or of a project.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Names {
+    /// The names that these are added to: those of a unit, while a network of it may still fail.
+    outer: Option<Rc<Names>>,
     taken: HashSet<String>,
     by_tag: HashMap<Name, String>,
     types: HashMap<Name, Type>,
@@ -188,10 +191,31 @@ impl Names {
     pub(super) fn inside(&self) -> Names {
         Names {
             taken: self.taken.clone(),
-            by_tag: HashMap::new(),
-            types: HashMap::new(),
             refused: self.refused.clone(),
+            ..Names::default()
         }
+    }
+
+    /// No names yet, to be added to others.
+    pub(super) fn added_to(outer: &Rc<Names>) -> Names {
+        Names {
+            outer: Some(Rc::clone(outer)),
+            ..Names::default()
+        }
+    }
+
+    /// Takes in what was to be added. Nothing is copied if only that held these.
+    pub(super) fn add(outer: &mut Rc<Names>, mut added: Names) {
+        added.outer = None;
+        let own = Rc::make_mut(outer);
+        own.taken.extend(added.taken);
+        own.by_tag.extend(added.by_tag);
+        own.types.extend(added.types);
+        own.refused.extend(added.refused);
+    }
+
+    fn is_taken(&self, name: &str) -> bool {
+        self.taken.contains(name) || self.outer.as_ref().is_some_and(|outer| outer.is_taken(name))
     }
 
     /// A name like this one that nothing else has.
@@ -199,10 +223,11 @@ impl Names {
         let like = identifier(like);
         let mut name = like.clone();
         let mut number = 1;
-        while !self.taken.insert(name.to_ascii_lowercase()) {
+        while self.is_taken(&name.to_ascii_lowercase()) {
             number += 1;
             name = format!("{like}_{number}");
         }
+        self.taken.insert(name.to_ascii_lowercase());
         name
     }
 
@@ -226,7 +251,8 @@ impl Names {
 
     /// The type of a tag.
     pub(super) fn type_of(&self, tag: &str) -> Option<Type> {
-        self.types.get(&Name::new(tag)).copied()
+        let own = self.types.get(&Name::new(tag)).copied();
+        own.or_else(|| self.outer.as_ref()?.type_of(tag))
     }
 
     /// A tag that is not declared there.
@@ -236,12 +262,15 @@ impl Names {
 
     /// See above.
     pub(super) fn is_refused(&self, tag: &str) -> bool {
+        let outer = self.outer.as_ref();
         !self.refused.is_empty() && self.refused.contains(&Name::new(tag))
+            || outer.is_some_and(|outer| outer.is_refused(tag))
     }
 
     /// The name of a tag.
     pub(super) fn get(&self, tag: &str) -> Option<&str> {
-        self.by_tag.get(&Name::new(tag)).map(String::as_str)
+        let own = self.by_tag.get(&Name::new(tag)).map(String::as_str);
+        own.or_else(|| self.outer.as_ref()?.get(tag))
     }
 }
 

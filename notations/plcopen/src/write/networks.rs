@@ -13,6 +13,7 @@ use ladder_instructions::Op;
 use ladder_notation::{LineColumn, Report, comments};
 use ladder_syntax::{Item, TextSize};
 use std::collections::HashMap;
+use std::rc::Rc;
 
 /// The networks of a unit on their way.
 pub(super) struct Networks<'n, 'u> {
@@ -21,7 +22,7 @@ pub(super) struct Networks<'n, 'u> {
     pub(super) program: &'n Program,
     pub(super) graph: Graph,
     pub(super) report: &'n mut Report,
-    pub(super) names: &'n mut Names,
+    pub(super) names: Rc<Names>,
     pub(super) made: Vec<Variable>,
     pub(super) retentive: Vec<String>,
 }
@@ -180,7 +181,7 @@ impl Networks<'_, '_> {
                 self.graph.nodes.extend(rung.nodes);
                 self.made.extend(rung.made);
                 self.retentive.extend(rung.retentive);
-                *self.names = rung.names;
+                Names::add(&mut self.names, rung.names);
             }
             Err(why) => {
                 for label in facts.blocks().filter(|block| block.op() == Some(Op::Lbl)) {
@@ -215,7 +216,7 @@ impl Networks<'_, '_> {
             };
             writer.write(rung, power)
         };
-        let rung = Rung::of(at, self.graph.nodes.len(), self.names, network, &element)?;
+        let rung = Rung::of(at, self.graph.nodes.len(), &self.names, network, &element)?;
         if rung.goes_on_after_jump() {
             return Err("something is done after a jump in it, whose order is not settled there".to_owned());
         }

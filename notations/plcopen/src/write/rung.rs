@@ -10,6 +10,7 @@ use crate::own;
 use ladder_analysis::program::{Network, Step};
 use ladder_notation::LineColumn;
 use std::collections::{BTreeSet, HashSet};
+use std::rc::Rc;
 
 /// What else is known of an element than its node in the drawing.
 #[derive(Debug)]
@@ -60,7 +61,7 @@ impl Rung {
     pub(super) fn of(
         place: LineColumn,
         base: usize,
-        names: &Names,
+        names: &Rc<Names>,
         network: &Network,
         element: &Element<'_>,
     ) -> Result<Rung, String> {
@@ -71,7 +72,7 @@ impl Rung {
                 base,
                 nodes: Vec::new(),
                 notes: Vec::new(),
-                names: names.clone(),
+                names: Names::added_to(names),
                 made: Vec::new(),
                 retentive: Vec::new(),
                 remarks: Vec::new(),

@@ -17,6 +17,7 @@ use ladder_format::program::Qualifier;
 use ladder_notation::guard::is_guarded;
 use ladder_notation::{LineColumn, Report};
 use ladder_syntax::TextSize;
+use std::rc::Rc;
 
 /// What all units of a project share.
 #[derive(Clone)]
@@ -226,7 +227,7 @@ impl<'u> Unit<'u> {
             program: self.program,
             graph: Graph::default(),
             report,
-            names: &mut own.names,
+            names: Rc::new(own.names),
             made: Vec::new(),
             retentive: Vec::new(),
         };

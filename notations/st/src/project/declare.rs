@@ -134,10 +134,12 @@ impl Project<'_> {
         if parameters.iter().any(is_passed) {
             return None;
         }
-        let parts: HashMap<&str, &Tag> = (program.tags.iter())
-            .filter(|tag| tag.block == variable.tag.block && root(tag) == variable.root)
-            .map(|tag| (tag.name.as_str(), tag))
-            .collect();
+        let parts = self
+            .parts
+            .get(&(variable.tag.block, variable.root))
+            .into_iter()
+            .flatten();
+        let parts: HashMap<&str, &Tag> = parts.map(|tag| (tag.name.as_str(), *tag)).collect();
         let mut place = Vec::new();
         self.value_at(variable.ty, variable.root.to_owned(), &parts, &mut place)
     }

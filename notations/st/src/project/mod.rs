@@ -105,6 +105,8 @@ pub(crate) struct Project<'p> {
     named_arrays: HashMap<Type, &'p str>,
     /// The types of the tags as they are declared, of each block and of the program.
     declared: HashMap<(Option<usize>, &'p str), Type>,
+    /// The parts of each of them, which hold its initial value.
+    parts: HashMap<(Option<usize>, &'p str), Vec<&'p Tag>>,
     enumerations: HashMap<EnumId, String>,
     values: HashMap<(EnumId, i64), String>,
     pub(crate) blocks: Vec<String>,
@@ -151,6 +153,7 @@ impl<'p> Project<'p> {
             types: HashMap::new(),
             named_arrays: HashMap::new(),
             declared: HashMap::new(),
+            parts: HashMap::new(),
             enumerations: HashMap::new(),
             values: HashMap::new(),
             blocks: Vec::new(),
@@ -176,6 +179,9 @@ impl<'p> Project<'p> {
             let variables = declare::variables(program, block).into_iter();
             let types = variables.map(|variable| ((block, variable.root), variable.ty));
             project.declared.extend(types);
+        }
+        for tag in &program.tags {
+            project.parts.entry((tag.block, root(tag))).or_default().push(tag);
         }
         // Variables keep their names; what is named after them stays out of their way.
         let mut tags = BTreeSet::new();
