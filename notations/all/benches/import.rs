@@ -1,10 +1,13 @@
-//! How fast programs of other systems become ladder text, in bytes of the foreign file a second; next to it how fast its
-//! lines can be read at all.
+//! How fast programs of other systems become ladder text, in bytes of the foreign file a second, next to how fast its
+//! lines can be read at all; and how fast ladder text becomes a program of theirs, next to how fast it is analysed.
 
 use divan::Bencher;
 use divan::counter::BytesCount;
+use ladder_analysis::analyze;
 use ladder_format::Options;
 use ladder_notations::{Source, by_name, convert};
+use ladder_syntax::parse;
+use std::sync::Arc;
 
 fn main() {
     divan::main();
@@ -48,22 +51,27 @@ fn import(bencher: Bencher<'_, '_>, name: &str) {
     });
 }
 
-/// Files as large as projects become: 10 MB of PLCopen XML in 26 programs, and a routine of 3,000 rungs for Logix.
-const PROJECTS: [Program; 2] = [("plcopen", || plcopen(26, 190)), ("l5x", || routine(3_000))];
+/// Files as large as projects become: 10 MB of PLCopen XML in 20 programs and in one, and a routine of 3,000 rungs for Logix.
+const PROJECTS: [Project; 3] = [
+    ("plcopen", "plcopen", || plcopen(20, 150)),
+    ("plcopen-alone", "plcopen", || plcopen(1, 3_000)),
+    ("l5x", "l5x", || routine(3_000)),
+];
 
-fn project(name: &str) -> String {
-    let (_, project) = PROJECTS
-        .iter()
-        .find(|(own, _)| *own == name)
-        .expect("it is there");
-    project()
+/// What it is called here, its notation, and what writes it.
+type Project = (&'static str, &'static str, fn() -> String);
+
+fn project(name: &str) -> (&'static str, String) {
+    let mut projects = PROJECTS.iter();
+    let (_, notation, project) = projects.find(|(own, ..)| *own == name).expect("it is there");
+    (notation, project())
 }
 
 /// A project, to ladder text.
-#[divan::bench(args = ["plcopen", "l5x"], sample_count = 10)]
+#[divan::bench(args = ["plcopen", "plcopen-alone", "l5x"], sample_count = 10)]
 fn projects(bencher: Bencher<'_, '_>, name: &str) {
-    let text = project(name);
-    let notation = by_name(name).expect("the notation is registered");
+    let (notation, text) = project(name);
+    let notation = by_name(notation).expect("the notation is registered");
     let source = Source::alone("bench", text.as_bytes());
     bencher.counter(BytesCount::of_str(&text)).bench(|| {
         let converted = convert(notation, &source, &Options::default()).expect("it can be read");
@@ -73,12 +81,36 @@ fn projects(bencher: Bencher<'_, '_>, name: &str) {
 }
 
 /// Its XML alone, as the reader's parser reads it.
-#[divan::bench(args = ["plcopen", "l5x"], sample_count = 10)]
+#[divan::bench(args = ["plcopen", "plcopen-alone", "l5x"], sample_count = 10)]
 fn xml_of_projects(bencher: Bencher<'_, '_>, name: &str) {
-    let text = project(name);
+    let (_, text) = project(name);
     bencher.counter(BytesCount::of_str(&text)).bench(|| {
         let document = roxmltree::Document::parse(&text).expect("it is XML");
         document.descendants().count()
+    });
+}
+
+/// From ladder text of 3,000 rungs to the file.
+#[divan::bench(args = ["st", "plcopen", "l5x", "simatic", "c"], sample_count = 3)]
+fn export(bencher: Bencher<'_, '_>, name: &str) {
+    let text = ladder();
+    let analysis = analyze(&Arc::new(parse(&text)), "bench.clad");
+    let notation = by_name(name).expect("the notation is registered");
+    bencher.counter(BytesCount::of_str(&text)).bench(|| {
+        let writing = notation.write(&analysis).expect("it has no errors");
+        assert_eq!(writing.report.tally().refused, 0, "all of it is written");
+        writing.bytes.len()
+    });
+}
+
+/// The same text, analysed.
+#[divan::bench(sample_count = 3)]
+fn analysis_of_export(bencher: Bencher<'_, '_>) {
+    let text = ladder();
+    let counter = BytesCount::of_str(&text);
+    bencher.counter(counter).bench(|| {
+        let analysis = analyze(&Arc::new(parse(&text)), "bench.clad");
+        analysis.program().is_some()
     });
 }
 
@@ -98,7 +130,26 @@ fn l5x() -> String {
     routine(RUNGS)
 }
 
-/// Programs of rungs, each with a branch, a timer, and a coil.
+/// 3,000 rungs of ladder text: seal-ins, timers, and sums.
+fn ladder() -> String {
+    let mut text = "VAR\n".to_owned();
+    for n in 0..3_000 {
+        text.push_str(&format!(
+            "    a{n}, b{n}, y{n} : BOOL;\n    t{n} : TON;\n    n{n} : INT;\n"
+        ));
+    }
+    text.push_str("END_VAR\n");
+    for n in 0..3_000 {
+        text.push_str(&match n % 3 {
+            0 => format!("+--\\--[ ]( a{n} )--\\--[/]( b{n} )--( )( y{n} )--+\n|  /--[ ]( y{n} )--/                         |\n\n"),
+            1 => format!("+--[ ]( b{n} )--[TON]( t{n}, T#5s )--( )( y{n} )--+\n\n"),
+            _ => format!("+--[ ]( a{n} )--[ADD]( n{n}, n{n}, 1 )--[GT]( n{n}, 10 )--( )( y{n} )--+\n\n"),
+        });
+    }
+    text
+}
+
+/// Programs of rungs, each with a branch, a timer, a coil, and a sum.
 fn plcopen(programs: usize, rungs: usize) -> String {
     let place = |x: usize, y: usize| format!("<position x=\"{x}\" y=\"{y}\"/>");
     let mut text =
@@ -110,7 +161,7 @@ fn plcopen(programs: usize, rungs: usize) -> String {
         for n in 0..rungs {
             text.push_str(&format!(
                 "<variable name=\"a{n}\"><type><BOOL/></type></variable><variable name=\"q{n}\"><type><BOOL/></type></variable>\
-                 <variable name=\"t{n}\"><type><derived name=\"TON\"/></type></variable>\n"
+                 <variable name=\"t{n}\"><type><derived name=\"TON\"/></type></variable><variable name=\"n{n}\"><type><INT/></type></variable>\n"
             ));
         }
         text.push_str("</localVars></interface><body><LD>\n");
@@ -152,6 +203,26 @@ fn plcopen(programs: usize, rungs: usize) -> String {
                 id + 5,
                 place(300, y),
                 id + 4,
+            ));
+            for (at, value) in [(6, format!("n{n}")), (7, "1".to_owned())] {
+                text.push_str(&format!(
+                    "<inVariable localId=\"{}\" width=\"40\" height=\"25\">{}<connectionPointOut/><expression>{value}</expression></inVariable>\n",
+                    id + at,
+                    place(400, y + 20 * (at - 6)),
+                ));
+            }
+            text.push_str(&format!(
+                "<block localId=\"{}\" typeName=\"ADD\" width=\"60\" height=\"60\">{}<inputVariables><variable formalParameter=\"IN1\">{}</variable>\
+                 <variable formalParameter=\"IN2\">{}</variable></inputVariables><inOutVariables/><outputVariables>\
+                 <variable formalParameter=\"OUT\">{out}</variable></outputVariables></block>\n<outVariable localId=\"{}\" width=\"40\" height=\"25\">\
+                 {}<connectionPointIn><connection refLocalId=\"{}\" formalParameter=\"OUT\"/></connectionPointIn><expression>n{n}</expression></outVariable>\n",
+                id + 8,
+                place(460, y),
+                wired(id + 6),
+                wired(id + 7),
+                id + 9,
+                place(560, y),
+                id + 8,
             ));
         }
         text.push_str("</LD></body></pou>\n");
