@@ -27,7 +27,7 @@ fn read(notation: &dyn Notation, data: &[u8]) -> Option<Converted> {
         Err(error) => {
             assert!(!error.message.is_empty(), "{}", notation.name());
             if let Some(place) = error.place {
-                lies_in(data, place);
+                lies_in(notation, data, place);
             }
             return None;
         }
@@ -50,14 +50,14 @@ fn read(notation: &dyn Notation, data: &[u8]) -> Option<Converted> {
             text.get(Range::<usize>::from(*range)).is_some(),
             "{range:?} in:\n{text}"
         );
-        lies_in(data, converted.places[*origin as usize]);
+        lies_in(notation, data, converted.places[*origin as usize]);
     }
     for found in &converted.findings {
-        lies_in(data, found.place);
+        lies_in(notation, data, found.place);
         assert!(!found.message.is_empty(), "{found:?}");
     }
     for entry in &converted.report.entries {
-        lies_in(data, entry.place);
+        lies_in(notation, data, entry.place);
     }
     Some(converted)
 }
@@ -85,10 +85,11 @@ fn back(notation: &dyn Notation, converted: &Converted) {
 }
 
 /// A place is one of the lines, or the one after the last.
-fn lies_in(data: &[u8], place: LineColumn) {
+fn lies_in(notation: &dyn Notation, data: &[u8], place: LineColumn) {
     let lines = data.split(|byte| *byte == b'\n').count();
     assert!(
         (1..=lines as u32 + 1).contains(&place.line) && place.column >= 1,
-        "{place} of {lines} lines"
+        "{}: {place} of {lines} lines",
+        notation.name()
     );
 }

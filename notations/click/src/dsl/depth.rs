@@ -39,8 +39,9 @@ pub(super) fn check(text: &str) -> Result<(), ReadError> {
             return Ok(());
         }
         if !depth.take(kind) {
-            // Tokens have no places here, but they show where lines end.
-            let place = LineColumn::line(depth.newlines as u32 + 1);
+            // Tokens have no places here, but they show where lines end; to Python a CR alone ends one, too.
+            let lines = text.split('\n').count();
+            let place = LineColumn::line((depth.newlines + 1).min(lines) as u32);
             return Err(ReadError::at(
                 place,
                 "what is written here nests too deeply to be read",
