@@ -6,7 +6,8 @@ use crate::number::Number;
 use ladder_simulator::compiled::Word;
 
 impl Scan<'_, '_> {
-    /// The height of a curve of whole numbers, held flat outside. None: one of its points is a tag, or too far from the next to be computed.
+    /// The height of a curve of whole numbers, held flat outside and cut off toward zero. None: one of its points is a tag, or too
+    /// far from the next to be computed.
     pub(super) fn curve(&mut self, pool: &[u32]) -> Option<()> {
         let [to, ty, x, count, list @ ..] = pool else {
             return None;
