@@ -321,6 +321,7 @@ impl Revision {
     }
 
     /// The same of an earlier text of the file, among the other files as they are now.
+    #[cfg(feature = "review")]
     pub(crate) fn earlier(&self, text: &str) -> (Arc<ladder_analysis::Analysis>, Result<Linked, NotWhole>) {
         let parse = Arc::new(ladder_syntax::parse(text));
         let Some(place) = &self.place else {
