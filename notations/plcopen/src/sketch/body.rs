@@ -484,9 +484,11 @@ impl<'b> Body<'b> {
         } else {
             ends
         };
-        for end in ends {
-            // What a condition decided holds for all that asks for it, and power at a point for this drawing alone.
-            let lasts = self.is_asked_again(end, &HashSet::from([node]));
+        // What a condition decided holds for all that asks for it, and power at a point for this drawing alone: that a point has a tag
+        // settles nothing of what comes after it.
+        let here = HashSet::from([node]);
+        let lasting: Vec<bool> = ends.iter().map(|end| self.is_asked_again(*end, &here)).collect();
+        for (end, lasts) in ends.into_iter().zip(lasting) {
             let several = self.uses.get(&end).is_some_and(|uses| uses.len() > 1);
             if (several || lasts) && !self.results.contains_key(&end) && self.has_power(end) {
                 let (like, comment) = if lasts {
