@@ -22,8 +22,11 @@ async function pick(page, key, text, name) {
     // Not the first row: the list has its own opinion of what is meant.
     const row = page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first();
     await row.click();
-    // A click that meets the drawing of a new list is lost.
-    await row.waitFor({ state: 'hidden', timeout: 5000 }).catch(() => row.click());
+    // A click that meets the drawing of a new list is lost. A row may also go late, and is not there for a second click.
+    const isGone = await row.waitFor({ state: 'hidden', timeout: 5000 }).then(() => true, () => false);
+    if (!isGone) {
+        await row.click({ timeout: 2000 }).catch(() => {});
+    }
 }
 
 /** Opens a file of the project. */
