@@ -118,7 +118,7 @@ fn attempt(model: &Model, targets: &[Lit], depth: Depth) -> Attempt {
         let is_open = |n: &usize| known[*n].is_none() && !given_up.contains(n);
         let mut left: Vec<usize> = (0..targets.len()).filter(is_open).collect();
         let is_late = depth.end.is_over() || base.is_full();
-        if left.is_empty() || !is_wanted(&known, depth.seeks) || is_late {
+        if left.is_empty() || !wants_more(&known, depth.seeks) || is_late {
             break;
         }
         tell(Progress {
@@ -179,7 +179,7 @@ fn attempt(model: &Model, targets: &[Lit], depth: Depth) -> Attempt {
     }
     // Now the induction has all the time that is left, unless what was given up waits for it.
     while given_up.is_empty()
-        && is_wanted(&known, depth.seeks)
+        && wants_more(&known, depth.seeks)
         && !depth.end.is_over()
         && induction.add_scan(u64::MAX)
     {
@@ -195,8 +195,8 @@ fn attempt(model: &Model, targets: &[Lit], depth: Depth) -> Attempt {
     }
 }
 
-/// Whether more is wanted than what is known.
-fn is_wanted(known: &[Option<Known>], seeks: Seeks) -> bool {
+/// Whether more is to be found than what is known.
+fn wants_more(known: &[Option<Known>], seeks: Seeks) -> bool {
     let is_found = |known: &Option<Known>| matches!(known, Some(Known::Found(_)));
     known.iter().any(Option::is_none) && !(seeks == Seeks::One && known.iter().any(is_found))
 }

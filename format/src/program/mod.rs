@@ -202,9 +202,16 @@ impl Element {
 
     /// A piece of wire that says something: `# relay in the door #`.
     pub fn comment(text: &str, origin: Option<Origin>) -> Element {
-        let text = format!("# {} #", comment_text(text).replace('\n', " "));
-        Element { text, origin }
+        Element {
+            text: comment_on_line(text),
+            origin,
+        }
     }
+}
+
+/// A text as a comment on what is left of a line: `# relay in the door #`.
+pub fn comment_on_line(text: &str) -> String {
+    format!("# {} #", comment_text(text).replace('\n', " "))
 }
 
 /// A text as it can be in a comment: a comment cannot hold `#`, so it becomes `\x23`. Lone carriage returns and

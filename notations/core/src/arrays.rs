@@ -1,7 +1,7 @@
 //! Programs with instructions on arrays, for systems that have none: `[UNPACK]` and `[FILL]` become a `[MOV]` for each element, and
 //! `SUM(a[1..9])` in a formula the sum of its elements.
 
-use crate::edited::{Edits, Origins};
+use crate::edited::{Edited, Edits, own_networks, write_edited};
 use crate::{WriteError, Writing};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{Argument, Block, BlockKind};
@@ -22,23 +22,14 @@ pub fn with_arrays_as_elements(
     instructions: &[&str],
     write: impl Fn(&Analysis) -> Result<Writing, WriteError>,
 ) -> Result<Writing, WriteError> {
-    let Some((elements, lines)) = by_elements(analysis, instructions) else {
-        return write(analysis);
-    };
-    let mut writing = write(&elements)?;
-    lines.restore(&mut writing.report);
-    Ok(writing)
+    write_edited(analysis, by_elements(analysis, instructions), &write)
 }
 
-fn by_elements(analysis: &Analysis, instructions: &[&str]) -> Option<(Analysis, Origins)> {
-    let program = analysis.program()?;
+fn by_elements(analysis: &Analysis, instructions: &[&str]) -> Option<Edited> {
     let text = analysis.context.parse.to_string();
-    let networks = program
-        .networks
-        .iter()
-        .filter(|network| network.location.file == 0);
     let mut edits = Edits::default();
-    for block in networks.flat_map(|network| &network.blocks) {
+    let networks = own_networks(analysis)?;
+    for block in networks.iter().flat_map(|(network, _)| &network.blocks) {
         edits.instead.extend(edit(block, &text, instructions));
     }
     if edits.is_empty() {

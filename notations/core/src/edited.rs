@@ -1,9 +1,10 @@
 //! A program with edits, as another program, and where each of its lines comes from.
 
-use crate::{LineColumn, Outcome, Report};
+use crate::{LineColumn, Outcome, Report, WriteError, Writing};
 use ladder_analysis::context::{Body, Context};
+use ladder_analysis::program::Network;
 use ladder_analysis::{Analysis, analyze_in};
-use ladder_syntax::{Item, TextRange, parse};
+use ladder_syntax::{Item, LineKind, TextRange, TextSize, parse};
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
@@ -23,9 +24,50 @@ pub(crate) struct Edits {
     declared: HashMap<Option<usize>, String>,
 }
 
-/// For each line of the edited text the line that it was; both count from 1. None: it stands at the end, for nothing that the
-/// program says itself.
-pub(crate) struct Origins(Vec<Option<u32>>);
+/// An edited program.
+pub(crate) struct Edited {
+    program: Analysis,
+    /// For each line of its text the line that it was; both count from 1. None: it stands at the end, for nothing that the program
+    /// says itself.
+    lines: Vec<Option<u32>>,
+}
+
+/// Writes an edited program, or the program itself if there is none. The report is about the program itself.
+///
+/// # Errors
+///
+/// Those of `write`.
+pub(crate) fn write_edited(
+    analysis: &Analysis,
+    edited: Option<Edited>,
+    write: &dyn Fn(&Analysis) -> Result<Writing, WriteError>,
+) -> Result<Writing, WriteError> {
+    let Some(edited) = edited else {
+        return write(analysis);
+    };
+    let mut writing = write(&edited.program)?;
+    edited.restore(&mut writing.report);
+    Ok(writing)
+}
+
+/// The networks of the file itself, and what each is in. None: the program has errors.
+pub(crate) fn own_networks(analysis: &Analysis) -> Option<Vec<(&Network, Body)>> {
+    let context = &analysis.context;
+    let bodies: HashMap<TextSize, Body> = (context.networks.iter())
+        .map(|network| (network.range.start(), context.bodies[network.index]))
+        .collect();
+    let networks = analysis.program()?.networks.iter();
+    let own = networks.filter(|network| network.location.file == 0);
+    own.map(|network| Some((network, *bodies.get(&network.location.range.start())?)))
+        .collect()
+}
+
+/// The first line of a network, with the comments above it.
+pub(crate) fn first_line(context: &Context, network: usize) -> usize {
+    let first = context.parse.structure().networks[network].lines.start;
+    let is_comment = |line: &usize| context.parse.lines()[*line].kind == LineKind::Comment;
+    first - (0..first).rev().take_while(is_comment).count()
+}
 
 impl Edits {
     pub(crate) fn is_empty(&self) -> bool {
@@ -43,10 +85,10 @@ impl Edits {
     }
 
     /// The edited program. None: it has errors.
-    pub(crate) fn program(self, context: &Context) -> Option<(Analysis, Origins)> {
+    pub(crate) fn program(self, context: &Context) -> Option<Edited> {
         let (text, lines) = self.written(context);
-        let edited = analyze_in(&parse(&text).into(), &context.name, &context.others);
-        edited.program().is_some().then_some((edited, Origins(lines)))
+        let program = analyze_in(&parse(&text).into(), &context.name, &context.others);
+        program.program().is_some().then_some(Edited { program, lines })
     }
 
     fn written(mut self, context: &Context) -> (String, Vec<Option<u32>>) {
@@ -93,13 +135,13 @@ impl Edits {
     }
 }
 
-impl Origins {
+impl Edited {
     /// Makes the places of a report on the edited program those of the program. Of what stands at the end only that is said which has
     /// no counterpart.
-    pub(crate) fn restore(&self, report: &mut Report) {
+    fn restore(&self, report: &mut Report) {
         report.entries.retain_mut(|entry| {
             let line = (entry.place.line as usize).checked_sub(1);
-            match line.and_then(|line| self.0.get(line)) {
+            match line.and_then(|line| self.lines.get(line)) {
                 Some(Some(line)) => entry.place.line = *line,
                 Some(None) if matches!(entry.outcome, Outcome::Refused(_)) => entry.place = LineColumn::START,
                 Some(None) => return false,

@@ -158,3 +158,29 @@ pub(crate) fn with_names(text: &str, names: &HashMap<Name, String>) -> String {
     }
     out
 }
+
+/// A call of a block: `[$Rinse]( Rinse_state, go := go )`.
+pub(crate) struct Call {
+    pub(crate) block: Name,
+    pub(crate) state: Option<String>,
+    pub(crate) given: Vec<(String, String)>,
+}
+
+impl Call {
+    pub(crate) fn of(text: &str) -> Option<Call> {
+        let (block, rest) = text.strip_prefix("[$")?.split_once("](")?;
+        let operands = rest.trim_end().strip_suffix(')')?;
+        let mut operands = operands.split(',').map(str::trim);
+        let state = operands
+            .next()
+            .filter(|state| !state.contains(":="))
+            .map(str::to_owned);
+        let given = operands.filter_map(|operand| operand.split_once(":="));
+        let given = given.map(|(name, tag)| (name.trim().to_owned(), tag.trim().to_owned()));
+        Some(Call {
+            block: Name::new(&format!("${block}")),
+            state,
+            given: given.collect(),
+        })
+    }
+}

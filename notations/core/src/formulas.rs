@@ -1,14 +1,13 @@
 //! Programs whose formulas call functions (`[CALC]( y, a + MIN(b, c * 2) )`), for systems whose formulas have others: what they call
 //! becomes an instruction of its own, in front of the formula, and tags hold the parts.
 
-use crate::edited::{Edits, Origins};
+use crate::edited::{Edited, Edits, own_networks, write_edited};
 use crate::{WriteError, Writing};
 use ladder_analysis::Analysis;
 use ladder_analysis::context::Body;
 use ladder_analysis::program::{Argument, Block, BlockKind, Expr, ExprKind};
 use ladder_instructions::Op;
-use ladder_syntax::{TextRange, TextSize};
-use std::collections::HashMap;
+use ladder_syntax::TextRange;
 
 /// The comment on a tag for a part.
 const PART: &str = "a part of a formula";
@@ -25,20 +24,11 @@ pub fn with_calls_as_instructions(
     analysis: &Analysis,
     write: impl Fn(&Analysis) -> Result<Writing, WriteError>,
 ) -> Result<Writing, WriteError> {
-    let Some((parts, lines)) = by_instructions(analysis) else {
-        return write(analysis);
-    };
-    let mut writing = write(&parts)?;
-    lines.restore(&mut writing.report);
-    Ok(writing)
+    write_edited(analysis, by_instructions(analysis), &write)
 }
 
-fn by_instructions(analysis: &Analysis) -> Option<(Analysis, Origins)> {
-    let context = &analysis.context;
-    let text = context.parse.to_string();
-    let bodies: HashMap<TextSize, Body> = (context.networks.iter())
-        .map(|network| (network.range.start(), context.bodies[network.index]))
-        .collect();
+fn by_instructions(analysis: &Analysis) -> Option<Edited> {
+    let text = analysis.context.parse.to_string();
     let mut parts = Parts {
         lower: text.to_lowercase(),
         text: &text,
@@ -46,9 +36,8 @@ fn by_instructions(analysis: &Analysis) -> Option<(Analysis, Origins)> {
         body: Body::Main,
         edits: Edits::default(),
     };
-    let networks = analysis.program()?.networks.iter();
-    for network in networks.filter(|network| network.location.file == 0) {
-        parts.body = *bodies.get(&network.location.range.start())?;
+    for (network, body) in own_networks(analysis)? {
+        parts.body = body;
         for block in &network.blocks {
             if let Some(instead) = parts.of(block) {
                 parts.edits.instead.push((block.location.range, instead));
@@ -58,7 +47,7 @@ fn by_instructions(analysis: &Analysis) -> Option<(Analysis, Origins)> {
     if parts.edits.is_empty() {
         return None;
     }
-    parts.edits.program(context)
+    parts.edits.program(&analysis.context)
 }
 
 /// The mnemonic of an instruction, its result, and its other operands.

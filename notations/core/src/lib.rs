@@ -26,6 +26,7 @@ mod foreign;
 mod formulas;
 mod functions;
 pub mod guard;
+mod items;
 mod loops;
 mod no_program;
 mod notation;

@@ -4,15 +4,15 @@
 
 pub(crate) mod again;
 
-use crate::edited::{Edits, Origins};
+use crate::edited::{Edited, Edits, first_line, own_networks, write_edited};
 use crate::functions::head;
 use crate::{WriteError, Writing};
 use ladder_analysis::Analysis;
 use ladder_analysis::context::{Body, Context};
-use ladder_analysis::program::{Argument, Block, Expr, ExprKind, Program};
+use ladder_analysis::program::{Argument, Block, Expr, ExprKind, Network};
 use ladder_analysis::values::types::{Scalar, passes};
 use ladder_analysis::values::value::Value;
-use ladder_syntax::{LineKind, TextRange, TextSize};
+use ladder_syntax::{TextRange, TextSize};
 use std::collections::HashMap;
 use std::ops::RangeInclusive;
 
@@ -27,12 +27,7 @@ pub fn with_loops_as_jumps(
     are_jumps: impl Fn(Body, &str) -> bool,
     write: impl Fn(&Analysis) -> Result<Writing, WriteError>,
 ) -> Result<Writing, WriteError> {
-    let Some((jumps, lines)) = as_jumps(analysis, are_jumps) else {
-        return write(analysis);
-    };
-    let mut writing = write(&jumps)?;
-    lines.restore(&mut writing.report);
-    Ok(writing)
+    write_edited(analysis, as_jumps(analysis, &are_jumps), &write)
 }
 
 /// The comment on the tag with the turns.
@@ -56,12 +51,12 @@ struct Loop {
     next: TextRange,
 }
 
-/// The program with jumps, and for each line of it the line that it was. None: it has no loops that can be.
-fn as_jumps(analysis: &Analysis, are_jumps: impl Fn(Body, &str) -> bool) -> Option<(Analysis, Origins)> {
+/// The program with jumps. None: it has no loops that can be.
+fn as_jumps(analysis: &Analysis, are_jumps: &dyn Fn(Body, &str) -> bool) -> Option<Edited> {
     let context = &analysis.context;
-    let program = analysis.program()?;
+    let networks = own_networks(analysis)?;
     let text = context.parse.to_string();
-    let mut loops = loops(context, program, &text.to_lowercase());
+    let mut loops = loops(context, &networks, &text.to_lowercase());
     loops.retain(|it| are_jumps(context.bodies[it.first], &text[it.count]));
     if loops.is_empty() {
         return None;
@@ -70,12 +65,8 @@ fn as_jumps(analysis: &Analysis, are_jumps: impl Fn(Body, &str) -> bool) -> Opti
 }
 
 /// The loops of a file that can be jumps.
-fn loops(context: &Context, program: &Program, text: &str) -> Vec<Loop> {
-    let blocks = program
-        .networks
-        .iter()
-        .filter(|network| network.location.file == 0);
-    let blocks = blocks.flat_map(|network| &network.blocks);
+fn loops(context: &Context, networks: &[(&Network, Body)], text: &str) -> Vec<Loop> {
+    let blocks = networks.iter().flat_map(|(network, _)| &network.blocks);
     let by_start: HashMap<TextSize, &Block> = blocks
         .map(|block| (block.location.range.start(), block))
         .collect();
@@ -219,13 +210,9 @@ fn edits(context: &Context, text: &str, loops: &[Loop]) -> Edits {
             .instead
             .push((it.place, format!("[MOV]( {name}_count, {} )", &text[it.count])));
         let own = &structure.networks[it.first].lines;
-        let above = (0..own.start).rev();
-        let above = above
-            .take_while(|line| parse.lines()[*line].kind == LineKind::Comment)
-            .count();
         edits
             .before
-            .entry(own.start - above)
+            .entry(first_line(context, it.first))
             .or_default()
             .push_str(&format!(
                 "+--[MOV]( {name}_count, 0 )--+\n\n+--[MOV]( {name}_turn, 0 )--+\n\n"

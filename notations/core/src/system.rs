@@ -4,19 +4,21 @@
 
 pub(crate) mod again;
 
-use crate::edited::{Edits, Origins};
+use crate::edited::{Edited, Edits, first_line, own_networks, write_edited};
 use crate::{Entry, LineColumn, Lines, Outcome, WriteError, Writing};
 use ladder_analysis::Analysis;
-use ladder_analysis::context::{Body, Context};
+use ladder_analysis::context::Body;
 use ladder_analysis::names::system_tag::SystemTag;
 use ladder_analysis::program::Place;
-use ladder_syntax::{LineKind, TextRange, TextSize};
-use std::collections::{HashMap, HashSet};
+use ladder_syntax::TextRange;
+use std::collections::HashSet;
 
 /// The block.
 const BLOCK: &str = "$LadderSys";
 /// Its instances.
 const INSTANCE: &str = "ladder_sys";
+/// What the outputs begin with: `TIME` alone is no name.
+const OUTPUT: &str = "sys_";
 /// What the comment on it says.
 const ABOUT: &str = "What ladder text has in SYS, as far as it is used";
 
@@ -31,17 +33,9 @@ pub fn with_system_tags(
     has: impl Fn(Body, SystemTag) -> bool,
     write: impl Fn(&Analysis) -> Result<Writing, WriteError>,
 ) -> Result<Writing, WriteError> {
-    let Some(Kept {
-        program,
-        lines,
-        in_blocks,
-    }) = kept(analysis, has)
-    else {
-        return write(analysis);
-    };
-    let mut writing = write(&program)?;
-    lines.restore(&mut writing.report);
-    for (place, tag) in in_blocks {
+    let (edited, in_blocks) = kept(analysis, &has).unzip();
+    let mut writing = write_edited(analysis, edited, &write)?;
+    for (place, tag) in in_blocks.into_iter().flatten() {
         writing.report.entries.push(Entry {
             place,
             element: format!("SYS.{}", tag.name()),
@@ -50,14 +44,6 @@ pub fn with_system_tags(
     }
     writing.report.entries.sort_by_key(|entry| entry.place);
     Ok(writing)
-}
-
-/// A program with the block.
-struct Kept {
-    program: Analysis,
-    lines: Origins,
-    /// What blocks name.
-    in_blocks: Vec<(LineColumn, SystemTag)>,
 }
 
 /// Whether the block keeps a tag of `SYS`: of the others one is high in the first scan, which each system knows, two are constants, and
@@ -69,18 +55,18 @@ const fn is_kept(tag: SystemTag) -> bool {
     )
 }
 
-/// None: the program has no such tags, or something else has the name of the block.
-fn kept(analysis: &Analysis, has: impl Fn(Body, SystemTag) -> bool) -> Option<Kept> {
+/// A program with the block, and what the bodies of blocks name of it. None: the program has no such tags, or something else has the
+/// name of the block.
+fn kept(
+    analysis: &Analysis,
+    has: &dyn Fn(Body, SystemTag) -> bool,
+) -> Option<(Edited, Vec<(LineColumn, SystemTag)>)> {
     let context = &analysis.context;
-    let bodies: HashMap<TextSize, Body> = (context.networks.iter())
-        .map(|network| (network.range.start(), context.bodies[network.index]))
-        .collect();
     let mut named: Vec<(TextRange, SystemTag, Body)> = Vec::new();
-    let networks = analysis.program()?.networks.iter();
-    for network in networks.filter(|network| network.location.file == 0) {
-        let body = match bodies.get(&network.location.range.start())? {
+    for (network, body) in own_networks(analysis)? {
+        let body = match body {
             Body::Function(_) => Body::Main,
-            body => *body,
+            body => body,
         };
         let bound = network.blocks.iter().flat_map(|block| &block.arguments);
         for (place, at) in bound.flat_map(|bound| bound.places()) {
@@ -93,8 +79,8 @@ fn kept(analysis: &Analysis, has: impl Fn(Body, SystemTag) -> bool) -> Option<Ke
         }
     }
     let text = context.parse.to_string();
-    let is_taken = |name: &str| text.to_lowercase().contains(&name.to_lowercase());
-    if named.is_empty() || is_taken(INSTANCE) || is_taken(BLOCK) {
+    let lower = text.to_lowercase();
+    if named.is_empty() || lower.contains(INSTANCE) || lower.contains(&BLOCK.to_lowercase()) {
         return None;
     }
     let places = Lines::of(&text);
@@ -107,50 +93,35 @@ fn kept(analysis: &Analysis, has: impl Fn(Body, SystemTag) -> bool) -> Option<Ke
         }
         if with_instance.insert(*body) {
             edits.declare(*body, &format!("{INSTANCE} : {BLOCK};"));
-            let before = edits.before.entry(first_line(context, *body)?).or_default();
+            let mut networks = context.networks.iter();
+            let first = networks.find(|network| context.bodies[network.index] == *body)?;
+            let before = edits.before.entry(first_line(context, first.index)).or_default();
             before.push_str(&format!("+--[{BLOCK}]( {INSTANCE} )--+\n\n"));
         }
     }
     let mut tags: Vec<SystemTag> = SystemTag::ALL.to_vec();
     tags.retain(|tag| named.iter().any(|(_, other, _)| other == tag));
     edits.end = block(&tags);
-    let (program, lines) = edits.program(context)?;
-    Some(Kept {
-        program,
-        lines,
-        in_blocks,
-    })
-}
-
-/// The first line of the first network of a body, with the comments above it.
-fn first_line(context: &Context, body: Body) -> Option<usize> {
-    let structure = context.parse.structure();
-    let first = context
-        .networks
-        .iter()
-        .find(|network| context.bodies[network.index] == body)?;
-    let first = structure.networks[first.index].lines.start;
-    let above = (0..first).rev();
-    let is_comment = |line: &usize| context.parse.lines()[*line].kind == LineKind::Comment;
-    Some(first - above.take_while(is_comment).count())
+    Some((edits.program(context)?, in_blocks))
 }
 
 /// The output for a tag.
 fn output(tag: SystemTag) -> String {
-    format!("sys_{}", tag.name().to_lowercase())
+    format!("{OUTPUT}{}", tag.name())
 }
 
 /// The block that keeps these tags.
 fn block(tags: &[SystemTag]) -> String {
     let (mut outputs, mut locals, mut networks) = (String::new(), String::new(), String::new());
     // What the others follow from.
+    let passed = output(SystemTag::ScanTime);
     if !tags.contains(&SystemTag::ScanTime) {
-        locals.push_str("    sys_scan_time : TIME;\n");
+        locals.push_str(&format!("    {passed} : TIME;\n"));
     }
     let has_clock = tags.iter().any(|tag| matches!(tag, SystemTag::Clock(_)));
     if has_clock {
         locals.push_str("    milliseconds : DINT;\n");
-        networks.push_str("\n+--[TYP]( milliseconds, sys_scan_time )--+\n");
+        networks.push_str(&format!("\n+--[TYP]( milliseconds, {passed} )--+\n"));
     }
     for tag in tags {
         let name = output(*tag);
@@ -158,7 +129,7 @@ fn block(tags: &[SystemTag]) -> String {
         outputs.push_str(&format!("    {name} : {}{first};\n", tag.ty().name()));
         let network = match tag {
             SystemTag::Scan => format!("[ADD]( {name}, {name}, 1 )"),
-            SystemTag::Time => format!("[ADD]( {name}, {name}, sys_scan_time )"),
+            SystemTag::Time => format!("[ADD]( {name}, {name}, {passed} )"),
             SystemTag::Clock(clock) => {
                 let phase = format!("in_{}", tag.name().to_lowercase());
                 locals.push_str(&format!("    {phase} : DINT;\n"));
@@ -191,9 +162,9 @@ END_VAR
 +--\\--[LT]( one.ET, T#10m )--\\--( )( by_two )--+
 |  /--[GT]( one.ET, T#50m )--/                 |
 
-+--[ ]( by_two )--[SUB]( sys_scan_time, two.ET, before_two )--+
++--[ ]( by_two )--[SUB]( sys_SCAN_TIME, two.ET, before_two )--+
 
-+--[/]( by_two )--[SUB]( sys_scan_time, one.ET, before_one )--+
++--[/]( by_two )--[SUB]( sys_SCAN_TIME, one.ET, before_one )--+
 
 +--[MOV]( before_one, one.ET )--[MOV]( before_two, two.ET )--+
 ";

@@ -3,7 +3,9 @@
 use crate::scope::{CONTROLLER, Kind};
 use crate::sketch::Sketcher;
 use crate::types::{Ty, Types};
-use ladder_format::program::{Declaration, Item, Qualifier, Section, SectionKind, comment_text};
+use ladder_format::program::{
+    Declaration, Item, Qualifier, Section, SectionKind, comment_on_line, comment_text,
+};
 
 impl Sketcher<'_> {
     /// The sections of a file with the tags of these scopes, without those of Add-On Instructions.
@@ -92,7 +94,7 @@ pub(super) fn types(types: &Types, aois: &[String]) -> Option<Item> {
                 type_text(types, aois, &field.ty)
             ));
             if let Some(comment) = &field.comment {
-                text.push_str(&format!("  # {} #", comment_text(comment).replace('\n', " ")));
+                text.push_str(&format!("  {}", comment_on_line(comment)));
             }
             text.push('\n');
         }

@@ -1,6 +1,8 @@
 //! The instructions of SIMATIC controllers, each under its names in source documents and in SimaticML, next to what says
 //! the same here.
 
+use ladder_analysis::names::system_tag::SystemTag;
+
 /// What an instruction becomes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Form {
@@ -285,7 +287,7 @@ pub(crate) const SYSTEM: [(&str, &str); 6] = [
 ];
 
 /// Whether a project has a tag of `SYS`.
-pub(crate) fn has(tag: ladder_analysis::names::system_tag::SystemTag) -> bool {
+pub(crate) fn has(tag: SystemTag) -> bool {
     SYSTEM
         .iter()
         .any(|(name, _)| name.strip_prefix("SYS.") == Some(tag.name()))

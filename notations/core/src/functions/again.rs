@@ -2,7 +2,8 @@
 //! of the program by their own names, nothing is lost. One that was changed otherwise stays a block.
 
 use super::{BEGINS, DEEPEST, MARK};
-use crate::elements::{change, elements, series, with_names, words};
+use crate::elements::{Call, change, elements, series, with_names, words};
+use crate::items::{above, block_name, trim, without};
 use ladder_format::Circuit;
 use ladder_format::program::{
     Declaration, Drawing, Element, Item, Network, ProgramSketch, RungPiece, Section, SectionKind,
@@ -39,7 +40,9 @@ pub(crate) fn functions_again(files: &mut [&mut ProgramSketch]) {
         }
     };
     for file in files.iter_mut() {
-        file.items = without(std::mem::take(&mut file.items), &functions);
+        file.items = without(std::mem::take(&mut file.items), &|block| {
+            functions.contains_key(block)
+        });
         change(&mut file.items, &call);
         for section in sections(&mut file.items) {
             section
@@ -125,7 +128,7 @@ fn marked(files: &[&mut ProgramSketch]) -> Vec<Marked> {
                 None => (name, false),
             };
             found.push(Marked {
-                key: Name::new(header.trim_matches(['[', ']'])),
+                key: block_name(header),
                 function: name.to_owned(),
                 begins,
                 said,
@@ -138,16 +141,6 @@ fn marked(files: &[&mut ProgramSketch]) -> Vec<Marked> {
         }
     }
     found
-}
-
-/// The comments directly above an item.
-fn above(items: &[Item], at: usize) -> impl Iterator<Item = &str> {
-    let comment = |item: &&Item| matches!(item, Item::Comment(_));
-    let count = items[..at].iter().rev().take_while(comment).count();
-    items[at - count..at].iter().filter_map(|item| match item {
-        Item::Comment(said) => Some(said.as_str()),
-        _ => None,
-    })
 }
 
 impl Marked {
@@ -273,7 +266,7 @@ fn resolve(files: &[&mut ProgramSketch], found: &mut [Marked]) {
             }
         }
         let caller = match item {
-            Item::Block { header, .. } => match by_key.get(&Name::new(header.trim_matches(['[', ']']))) {
+            Item::Block { header, .. } => match by_key.get(&block_name(header)) {
                 Some(number) => Caller::Function(*number),
                 None => Caller::Block,
             },
@@ -348,32 +341,6 @@ fn is_power(word: &str) -> bool {
     word.eq_ignore_ascii_case("EN") || word.eq_ignore_ascii_case("ENO")
 }
 
-/// A call of a block: `[$Rinse]( Rinse_state, go := go )`.
-struct Call {
-    block: Name,
-    state: Option<String>,
-    given: Vec<(String, String)>,
-}
-
-impl Call {
-    fn of(text: &str) -> Option<Call> {
-        let (block, rest) = text.strip_prefix("[$")?.split_once("](")?;
-        let operands = rest.trim_end().strip_suffix(')')?;
-        let mut operands = operands.split(',').map(str::trim);
-        let state = operands
-            .next()
-            .filter(|state| !state.contains(":="))
-            .map(str::to_owned);
-        let given = operands.filter_map(|operand| operand.split_once(":="));
-        let given = given.map(|(name, tag)| (name.trim().to_owned(), tag.trim().to_owned()));
-        Some(Call {
-            block: Name::new(&format!("${block}")),
-            state,
-            given: given.collect(),
-        })
-    }
-}
-
 /// The networks of a function.
 fn function(name: String, begins: bool, said: Vec<String>, items: Vec<Item>) -> Vec<Item> {
     let head = Element::block(format!("<FUN>( {name} )"), None);
@@ -436,36 +403,6 @@ fn begin(drawing: &mut Drawing, head: &Element) -> bool {
             }
             _ => false,
         },
-    }
-}
-
-/// The items without these blocks, and the comments above them.
-fn without(items: Vec<Item>, blocks: &HashMap<Name, String>) -> Vec<Item> {
-    let mut out: Vec<Item> = Vec::new();
-    for item in items {
-        match &item {
-            Item::Block { header, .. }
-                if blocks.contains_key(&Name::new(header.trim_matches(['[', ']']))) =>
-            {
-                while matches!(out.last(), Some(Item::Comment(_))) {
-                    out.pop();
-                }
-            }
-            _ => out.push(item),
-        }
-    }
-    out
-}
-
-/// Blank lines that nothing is left around go, and so do sections.
-fn trim(items: &mut Vec<Item>) {
-    items.retain(|item| !matches!(item, Item::Section(section) if section.declarations.is_empty()));
-    items.dedup_by(|next, item| (&*next, &*item) == (&Item::Blank, &Item::Blank));
-    while items.first() == Some(&Item::Blank) {
-        items.remove(0);
-    }
-    while items.last() == Some(&Item::Blank) {
-        items.pop();
     }
 }
 

@@ -1,33 +1,33 @@
 //! What was written along is taken out again: the tags are those of `SYS`, where the block is as it was written.
 
-use super::{BLOCK, INSTANCE, block, output};
-use crate::elements::{change, elements, series};
+use super::{BLOCK, INSTANCE, OUTPUT, block, output};
+use crate::elements::{Call, change, elements, series, with_names};
+use crate::items::{block_name, trim, without};
 use crate::{Notation, Source};
 use ladder_analysis::Analysis;
 use ladder_analysis::names::system_tag::SystemTag;
 use ladder_format::Options;
-use ladder_format::program::{Item, ProgramSketch, Section, SectionKind};
-use std::collections::BTreeSet;
+use ladder_format::program::{Declaration, Item, ProgramSketch, SectionKind};
+use ladder_syntax::Name;
+use std::collections::{BTreeSet, HashMap};
 
 /// Names tags of `SYS` in a program where the outputs of the block were named. If that has errors, as where the system has other types,
 /// the program stays as it is.
 pub(crate) fn system_tags_again(program: &mut ProgramSketch, notation: &dyn Notation) {
-    let Some(tags) = kept(program).filter(|tags| is_as_written(program, tags, notation)) else {
-        return;
-    };
-    let mut items = program.items.clone();
-    if !remove_block(&mut items) {
+    if !kept(program).is_some_and(|tags| is_as_written(program, &tags, notation)) {
         return;
     }
+    let (own, others): (Vec<Item>, Vec<Item>) = program.items.iter().cloned().partition(is_block);
+    // Another block would be left that only this one has needed.
+    if !called(&own).is_subset(&called(&others)) {
+        return;
+    }
+    let mut items = without(program.items.clone(), &|block| *block == Name::new(BLOCK));
+    remove_instances(&mut items);
+    let root = HashMap::from([(Name::new(INSTANCE), "SYS".to_owned())]);
     change(&mut items, &|text: &mut String| {
-        for tag in &tags {
-            let with = format!("SYS.{}", tag.name());
-            *text = replaced(text, &format!("{INSTANCE}.{}", output(*tag)), &with);
-        }
+        *text = with_names(text, &root).replace(&format!("SYS.{OUTPUT}"), "SYS.");
     });
-    if !remove_instances(&mut items) {
-        return;
-    }
     let again = ProgramSketch { items };
     if !has_errors(&again) {
         *program = again;
@@ -43,7 +43,7 @@ fn analyzed(text: &str) -> Analysis {
 }
 
 fn is_block(item: &Item) -> bool {
-    matches!(item, Item::Block { header, .. } if header.trim_matches(['[', ']']) == BLOCK)
+    matches!(item, Item::Block { header, .. } if block_name(header) == Name::new(BLOCK))
 }
 
 /// The tags that the block of a program keeps.
@@ -93,78 +93,32 @@ fn is_as_written(program: &ProgramSketch, tags: &[SystemTag], notation: &dyn Not
         })
 }
 
-/// A text with one tag in the place of another.
-fn replaced(text: &str, tag: &str, with: &str) -> String {
-    let is_part = |c: char| c.is_alphanumeric() || c == '_';
-    let mut out = String::new();
-    let mut rest = text;
-    while let Some((before, after)) = rest.split_once(tag) {
-        let is_tag = !before.ends_with(is_part) && !after.starts_with(is_part);
-        out.push_str(before);
-        out.push_str(if is_tag { with } else { tag });
-        rest = after;
-    }
-    out + rest
-}
-
-/// Takes out the block with what is said of it. False: another block would be left that only this one has needed.
-fn remove_block(items: &mut Vec<Item>) -> bool {
-    let Some(at) = items.iter().position(is_block) else {
-        return false;
-    };
-    let comments = items[..at]
-        .iter()
-        .rev()
-        .take_while(|item| matches!(item, Item::Comment(_)));
-    let above = comments.count();
-    let removed: Vec<Item> = items.drain(at - above..=at).collect();
-    let (own, others) = (called(&removed), called(items));
-    own.is_subset(&others)
-}
-
-/// The blocks of one's own that networks call, as `[$Name]`.
-fn called(items: &[Item]) -> BTreeSet<String> {
+/// The blocks of one's own that networks call.
+fn called(items: &[Item]) -> BTreeSet<Name> {
     let mut called = BTreeSet::new();
     elements(items, &mut |text| {
-        if text.starts_with("[$") {
-            called.extend(text.split_inclusive(']').next().map(str::to_owned));
-        }
+        called.extend(Call::of(text).map(|call| call.block));
     });
     called
 }
 
-/// Takes out the instances and their calls. False: something else names one of them.
-fn remove_instances(items: &mut Vec<Item>) -> bool {
+/// Takes out the instances and their calls. What is said above a call stays.
+fn remove_instances(items: &mut Vec<Item>) {
     let call = format!("[{BLOCK}]( {INSTANCE} )");
-    let mut out: Vec<Item> = Vec::new();
     for mut item in std::mem::take(items) {
         match &mut item {
             Item::Network(network) if series(network).is_some_and(|own| own == [call.as_str()]) => {
-                // What is said there stays.
-                out.extend(
-                    std::mem::take(&mut network.comments)
-                        .into_iter()
-                        .map(Item::Comment),
-                );
+                items.extend(network.comments.drain(..).map(Item::Comment));
                 continue;
             }
-            Item::Section(Section { declarations, .. }) => {
-                let is_other = |name: &String| name != INSTANCE;
-                declarations.retain(|declared| declared.names.iter().all(is_other));
-                if declarations.is_empty() {
-                    continue;
-                }
+            Item::Section(section) => {
+                let is_other = |declared: &Declaration| declared.names.iter().all(|name| name != INSTANCE);
+                section.declarations.retain(is_other);
             }
-            Item::Block { items, .. } => {
-                remove_instances(items);
-            }
+            Item::Block { items, .. } => remove_instances(items),
             _ => {}
         }
-        out.push(item);
+        items.push(item);
     }
-    *items = out;
-    items.dedup_by(|next, item| (&*next, &*item) == (&Item::Blank, &Item::Blank));
-    let mut is_named = false;
-    elements(items, &mut |text| is_named |= text.contains(INSTANCE));
-    !is_named
+    trim(items);
 }

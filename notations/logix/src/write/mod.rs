@@ -114,13 +114,17 @@ pub(crate) fn write(analysis: &Analysis) -> std::result::Result<Writing, WriteEr
         with_system_tags(
             analysis,
             |body, _| is_native(body),
-            |analysis| by_own_means(analysis, unwritable),
+            |analysis| by_own_means(analysis, &is_native, unwritable),
         )
     })
 }
 
-/// Writes a program with nothing that only ladder text has.
-fn by_own_means(analysis: &Analysis, unwritable: &Unwritable) -> std::result::Result<Writing, WriteError> {
+/// Writes a program with nothing that only ladder text has, but in the bodies of blocks that are instructions there.
+fn by_own_means(
+    analysis: &Analysis,
+    is_native: &dyn Fn(Body) -> bool,
+    unwritable: &Unwritable,
+) -> std::result::Result<Writing, WriteError> {
     let plain =
         |analysis: &Analysis| with_calls_as_instructions(analysis, |analysis| file(analysis, unwritable));
     if analysis.context.profile != Profile::Logix {
@@ -129,12 +133,8 @@ fn by_own_means(analysis: &Analysis, unwritable: &Unwritable) -> std::result::Re
         });
     }
     // Loops that were read from there are in an instruction again.
-    let natives = native::natives(&analysis.context);
     let turns = turns_of_instructions(&analysis.context);
-    let are_jumps = |body: Body, count: &str| {
-        let is_native = matches!(body, Body::Block(block) if natives.contains(&block));
-        !is_native && !turns.contains(&Name::new(count.trim()))
-    };
+    let are_jumps = |body: Body, count: &str| !is_native(body) && !turns.contains(&Name::new(count.trim()));
     with_loops_as_jumps(analysis, are_jumps, plain)
 }
 

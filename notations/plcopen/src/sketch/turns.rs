@@ -43,14 +43,8 @@ impl Body<'_> {
         }
         self.has_falls = nodes.clone().any(|node| self.falls(node));
         let is_block = |node: &usize| matches!(self.graph.nodes[*node].kind, Kind::Block { .. });
-        let states: HashSet<String> = nodes
-            .clone()
-            .filter(is_block)
-            .flat_map(|node| self.writes(node))
-            .collect();
-        self.has_turns = nodes
-            .into_iter()
-            .any(|node| self.reads(node).iter().any(|tag| states.contains(tag)));
+        let states = nodes.filter(is_block).flat_map(|node| self.writes(node));
+        self.has_turns = states.into_iter().any(|tag| self.readers.contains_key(&tag));
     }
 
     /// What feeds an element and does not stand in a network above.

@@ -5,7 +5,7 @@ use crate::model::{Kind, Role, Type, Unit, Variable};
 use crate::operand::literal;
 use crate::scope::{Scope, block_name, member};
 use crate::standard::{elementary, state_type};
-use ladder_format::program::{Declaration, Item, Qualifier, Section, SectionKind, comment_text};
+use ladder_format::program::{Declaration, Item, Qualifier, Section, SectionKind, comment_on_line};
 use ladder_notation::LineColumn;
 
 /// Sections with what was declared so far.
@@ -243,7 +243,7 @@ impl Sketcher<'_> {
                 text.push_str(&format!(" := {initial}"));
             }
             let comment = with_first_name(&variable.name, &name, variable.comment.as_deref());
-            let comment = comment.map(|said| format!("  # {} #", comment_text(&said).replace('\n', " ")));
+            let comment = comment.map(|said| format!("  {}", comment_on_line(&said)));
             text.push_str(&format!(";{}\n", comment.unwrap_or_default()));
         }
         let mut declaration = Declaration::new(spelled.clone(), text + "END_STRUCT");

@@ -5,6 +5,7 @@ mod network;
 
 use crate::cursor::{Cursor, Result};
 use crate::model::{Kind, Role, Type, Unit, Variable};
+use crate::read::resource::Texts;
 use crate::read::type_of;
 use ladder_notation::xml::{Element, Xml};
 use ladder_notation::{Lines, ReadError};
@@ -185,9 +186,5 @@ fn within(ty: Type, of: Type) -> Type {
 
 fn type_text(text: &str) -> Result<Type> {
     let lines = Lines::of(text);
-    type_of(
-        &mut Cursor::new(text, &lines),
-        &crate::read::resource::Texts::default(),
-        0,
-    )
+    type_of(&mut Cursor::new(text, &lines), &Texts::default(), 0)
 }
