@@ -4,7 +4,7 @@
 //! definitions. A body of its own, whose declarations are read, is only marked as unread: [`unread_body`].
 
 use ladder_format::program::{Declaration, Item, Section, SectionKind};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// As many characters of its operands a block takes; a longer text is in its definition.
 const MOST_CHARACTERS: usize = 254;
@@ -51,6 +51,9 @@ pub struct UnreadParts {
     definitions: Vec<Vec<Item>>,
     /// The name of each, with its `$`, by what makes it another one.
     names: HashMap<Key, String>,
+    /// Those names in small letters, and how many there are of each word.
+    taken: HashSet<String>,
+    numbers: HashMap<String, u64>,
 }
 
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -63,9 +66,18 @@ struct Key {
 }
 
 impl UnreadParts {
-    /// A part as it is on a rung: `[$MSG]( 'control, data' )`. `is_taken` says which names, with the `$`, other blocks have.
+    /// An instruction as it is on a rung: `[$MSG]( 'control, data' )`. `is_taken` says which names, with the `$`, other blocks have.
     pub fn block(&mut self, part: Unread<'_>, is_taken: impl Fn(&str) -> bool) -> String {
         let is_short = part.text.chars().count() <= MOST_CHARACTERS && !part.text.contains(['\n', '\r']);
+        self.on_rung(part, is_short, is_taken)
+    }
+
+    /// A body or a network as it is on a rung: `[$networkOfMotor]`. Its text is in its definition, however short it is.
+    pub fn body(&mut self, part: Unread<'_>, is_taken: impl Fn(&str) -> bool) -> String {
+        self.on_rung(part, false, is_taken)
+    }
+
+    fn on_rung(&mut self, part: Unread<'_>, is_short: bool, is_taken: impl Fn(&str) -> bool) -> String {
         let key = Key {
             name: part.name.to_ascii_lowercase(),
             directive: directive(part.writes, part.turn),
@@ -85,13 +97,18 @@ impl UnreadParts {
 
     fn define(&mut self, part: Unread<'_>, key: Key, is_taken: impl Fn(&str) -> bool) -> String {
         let word = block_name(part.name);
-        let is_free = |name: &String| {
-            let mut names = self.names.values();
-            !is_taken(name) && names.all(|other| !other.eq_ignore_ascii_case(name))
+        let name = loop {
+            // Of many that are alike the next number is known.
+            let count = self.numbers.entry(word.to_ascii_lowercase()).or_default();
+            *count += 1;
+            let name = match *count {
+                1 => word.clone(),
+                count => format!("{word}{count}"),
+            };
+            if !is_taken(&name) && self.taken.insert(name.to_ascii_lowercase()) {
+                break name;
+            }
         };
-        let numbered = (2u64..).map(|number| format!("{word}{number}"));
-        let mut names = std::iter::once(word.clone()).chain(numbered);
-        let name = names.find(is_free).unwrap_or(word);
         let mut items = Vec::new();
         if key.text.is_none() && !part.text.is_empty() {
             let mut section = Section::new(SectionKind::VarInput);
@@ -145,27 +162,71 @@ fn directive(writes: Option<&[String]>, turn: Turn) -> String {
     text.trim_end().to_owned()
 }
 
-/// A text of another system as a comment, from which it comes back to the letter.
+/// A text of another system as comments, from which it comes back to the letter.
 fn foreign_text(text: &str) -> Item {
-    Item::Comment(text.replace('\\', "\\\\").replace('#', "\\h"))
+    let text = text.replace("\r\n", "\n").replace('\r', "\n");
+    let comments = text.split('\n').map(|line| {
+        // What would be a comment for the tools is none.
+        let is_directive = line.trim_start().starts_with("ladder:");
+        let mut comment = String::from("# ");
+        if is_directive {
+            comment.push_str("\\s");
+        }
+        for c in line.chars() {
+            match c {
+                '\\' => comment.push_str("\\\\"),
+                '#' => comment.push_str("\\h"),
+                c if c.is_control() && c != '\t' => comment.push(' '),
+                c => comment.push(c),
+            }
+        }
+        comment + " #"
+    });
+    Item::Text(comments.collect::<Vec<_>>().join("\n"))
 }
 
-/// The text of another system that a comment holds, without its `#`.
-pub fn of_foreign_text(comment: &str) -> String {
+/// The text of another system in the definition of an unread part, which begins with `FUNCTION_BLOCK`. None: it has no such text.
+pub fn foreign_text_of(definition: &str) -> Option<String> {
+    let mut lines = definition.lines().map(str::trim_end);
+    lines.find(|line| line.starts_with("# ladder: unread"))?;
+    let comments = lines.map_while(|line| {
+        let inside = line.strip_prefix('#')?.strip_suffix('#')?;
+        let inside = inside.strip_prefix(' ').unwrap_or(inside);
+        Some(in_foreign_text(inside.strip_suffix(' ').unwrap_or(inside)))
+    });
+    let lines: Vec<String> = comments.collect();
+    (!lines.is_empty()).then(|| lines.join("\n"))
+}
+
+fn in_foreign_text(comment: &str) -> String {
     let mut text = String::with_capacity(comment.len());
     let mut rest = comment.chars();
     while let Some(c) = rest.next() {
         match c {
-            '\\' => text.push(if rest.next() == Some('h') { '#' } else { '\\' }),
+            '\\' => match rest.next() {
+                Some('h') => text.push('#'),
+                Some('s') => {}
+                _ => text.push('\\'),
+            },
             _ => text.push(c),
         }
     }
     text
 }
 
-/// A name as that of a block, with its `$`: letters and digits, a letter first.
+/// A name as that of a block, with its `$`: letters and digits, a letter first. Words are told apart by capitals.
 fn block_name(name: &str) -> String {
-    let mut word: String = name.chars().filter(char::is_ascii_alphanumeric).collect();
+    let words = name.split(|c: char| !c.is_ascii_alphanumeric());
+    let mut word = String::new();
+    for part in words.filter(|part| !part.is_empty()) {
+        let (first, rest) = part.split_at(1);
+        if word.is_empty() {
+            word.push_str(first);
+        } else {
+            word.push_str(&first.to_ascii_uppercase());
+        }
+        word.push_str(rest);
+    }
     if !word.starts_with(|c: char| c.is_ascii_alphabetic()) {
         word.insert_str(0, "Part");
     }
@@ -210,6 +271,12 @@ mod tests {
             ..MSG
         };
         assert_eq!(parts.block(other, is_taken), "[$MSG3]");
+        let network = Unread {
+            name: "network 3 of Motor (SCL)",
+            text: "x := 2;",
+            ..MSG
+        };
+        assert_eq!(parts.body(network, is_taken), "[$network3OfMotorSCL]");
         expect_test::expect![[r#"
             # MSG: it is not run here. #
             FUNCTION_BLOCK [$MSG2]
@@ -226,18 +293,41 @@ mod tests {
             # y := 2; #
             +------------------------------------------------------------------(R)( ENO )--+
             END_FUNCTION_BLOCK
+
+            # MSG: it is not run here. #
+            FUNCTION_BLOCK [$network3OfMotorSCL]
+            # ladder: unread #
+            # x := 2; #
+            END_FUNCTION_BLOCK
         "#]]
         .assert_eq(&written(&parts));
     }
 
     #[test]
     fn a_foreign_text_comes_back() {
-        for text in ["a \\h # b \\", "", "\\", "#", "\\\\h"] {
-            let Item::Comment(comment) = foreign_text(text) else {
-                unreachable!("it is a comment");
+        let texts = [
+            "a \\h # b \\",
+            "",
+            "\\",
+            "#",
+            "\\\\h",
+            "IF a THEN\n    b := 1;\n\nEND_IF;\n",
+            "  ladder: unread",
+        ];
+        for text in texts {
+            let mut items = vec![Item::Section(Section::new(SectionKind::Var))];
+            items.extend(unread_body(text, None));
+            let header = "[$Motor]".to_owned();
+            let block = ProgramSketch {
+                items: vec![Item::Block { header, items }],
             };
-            assert!(!comment.contains('#'));
-            assert_eq!(of_foreign_text(&comment), text);
+            let definition = block.write(&ladder_format::Options::default()).text;
+            assert_eq!(
+                foreign_text_of(&definition).as_deref(),
+                Some(text),
+                "{definition}"
+            );
         }
+        assert_eq!(foreign_text_of("FUNCTION_BLOCK [$A]\nEND_FUNCTION_BLOCK"), None);
     }
 }
