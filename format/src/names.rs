@@ -8,6 +8,8 @@ use std::collections::{HashMap, HashSet};
 pub struct Names {
     spelled: HashMap<String, String>,
     taken: HashSet<Name>,
+    /// The number with which the search for the next name begins that is like one that is taken.
+    next: HashMap<Name, u64>,
 }
 
 impl Names {
@@ -39,16 +41,17 @@ impl Names {
     }
 
     fn free(&mut self, name: String) -> String {
-        if self.taken.insert(Name::new(&name)) {
+        let key = Name::new(&name);
+        if self.taken.insert(key.clone()) {
             return name;
         }
-        let mut number = 2u64;
+        let next = self.next.entry(key).or_insert(2);
         loop {
-            let other = format!("{name}_{number}");
+            let other = format!("{name}_{next}");
+            *next += 1;
             if self.taken.insert(Name::new(&other)) {
                 return other;
             }
-            number += 1;
         }
     }
 }

@@ -64,6 +64,6 @@ pub use remark::{Remark, remarks};
 pub use report::{Entry, Outcome, Report, Tally};
 pub use source::{Companion, Source, text_of};
 pub use system::with_system_tags;
-pub use unread::{Power, Turn, Unread, UnreadParts, foreign_text_of, unread_body};
+pub use unread::{Power, Turn, Unread, UnreadParts, foreign_text_of, unread_body, unread_operands};
 pub use with_other_files::{Unwritable, with_other_files};
 pub use written::write_checked;

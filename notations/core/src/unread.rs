@@ -18,7 +18,8 @@ pub struct Unread<'a> {
     pub about: &'a str,
     /// What the other system writes for it: operands of an instruction, or a body.
     pub text: &'a str,
-    /// The tags of the program that it may write, as they are named at its place. None: it is not known.
+    /// The tags of the program that it may write, as they are named at its place; a condition may have none. `None`: it is not
+    /// known.
     pub writes: Option<&'a [String]>,
     /// What its power is.
     pub power: Power,
@@ -59,6 +60,7 @@ pub struct UnreadParts {
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Key {
     name: String,
+    about: String,
     directive: String,
     power: Power,
     /// The text, where it is in the definition.
@@ -80,6 +82,7 @@ impl UnreadParts {
     fn on_rung(&mut self, part: Unread<'_>, is_short: bool, is_taken: impl Fn(&str) -> bool) -> String {
         let key = Key {
             name: part.name.to_ascii_lowercase(),
+            about: part.about.to_owned(),
             directive: directive(part.writes, part.turn),
             power: part.power,
             text: (!is_short).then(|| part.text.to_owned()),
@@ -214,6 +217,21 @@ fn in_foreign_text(comment: &str) -> String {
     text
 }
 
+/// The operands of an instruction that is on a rung: those of `'control, $'data$''`.
+pub fn unread_operands(literal: &str) -> String {
+    let inside = literal.trim();
+    let inside = inside.strip_prefix('\'').unwrap_or(inside);
+    let mut rest = inside.strip_suffix('\'').unwrap_or(inside).chars();
+    let mut text = String::with_capacity(inside.len());
+    while let Some(c) = rest.next() {
+        match c {
+            '$' => text.extend(rest.next()),
+            _ => text.push(c),
+        }
+    }
+    text
+}
+
 /// A name as that of a block, with its `$`: letters and digits, a letter first. Words are told apart by capitals.
 fn block_name(name: &str) -> String {
     let words = name.split(|c: char| !c.is_ascii_alphanumeric());
@@ -262,6 +280,7 @@ mod tests {
         let place = parts.block(MSG, is_taken);
         assert_eq!(place, "[$MSG2]( 'control,$'data$'' )");
         assert_eq!(parts.block(MSG, is_taken), place);
+        assert_eq!(unread_operands("'control,$'data$'' "), MSG.text);
         let writes = ["a".to_owned(), "b".to_owned()];
         let other = Unread {
             writes: Some(&writes),
@@ -277,6 +296,13 @@ mod tests {
             ..MSG
         };
         assert_eq!(parts.body(network, is_taken), "[$network3OfMotorSCL]");
+        let why = Unread {
+            about: "MSG: for another reason.",
+            writes: Some(&[]),
+            text: "",
+            ..MSG
+        };
+        assert_eq!(parts.block(why, is_taken), "[$MSG4]");
         expect_test::expect![[r#"
             # MSG: it is not run here. #
             FUNCTION_BLOCK [$MSG2]
@@ -298,6 +324,11 @@ mod tests {
             FUNCTION_BLOCK [$network3OfMotorSCL]
             # ladder: unread #
             # x := 2; #
+            END_FUNCTION_BLOCK
+
+            # MSG: for another reason. #
+            FUNCTION_BLOCK [$MSG4]
+            # ladder: unread, writes #
             END_FUNCTION_BLOCK
         "#]]
         .assert_eq(&written(&parts));
