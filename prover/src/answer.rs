@@ -9,6 +9,7 @@ use crate::limits::{End, LATE};
 use crate::model::{Model, Target, build};
 pub use crate::replay::Shown;
 use crate::replay::{Wanted, replay};
+use crate::sure::{Sure, depending, doubtful_assumptions};
 use crate::wanted::is_wanted;
 use ladder_analysis::program::Location;
 use ladder_simulator::Simulation;
@@ -137,7 +138,8 @@ pub fn prove(
             seeks: Seeks::Every,
             conflicts: CONFLICTS,
         };
-        let (known, clauses) = decide(&exact, &targets, depth);
+        let (mut known, clauses) = decide(&exact, &targets, depth);
+        make_sure(&exact, &targets, &mut known, depth);
         for (n, known) in rest.into_iter().zip(known) {
             let cause = left_open(&exact, exact.properties[n].bad);
             let found = match known {
@@ -178,6 +180,31 @@ pub fn prove(
     note_untriggered(&exact, &mut answers, end);
     note_faults(simulation, watched, &exact, &mut answers, end);
     Ok(answers)
+}
+
+/// A run that was found and needs a value that an unread part writes counts for nothing. One that needs none may be there.
+fn make_sure(model: &Model, targets: &[Lit], known: &mut [Known], depth: Depth) {
+    if model.world.unread.is_empty() {
+        return;
+    }
+    let depends = depending(model);
+    let assumes = !doubtful_assumptions(model).is_empty();
+    let is_found =
+        |n: &usize| matches!(known[*n], Known::Found(_)) && (assumes || depends[targets[*n].node()]);
+    let doubtful: Vec<usize> = (0..known.len()).filter(is_found).collect();
+    if doubtful.is_empty() {
+        return;
+    }
+    let sure = Sure::of(model);
+    let sure_targets: Vec<Lit> = doubtful.iter().map(|n| sure.lit(targets[*n])).collect();
+    let found = decide(&sure.model, &sure_targets, depth).0;
+    for (n, found) in doubtful.into_iter().zip(found) {
+        known[n] = match (found, &known[n]) {
+            (Known::Found(run), _) => Known::Found(run),
+            (_, Known::Found(run)) => Known::NotIn(run.scans - 1),
+            (_, other) => other.clone(),
+        };
+    }
 }
 
 impl Answer {

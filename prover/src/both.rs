@@ -73,6 +73,7 @@ impl Two {
         end: End,
     ) -> Result<Two, String> {
         let mut world = World::until(end);
+        world.compares = true;
         let watched = &shared.watched;
         let points: Vec<Point> = watched.iter().map(|watched| watched.old.clone()).collect();
         let before = follow_into(&mut world, old, &points, assumptions);
@@ -182,6 +183,7 @@ impl Two {
             .collect();
         world.renumber(&numbers);
         let apart = self.apart.iter();
+        let apart = apart.chain(&world.always);
         let pairs = apart.filter_map(|(old, new)| numbers[*old].zip(numbers[*new]));
         let pairs = pairs.collect();
         let mut assumed = std::mem::take(&mut world.valid);

@@ -3,6 +3,7 @@
 use crate::decide::reach;
 use crate::graph::Lit;
 use crate::model::Model;
+use crate::sure::doubtful_assumptions;
 use ladder_analysis::program::Location;
 use ladder_simulator::Simulation;
 use ladder_simulator::compiled::{Bit, Home, Word};
@@ -13,7 +14,8 @@ type Cause = (String, Option<Location>);
 
 /// What was left open that a literal depends on.
 pub(crate) fn left_open(model: &Model, target: Lit) -> Vec<Cause> {
-    let nodes = reach(model, std::iter::once(target));
+    let assumed = doubtful_assumptions(model);
+    let nodes = reach(model, assumed.into_iter().chain([target]));
     let gaps = &model.world.gaps;
     let mut found: Vec<usize> = (model.world.open.iter())
         .filter(|(node, _)| nodes.contains(node))

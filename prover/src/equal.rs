@@ -223,6 +223,7 @@ impl Compared {
 
     fn asked(&self, old: usize, new: usize, end: Instant) -> Result<Meaning, String> {
         let mut world = World::until(end.into());
+        world.compares = true;
         let before = self.old.follow(&mut world, old)?;
         let after = self.new.follow(&mut world, new)?;
         let declared = self.declared(&world);

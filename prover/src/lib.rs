@@ -31,6 +31,7 @@ mod said;
 mod scenario_text;
 mod shown;
 mod shown_tags;
+mod sure;
 mod system;
 mod unrolled;
 mod wanted;

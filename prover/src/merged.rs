@@ -83,6 +83,7 @@ pub(crate) fn merge(model: &Model, pairs: &[(usize, usize)]) -> Merged {
             inputs: inputs.collect(),
             states,
             open: open.map(|(node, gap)| (of[*node].node(), *gap)).collect(),
+            unread: (world.unread.iter()).map(|node| of[*node].node()).collect(),
             gaps: world.gaps.clone(),
             numbers: world.numbers.clone(),
             constants: world.constants.clone(),

@@ -98,6 +98,7 @@ pub(crate) fn fuse(plain: &Code, mut temporary: Vec<bool>, memory: &mut Memory) 
         stops: Vec::new(),
         operands: plain.operands.clone(),
         saved: plain.saved.clone(),
+        unread: Vec::new(),
         relays: plain.relays,
     };
     code.blocks.extend(plain.blocks.iter().map(|block| BlockPlace {

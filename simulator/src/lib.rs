@@ -84,7 +84,9 @@ mod work;
 /// that each instruction has one meaning wherever it runs.
 pub mod compiled {
     pub use crate::carry::counterparts;
-    pub use crate::code::{ArrayPlace, BlockPlace, Code, Instr, NOTHING_SAVED, NetworkPlace};
+    pub use crate::code::{
+        ArrayPlace, BlockPlace, Code, Instr, NOTHING_SAVED, NetworkPlace, Tracked, UnreadPlace,
+    };
     pub use crate::compile::{CHANNELS, Compiled, Ports, compile};
     pub use crate::layout::{Borrowed, Home, counter, state_size, timer};
     pub use crate::memory::{Bit, Memory, Text, TextSlot, Word};

@@ -1,6 +1,7 @@
 //! From the definition of a user-defined block to what its callers see (LANGUAGE §5.7).
 
 use super::scope::{Origin, Scope, SectionKind};
+use super::unread_body::unread;
 use crate::networks::unread_line::looks_like_declaration;
 use crate::networks::user_block::{Parameter, UserBlockFacts};
 use crate::program::ParameterKind;
@@ -58,6 +59,7 @@ pub(crate) fn user_block(parse: &Parse, definition: &BlockDefinition, scope: &Sc
         shape,
         at,
         parameters,
+        unread: unread(parse, definition),
         import: None,
     }
 }

@@ -33,5 +33,6 @@ mod tag_facts;
 mod type_by_form;
 pub mod type_section;
 pub mod type_spec;
+mod unread_body;
 pub(crate) mod uses;
 mod values_asked;

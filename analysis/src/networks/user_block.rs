@@ -2,7 +2,7 @@
 
 use crate::names::type_spec::Declared;
 use crate::other_files::import::Import;
-use crate::program::ParameterKind;
+use crate::program::{ParameterKind, Unread};
 use crate::values::types::Type;
 use ladder_instructions::Shape;
 use ladder_syntax::{Name, TextRange};
@@ -25,6 +25,8 @@ pub struct UserBlockFacts {
     pub doubtful: bool,
     /// The operands in the order of their declaration.
     pub parameters: Vec<Parameter>,
+    /// What is known of it where it is an unread part.
+    pub unread: Option<Arc<Unread>>,
     /// Where it is defined, if in another file. Its places are those of that file.
     pub import: Option<Import>,
 }
@@ -38,9 +40,19 @@ impl UserBlockFacts {
     /// Whether a caller sees no difference.
     pub(crate) fn looks_like(&self, other: &UserBlockFacts) -> bool {
         let parameters = self.parameters.iter().zip(&other.parameters);
-        (&self.name, self.shape, self.doubtful, self.parameters.len())
-            == (&other.name, other.shape, other.doubtful, other.parameters.len())
-            && parameters.into_iter().all(|(a, b)| a == b)
+        (
+            &self.name,
+            self.shape,
+            self.doubtful,
+            self.parameters.len(),
+            &self.unread,
+        ) == (
+            &other.name,
+            other.shape,
+            other.doubtful,
+            other.parameters.len(),
+            &other.unread,
+        ) && parameters.into_iter().all(|(a, b)| a == b)
     }
 }
 
@@ -48,7 +60,7 @@ impl UserBlockFacts {
 pub(crate) fn signatures(blocks: &[UserBlockFacts]) -> u64 {
     let mut hasher = FxHasher::default();
     for block in blocks {
-        (&block.name, block.shape, block.doubtful).hash(&mut hasher);
+        (&block.name, block.shape, block.doubtful, &block.unread).hash(&mut hasher);
         for parameter in &block.parameters {
             let Parameter {
                 name,

@@ -5,6 +5,7 @@
 //! are in their order of evaluation (LANGUAGE §6).
 
 mod operand;
+mod unread;
 
 pub use crate::names::system_tag::{Clock, SystemTag};
 use crate::values::types::{Scalar, Type};
@@ -15,6 +16,8 @@ pub use operand::{
     Argument, BinaryOperator, Chosen, Expr, ExprKind, Member, Place, RangeRef, Subscript, UnaryOperator,
 };
 use std::ops::Range;
+use std::sync::Arc;
+pub use unread::{Unread, UnreadDirective, root_of, unread_name, unread_note, without_blanks};
 
 /// A place in the text of one of the program's files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -120,6 +123,8 @@ pub struct UserBlock {
     pub eno: TagId,
     /// The networks of its body.
     pub networks: Range<usize>,
+    /// What is known of it where it is an unread part: then its body is not run.
+    pub unread: Option<Arc<Unread>>,
 }
 
 /// How a parameter of a user-defined block is passed.
@@ -330,6 +335,8 @@ pub struct Block {
     /// The type that it works in: the result's (`[ADD]` on INT), or the one that a comparison is made in
     /// (LINT for integers of different types, which compare by value). None where no type is chosen.
     pub works_in: Option<Scalar>,
+    /// Of an unread part its operands as they are written.
+    pub unread: Option<Box<str>>,
 }
 
 /// An argument with the operand that it is given for.

@@ -29,6 +29,7 @@ pub use argument::in_class;
 
 use crate::context::{Body, Callee, Context};
 use crate::findings::diagnostic::Diagnostic;
+use crate::findings::excerpt;
 use crate::names::joined::NamedTags;
 use crate::names::scope::Scope;
 use crate::networks::network::Meaning;
@@ -294,6 +295,7 @@ fn bodies(units: &[Unit<'_>], numbers: &Numbers, ids: &[Vec<Ids>], program: &mut
                 en: own("EN"),
                 eno: own("ENO"),
                 networks: of(Body::Block(item)),
+                unread: block.unread.clone(),
             });
         }
         for label in &context.labels {
@@ -352,6 +354,16 @@ impl<'c> Resolver<'c, '_> {
         })
     }
 
+    /// Of an unread part its operands as they are written.
+    fn unread_operands(&self, index: usize, bound: BlockAt<'c>) -> Option<Box<str>> {
+        self.lowering?;
+        self.context.user_blocks[index].unread.as_ref()?;
+        let whole = excerpt::text(&self.context.parse, bound.range());
+        let head = excerpt::text(&self.context.parse, bound.head_range());
+        let operands = whole.split_once(&head).map_or("", |(_, operands)| operands);
+        Some(operands.trim_start_matches([']', ')', '>']).trim().into())
+    }
+
     /// A block with its arguments. None if it is not a known block, or cannot be read; the rules say so.
     fn block(&mut self, bound: BlockAt<'c>) -> Option<Block> {
         if bound.faulty {
@@ -375,6 +387,7 @@ impl<'c> Resolver<'c, '_> {
                     location,
                     arguments,
                     works_in,
+                    unread: None,
                 })
             }
             Meaning::User(index) if self.context.user_blocks[index].doubtful => None,
@@ -389,6 +402,7 @@ impl<'c> Resolver<'c, '_> {
                     location,
                     arguments,
                     works_in: None,
+                    unread: self.unread_operands(index, bound),
                 })
             }
             // The operands' own errors are shown all the same.

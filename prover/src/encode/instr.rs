@@ -410,6 +410,7 @@ impl Scan<'_, '_> {
             I::StateAt { bits, .. } | I::ClearAt { bits, .. } => self.chosen_state(at, instr, bits),
             I::Routine { routine, operands } => self.routine(at, routine, operands),
             I::Record { .. } | I::Records { .. } => self.block("code that was put together", at),
+            I::Unread { at: number } => self.unread(at, number),
             I::Rail { .. }
             | I::Powered { .. }
             | I::Network { .. }

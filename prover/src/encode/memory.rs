@@ -6,7 +6,7 @@ use super::world::World;
 use crate::graph::Lit;
 use crate::number::Number;
 use ladder_analysis::values::types::Scalar;
-use ladder_simulator::compiled::{Bit, Memory as Banks, Width, Word, timer};
+use ladder_simulator::compiled::{Bit, Memory as Banks, TextSlot, Width, Word, timer};
 use rustc_hash::FxHashMap;
 
 /// A cell that is remembered, and the numbers of its bits among those that are.
@@ -38,6 +38,8 @@ pub(crate) struct Memory<'c> {
     words: FxHashMap<u32, Number>,
     phases: FxHashMap<u32, Vec<Lit>>,
     ages: FxHashMap<u32, Number>,
+    /// Ages that became open before they were asked for: where that is so, and their bits.
+    open_ages: FxHashMap<u32, Vec<(Lit, Vec<Lit>)>>,
     remembered: Vec<Remembered>,
 }
 
@@ -50,6 +52,7 @@ impl<'c> Memory<'c> {
             words: FxHashMap::default(),
             phases: FxHashMap::default(),
             ages: FxHashMap::default(),
+            open_ages: FxHashMap::default(),
             remembered: Vec::new(),
         }
     }
@@ -193,8 +196,7 @@ impl<'c> Memory<'c> {
         if let Some(tag) = self.of_timer(timer, "age", Scalar::Time) {
             let age = world.shared(&tag);
             world.valid.push(!age.sign());
-            self.ages.insert(timer.0, age.clone());
-            return age;
+            return self.begin_age(world, timer, age);
         }
         let count = (64 - most.max(1).leading_zeros()) as usize;
         // It counts only once the timer has begun: what it is before does not matter, and 1 is what it mostly is.
@@ -203,9 +205,30 @@ impl<'c> Memory<'c> {
         world.timers.push(timer.0);
         self.remembered
             .push(Remembered::Age(timer.0, numbers, most.max(1)));
-        let age = Number::unsigned(leaves);
+        self.begin_age(world, timer, Number::unsigned(leaves))
+    }
+
+    fn begin_age(&mut self, world: &mut World, timer: Bit, mut age: Number) -> Number {
+        let len = age.len() - 1;
+        for (act, bits) in self.open_ages.remove(&timer.0).unwrap_or_default() {
+            let open = Number::unsigned(bits[..len.min(bits.len())].to_vec());
+            age = world.graph.choose_number(act, &open, &age);
+        }
         self.ages.insert(timer.0, age.clone());
         age
+    }
+
+    /// Where this holds, an age is what the lowest of these bits say.
+    pub(crate) fn open_age(&mut self, world: &mut World, timer: Bit, open: (Lit, Vec<Lit>)) {
+        self.open_ages.entry(timer.0).or_default().push(open);
+        if let Some(age) = self.known_age(timer) {
+            self.begin_age(world, timer, age);
+        }
+    }
+
+    /// The bytes that a text holds at the start.
+    pub(super) fn first_text(&self, at: u32) -> &[u8] {
+        self.initial.text(TextSlot(at))
     }
 
     /// What stands for something that a timer remembers where its network is followed alone.

@@ -29,6 +29,7 @@ mod state;
 mod ticks;
 mod timers;
 mod units;
+mod unread;
 mod uses;
 mod world;
 
@@ -41,6 +42,7 @@ use crate::graph::Lit;
 use flow::{Back, Frame};
 use ladder_simulator::compiled::{Code, Instr, Memory as Banks, Word};
 use lost::Lost;
+use rustc_hash::FxHashMap;
 use slots::Reach;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -88,6 +90,8 @@ pub(crate) struct Scan<'w, 'c> {
     lost: Vec<Lost>,
     /// Nothing more is followed.
     is_stopped: bool,
+    /// How often each unread part was met, by its number.
+    turns: FxHashMap<u32, u32>,
     pub(crate) times: Times,
     interval: i64,
     /// Its blocks are places in the program, not those of the small program of an expression.
@@ -151,6 +155,7 @@ impl<'w, 'c> Scan<'w, 'c> {
             reach,
             lost: Vec::new(),
             is_stopped: false,
+            turns: FxHashMap::default(),
             times,
             interval,
             located: true,

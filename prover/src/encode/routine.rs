@@ -127,7 +127,7 @@ const TEXTS: &str = "texts and the serial port are not tracked";
 const CURVES: &str = "curves of reals, and those whose points are tags, are not tracked";
 
 /// Whether it writes something that is not tracked: texts, and the serial port.
-const fn writes_unseen(routine: Routine) -> bool {
+pub(super) const fn writes_unseen(routine: Routine) -> bool {
     matches!(
         routine,
         Routine::SelectText

@@ -1,6 +1,7 @@
 //! Which cells a computed slot may mean, known before a scan is followed: an index reaches the elements of its array, and
 //! what is multiplied by and added to it reaches elements at equal distances.
 
+use super::unread::each_written;
 use super::uses::{Access, Cell, for_each_use, routine_uses};
 use crate::number::common;
 use ladder_simulator::compiled::{Code, Instr, IntegerOp, Memory as Banks, Routine, Width, Word};
@@ -95,6 +96,11 @@ impl Reach {
             }
         };
         for instr in &code.instrs {
+            if let Instr::Unread { at } = *instr {
+                each_written(&code.unread[at as usize], &reach, &mut |_, cell| {
+                    note(cell, Access::Change);
+                });
+            }
             for_each_use(instr, &mut note);
             if let Instr::Routine { routine, operands } = *instr {
                 // The words of ranges are tags.
@@ -135,6 +141,11 @@ impl Reach {
                 self.add(to, value);
             }
             Instr::Move { to, from } => self.add(to, self.slots(from)),
+            Instr::Unread { at } => {
+                each_written(&code.unread[at as usize], &Reach::default(), &mut |_, cell| {
+                    self.forget(cell, Access::Change);
+                });
+            }
             Instr::Routine { routine, operands } => {
                 let pool = &code.operands[operands as usize..];
                 match (routine, pool) {

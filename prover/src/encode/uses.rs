@@ -2,6 +2,7 @@
 
 pub(super) use super::routine_uses::routine_uses;
 use super::slots::Reach;
+use super::unread::each_written;
 use ladder_instructions::Op;
 use ladder_simulator::compiled::{Bit, Code, Instr, Word, counter, timer};
 use std::ops::Range;
@@ -49,6 +50,11 @@ pub(super) fn for_each_access(
                 None => each(Cell::Unknown, Access::Change),
                 Some(all) => all.for_each(|(_, _, instr)| for_each_use(&instr, each)),
             },
+            Instr::Unread { at: number } => {
+                each_written(&code.unread[number as usize], reach, &mut |_, cell| {
+                    each(cell, Access::Change);
+                });
+            }
             Instr::Routine { routine, operands } => {
                 routine_uses(routine, &code.operands[operands as usize..], reach, each);
             }

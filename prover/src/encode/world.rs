@@ -7,7 +7,7 @@ use crate::limits::End;
 use crate::number::Number;
 use ladder_analysis::program::Location;
 use ladder_analysis::values::types::Scalar;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::VecDeque;
 
 /// What goes into the program.
@@ -58,6 +58,14 @@ pub(crate) struct World {
     pub(crate) gaps: Vec<Gap>,
     /// What was left open and depends on some bits alone, by these.
     pub(crate) applied: FxHashMap<Applied, Vec<Lit>>,
+    /// Those of them that stand for what unread parts write: the simulator does not have these values.
+    pub(crate) unread: FxHashSet<usize>,
+    /// Another program is followed after this one: what unread parts get and write is kept.
+    pub(crate) compares: bool,
+    /// Each unread part that was met, by its text and how often it was met before.
+    pub(crate) ran: FxHashMap<(String, u32), Ran>,
+    /// Pairs of states of which the first is always high, and the second as long as something has always been so.
+    pub(crate) always: Vec<(usize, usize)>,
     /// Leaves that are in the place of times.
     pub(crate) times: Vec<Lit>,
     /// The words that are remembered, by their bits among the states.
@@ -88,6 +96,24 @@ pub(crate) struct World {
     pub(crate) end: End,
 }
 
+/// What an unread part got and wrote in a scan.
+#[derive(Debug)]
+pub(crate) struct Ran {
+    /// It was reached.
+    pub(crate) act: Lit,
+    /// All that it may read, by name; none if something of it is not tracked.
+    pub(crate) reads: Option<Vec<(String, Read)>>,
+    /// The bits of each cell that it may write, by the name of the tag and which cell of it.
+    pub(crate) written: FxHashMap<(String, u32), Vec<Lit>>,
+}
+
+/// A value that an unread part may read.
+#[derive(Debug)]
+pub(crate) enum Read {
+    Number(Number),
+    Text(Vec<u8>),
+}
+
 /// Of a program that is followed after another one: what of it is remembered in the same variables as there.
 #[derive(Debug, Default)]
 pub(crate) struct Twins {
@@ -110,16 +136,18 @@ impl World {
 
     /// Bits that may be anything, since what they would be is not followed.
     pub(crate) fn open_bits(&mut self, gap: Gap, count: usize) -> Vec<Lit> {
-        let number = match self.gaps.iter().position(|known| *known == gap) {
-            Some(number) => number,
-            None => {
-                self.gaps.push(gap);
-                self.gaps.len() - 1
-            }
-        };
+        let number = self.gap(gap);
         let bits: Vec<Lit> = (0..count).map(|_| self.graph.leaf()).collect();
         self.open.extend(bits.iter().map(|bit| (bit.node(), number)));
         bits
+    }
+
+    fn gap(&mut self, gap: Gap) -> usize {
+        let known = self.gaps.iter().rposition(|known| *known == gap);
+        known.unwrap_or_else(|| {
+            self.gaps.push(gap);
+            self.gaps.len() - 1
+        })
     }
 
     /// The same, of what depends on these bits and nothing else: asked for again, it is the same as before.
@@ -130,6 +158,29 @@ impl World {
         let bits = self.open_bits(gap, count);
         self.applied.insert(applied, bits.clone());
         bits
+    }
+
+    /// Any value of a type, likewise.
+    pub(crate) fn open_any(&mut self, gap: Gap, ty: Scalar) -> Number {
+        let (value, bits) = self.any(ty);
+        let gap = self.gap(gap);
+        let open = bits.iter().filter(|bit| bit.known().is_none());
+        self.open.extend(open.map(|bit| (bit.node(), gap)));
+        value
+    }
+
+    /// High where something holds now and did in all scans before.
+    pub(crate) fn and_always_before(&mut self, now: Lit) -> Lit {
+        let [high, before] = [(); 2].map(|()| {
+            let leaf = self.graph.leaf();
+            self.remember_as(leaf, true).0
+        });
+        let always = self.graph.and(before, now);
+        let number = self.states.len() - 1;
+        self.states[number].next = always;
+        self.valid.push(high);
+        self.always.push((number - 1, number));
+        always
     }
 
     /// Nothing can be said of the program.
@@ -199,12 +250,22 @@ impl World {
     }
 
     fn input(&mut self, tag: &InputTag) -> Number {
-        let (number, bits) = match tag.ty {
+        let (number, bits) = self.any(tag.ty);
+        self.inputs.push(Input {
+            tag: tag.clone(),
+            bits,
+        });
+        number
+    }
+
+    /// Any value of a type, and its bits.
+    fn any(&mut self, ty: Scalar) -> (Number, Vec<Lit>) {
+        match ty {
             Scalar::Bool => {
                 let bit = self.graph.leaf();
                 (Number::of_bit(bit), vec![bit])
             }
-            Scalar::Real | Scalar::Lreal => self.real_input(tag.ty == Scalar::Real),
+            Scalar::Real | Scalar::Lreal => self.any_real(ty == Scalar::Real),
             Scalar::Enum(id) => {
                 let bits: Vec<Lit> = (0..32).map(|_| self.graph.leaf()).collect();
                 let number = Number::of_bits(bits.clone());
@@ -224,16 +285,11 @@ impl World {
                 let bits: Vec<Lit> = (0..width.bits()).map(|_| self.graph.leaf()).collect();
                 (Number::of_bits(bits.clone()).wrapped(width), bits)
             }
-        };
-        self.inputs.push(Input {
-            tag: tag.clone(),
-            bits,
-        });
-        number
+        }
     }
 
     /// A finite real: of 32 bits 0 and what is not too small or too large, which are the same bits in a word.
-    fn real_input(&mut self, single: bool) -> (Number, Vec<Lit>) {
+    fn any_real(&mut self, single: bool) -> (Number, Vec<Lit>) {
         let mut bits: Vec<Lit> = (0..64).map(|_| self.graph.leaf()).collect();
         let exponent = Number::unsigned(bits[52..63].to_vec());
         let (least, most) = if single { (897, 1150) } else { (1, 2046) };

@@ -112,6 +112,7 @@ impl Instr {
             | I::Record { .. }
             | I::Records { .. }
             | I::Routine { .. }
+            | I::Unread { .. }
             | I::Network { .. }
             | I::Left { .. }
             | I::Finish

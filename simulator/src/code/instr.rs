@@ -384,6 +384,12 @@ pub enum Instr {
         operands: u32,
     },
 
+    /// An unread part, one of [`Code::unread`](super::Code::unread): nothing is done. What it may write, also its power, is
+    /// written before.
+    Unread {
+        at: u32,
+    },
+
     // Program flow.
     /// The network that begins here is reached; it is noted where not every scan reaches it.
     Network {

@@ -3,8 +3,10 @@
 
 mod effects;
 mod instr;
+mod unread;
 
 pub use instr::{Instr, NOTHING_SAVED};
+pub use unread::{Tracked, UnreadPlace};
 
 use crate::controller::Relays;
 use crate::memory::Bit;
@@ -40,6 +42,8 @@ pub struct Code {
     pub operands: Vec<u32>,
     /// Powers that a call which can come back to the same network must keep.
     pub saved: Vec<Vec<Bit>>,
+    /// The unread parts: where each is, and what it may read and write.
+    pub unread: Vec<UnreadPlace>,
     /// Where errors are reported that are not faults.
     pub relays: Relays,
 }

@@ -36,6 +36,7 @@ mod strings;
 mod tables;
 mod ticks;
 mod units;
+mod unread;
 mod user_block;
 
 use crate::code::{ArrayPlace, Code, ElementPlace, Instr};
@@ -161,7 +162,10 @@ pub fn compile(program: &Program, interval: i64) -> Result<Compiled> {
         passed_owners: HashMap::new(),
         owned_bits: HashMap::new(),
         owned_tags: HashMap::new(),
+        owned: Vec::new(),
+        unread: unread::Seen::default(),
     };
+    compiler.parts_at_any_time();
     compiler.starting_counts();
     compiler.controller();
     compiler.regions()?;
@@ -232,6 +236,10 @@ struct Compiler<'p> {
     owned_bits: HashMap<Thing, Bit>,
     /// The same for the tags of bodies inside: the first two, which say where all are.
     owned_tags: HashMap<Thing, (Home, Home)>,
+    /// What else belongs to states that are tags: the first tag like it, and the cells.
+    owned: Vec<(TagId, Home)>,
+    /// What is known of unread parts.
+    unread: unread::Seen,
 }
 
 impl Compiled {
@@ -266,6 +274,7 @@ impl Compiler<'_> {
                 *to = self.functions[function];
             }
         }
+        self.open_owned();
         self.count_work();
         self.code.note_stops();
         let Layout {

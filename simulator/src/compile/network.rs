@@ -22,6 +22,7 @@ impl Compiler<'_> {
             let network = self.noted(self.regions.len() - 1);
             self.emit(Instr::Network { network });
         }
+        self.at_any_time();
         let lights_itself = self.semantics.relay == Relay::Power && flow::holds(network, Op::Mcr);
         let outer = std::mem::take(&mut self.powers);
         let mut ends = Vec::with_capacity(network.steps.len());

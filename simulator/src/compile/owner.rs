@@ -143,6 +143,14 @@ impl<'p> Compiler<'p> {
                     self.layout.keep(bit);
                 }
                 self.keep_edges(&thing, count, first);
+                self.note_owned(
+                    &thing,
+                    Home::Bits {
+                        at: first,
+                        first: 0,
+                        len: count,
+                    },
+                );
                 self.owned_bits.insert(thing, first);
                 first
             }
@@ -195,6 +203,13 @@ impl<'p> Compiler<'p> {
         }
     }
 
+    /// Notes what else belongs to a state: an unread part that may write that may write this.
+    fn note_owned(&mut self, (path, _): &Thing, home: Home) {
+        if let Some(Step::Tags(first)) = path.0.first() {
+            self.owned.push((*first, home));
+        }
+    }
+
     /// The tags of the program that owners are, or are in.
     fn roots(&self, (path, _): &Thing) -> &'p [Tag] {
         let first = match path.0.first() {
@@ -225,6 +240,9 @@ impl<'p> Compiler<'p> {
                 let mut homes = vec![zero];
                 for _ in 1..count {
                     homes.push(self.layout.tag(declared)?);
+                }
+                for home in &homes {
+                    self.note_owned(&thing, *home);
                 }
                 let one = homes.get(1).copied().unwrap_or(zero);
                 let keeps = self.keeps[tag.0 as usize];

@@ -99,6 +99,9 @@ impl Compiler<'_> {
             }
         }
         let outputs = self.outputs(index, block)?;
+        if user.unread.is_some() {
+            return self.unread_block((index, block), (en, out), inputs, &outputs);
+        }
         for (place, value) in inputs {
             let spot = self.spot(&place)?;
             self.store(spot, value);
@@ -330,10 +333,10 @@ impl Compiler<'_> {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Output {
     /// Where the body has it.
-    read: Spot,
+    pub(super) read: Spot,
     from: Scalar,
-    spot: Spot,
-    to: Scalar,
+    pub(super) spot: Spot,
+    pub(super) to: Scalar,
 }
 
 /// The elements of an array from one index to another, as an array whose first index is this.
@@ -362,7 +365,7 @@ fn stretch_of(home: Home, from: i64, to: i64, index: i64) -> Home {
 }
 
 /// A place as the home of a tag.
-fn home_of(spot: Spot, ty: Scalar) -> Option<Home> {
+pub(super) fn home_of(spot: Spot, ty: Scalar) -> Option<Home> {
     Some(match spot {
         Spot::Bit(at) => Home::Bits { at, first: 0, len: 1 },
         Spot::Word(at) => Home::Words {

@@ -61,6 +61,7 @@ pub(super) fn execute<const FORCED: bool>(
                 return Ok(Onward::Flow);
             }
         }
+        Instr::Unread { .. } => {}
         Instr::Network { .. }
         | Instr::Rail { .. }
         | Instr::Mcr { .. }

@@ -5,6 +5,7 @@ use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::Rule;
 use crate::names::did_you_mean::closest;
 use crate::profile;
+use crate::program::UnreadDirective;
 use crate::rules;
 use ladder_instructions::Profile;
 use ladder_syntax::{TextRange, TextSize};
@@ -16,6 +17,8 @@ pub(super) enum Directive {
     Allow { rules: Vec<Rule>, file: bool },
     /// Say something of the file: counts before its first network, and once.
     Says(Word),
+    /// The block in whose definition it is has no counterpart in the language.
+    Unread,
     /// Something else that the tools know: `fmt off`.
     Known,
 }
@@ -54,6 +57,13 @@ pub(super) fn read(comment: &str, at: TextSize, out: &mut Vec<Diagnostic>) -> Op
                 bad(place, "`cycle` is followed by the time from one scan to the next")
                     .help("write it as in `# ladder: cycle 10ms #`; it is a day at most"),
             );
+            return None;
+        }
+        "unread" if UnreadDirective::read(after).is_some() => return Some(Directive::Unread),
+        "unread" => {
+            out.push(bad(place, "after `unread` nothing of this is known").help(
+                "write `unread`, `unread, writes a, b`, `unread, at any time` or `unread, at any time, writes a, b`",
+            ));
             return None;
         }
         "profile" => return selected(after, place, out),
@@ -110,12 +120,13 @@ fn and_list(words: &[String]) -> String {
 }
 
 fn unknown(name: &str, place: TextRange) -> Diagnostic {
-    const WORDS: [&str; 5] = ["allow", "allow-file", "cycle", "fmt", "profile"];
+    const WORDS: [&str; 6] = ["allow", "allow-file", "cycle", "fmt", "profile", "unread"];
     let found = bad(place, format!("`{name}` is nothing that a comment can ask for"));
     found.help(match closest(name, WORDS.into_iter()) {
         Some(near) => format!("did you mean `{near}`?"),
         None => {
-            "comments can say `allow`, `allow-file`, `fmt off`, `fmt on`, `profile` and `cycle`".to_owned()
+            "comments can say `allow`, `allow-file`, `fmt off`, `fmt on`, `profile`, `cycle` and `unread`"
+                .to_owned()
         }
     })
 }
@@ -147,6 +158,15 @@ pub(super) fn said_before(word: Word, place: TextRange, first: TextRange, line: 
     )
     .help("remove the one that is not meant")
     .related(first, "this one counts")
+}
+
+/// A comment that makes a block an unread part, and is in none, or in one that another comment made it already.
+pub(super) fn no_unread_block(place: TextRange) -> Diagnostic {
+    bad(
+        place,
+        "`unread` counts in the definition of a block, once: here it changes nothing",
+    )
+    .help("write it on a line of its own between FUNCTION_BLOCK and END_FUNCTION_BLOCK, or remove it")
 }
 
 fn bad(place: TextRange, message: impl Into<String>) -> Diagnostic {

@@ -24,7 +24,9 @@ pub(crate) struct Allows<'c> {
 impl<'c> Allows<'c> {
     /// Those of a file. What is wrong with directives goes to `out`.
     pub(crate) fn of(context: &'c Context, out: &mut Vec<Diagnostic>) -> Allows<'c> {
-        let Directives { allows, says, wrong } = directives(context);
+        let Directives {
+            allows, says, wrong, ..
+        } = directives(context);
         out.extend(wrong);
         out.extend(idle_words(context, says.into_iter()));
         let switches = Switches::of(context, &allows);

@@ -49,6 +49,21 @@ pub(super) struct Directives {
     pub(super) says: Vec<Says>,
     /// What is wrong with them, each by itself.
     pub(super) wrong: Vec<Diagnostic>,
+    /// The definition that a comment made an unread part last.
+    unread: Option<usize>,
+}
+
+impl Directives {
+    /// Whether a line is the first in the definition of a block with a comment that makes it an unread part.
+    fn is_first_unread(&mut self, context: &Context, line: usize) -> bool {
+        let blocks = &context.parse.frame().blocks;
+        let after = blocks.partition_point(|block| block.lines.start <= line);
+        let block = after
+            .checked_sub(1)
+            .filter(|block| blocks[*block].lines.contains(&line));
+        let is_own_line = context.parse.lines()[line].kind.is_decoration();
+        block.is_some() && is_own_line && block != std::mem::replace(&mut self.unread, block)
+    }
 }
 
 /// A comment that says something of the file.
@@ -190,6 +205,8 @@ fn read_line(context: &Context, line: usize, covers: impl Fn() -> Covers, direct
                 covers: if file { Covers::File } else { covers() },
                 removal: None,
             }),
+            Some(Directive::Unread) if directives.is_first_unread(context, line) => {}
+            Some(Directive::Unread) => directives.wrong.push(directive::no_unread_block(comment)),
             Some(Directive::Known) | None => {}
         }
     }
