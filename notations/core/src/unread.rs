@@ -50,8 +50,8 @@ pub enum Turn {
 pub struct UnreadParts {
     /// In the order in which they were met.
     definitions: Vec<Vec<Item>>,
-    /// The name of each, with its `$`, by what makes it another one.
-    names: HashMap<Key, String>,
+    /// The name of each, with its `$`, and its number, by what makes it another one.
+    names: HashMap<Key, (String, usize)>,
     /// Those names in small letters, and how many there are of each word.
     taken: HashSet<String>,
     numbers: HashMap<String, u64>,
@@ -70,7 +70,7 @@ struct Key {
 impl UnreadParts {
     /// An instruction as it is on a rung: `[$MSG]( 'control, data' )`. `is_taken` says which names, with the `$`, other blocks have.
     pub fn block(&mut self, part: Unread<'_>, is_taken: impl Fn(&str) -> bool) -> String {
-        let is_short = part.text.chars().count() <= MOST_CHARACTERS && !part.text.contains(['\n', '\r']);
+        let is_short = part.text.len() <= MOST_CHARACTERS && !part.text.contains(['\n', '\r']);
         self.on_rung(part, is_short, is_taken)
     }
 
@@ -88,7 +88,7 @@ impl UnreadParts {
             text: (!is_short).then(|| part.text.to_owned()),
         };
         let name = match self.names.get(&key) {
-            Some(name) => name.clone(),
+            Some((name, _)) => name.clone(),
             None => self.define(part, key, is_taken),
         };
         if !is_short || part.text.is_empty() {
@@ -132,13 +132,24 @@ impl UnreadParts {
         let above = Item::Comment(part.about.to_owned());
         let block = Item::Block { header, items };
         self.definitions.push(vec![Item::Blank, above, block]);
-        self.names.insert(key, name.clone());
+        self.names.insert(key, (name.clone(), self.definitions.len() - 1));
         name
     }
 
     /// Their definitions.
     pub fn items(&self) -> impl Iterator<Item = Item> {
         self.definitions.iter().flatten().cloned()
+    }
+
+    /// How many there are.
+    pub const fn len(&self) -> usize {
+        self.definitions.len()
+    }
+
+    /// Forgets all but so many: what they were in is unread as a whole.
+    pub fn truncate(&mut self, count: usize) {
+        self.definitions.truncate(count);
+        self.names.retain(|_, (_, number)| *number < count);
     }
 
     /// Whether there is none.

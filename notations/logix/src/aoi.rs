@@ -21,7 +21,7 @@ impl Sketcher<'_> {
         let (logic, when_off) = (routine("Logic"), routine("EnableInFalse"));
         // With dead power nothing of it runs, but what it has for that.
         let alone = |text: &str| Circuit::Element(Element::block(text, None));
-        match when_off.filter(|unit| !self.units[*unit].rungs.is_empty()) {
+        match when_off.filter(|unit| !self.units[*unit].is_empty()) {
             Some(unit) => {
                 let label = self.translator.tags.fresh(scope, "logic");
                 let jump = vec![alone("[ ]( EN )"), alone(&format!("<JMP>( {label} )"))];
@@ -43,7 +43,7 @@ impl Sketcher<'_> {
         for unit in self.units.iter().filter(|unit| unit.owner == Owner::Aoi(aoi)) {
             let own = unit.routine;
             let runs = matches!(own.name.to_ascii_uppercase().as_str(), "LOGIC" | "ENABLEINFALSE");
-            if !runs && !own.rungs.is_empty() {
+            if !runs && !unit.is_empty() {
                 let place = self.place(own.at);
                 let what = format!("routine {} of {}", own.name, definition.name);
                 self.reading

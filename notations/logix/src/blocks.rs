@@ -47,12 +47,7 @@ pub(crate) const OTE_BIT: &str = "OTEBIT";
 #[derive(Debug, Default)]
 pub(crate) struct Blocks {
     used: BTreeMap<String, String>,
-    /// Those that do nothing: the name and the text.
-    idle: BTreeMap<String, (String, String)>,
 }
-
-/// So many characters of its operands a block that does nothing shows at most.
-const MOST_CHARACTERS: usize = 254;
 
 impl Blocks {
     /// Notes that a block is used. Its name, with the `$`.
@@ -99,29 +94,6 @@ impl Blocks {
         block
     }
 
-    /// A block that does nothing and shows its operands: an instruction without a counterpart. As it is on a rung.
-    pub(crate) fn idle(&mut self, name: &str, operands: &[&str], taken: impl Fn(&str) -> bool) -> String {
-        let mut word: String = name.chars().filter(char::is_ascii_alphanumeric).collect();
-        if !word.starts_with(|c: char| c.is_ascii_alphabetic()) {
-            word.insert(0, 'A');
-        }
-        if Blocks::has(&word) || taken(&word) {
-            word.push_str("Idle");
-        }
-        let text = format!(
-            "# {name} has no counterpart: the block does nothing, and power passes. #\nFUNCTION_BLOCK [${word}]\nVAR_INPUT\n    \
-             operands : STRING[{MOST_CHARACTERS}] := '';\nEND_VAR\nEND_FUNCTION_BLOCK\n"
-        );
-        let key = word.to_ascii_uppercase();
-        let block = self.idle.entry(key).or_insert((word, text));
-        let shown: String = operands.join(", ").chars().take(MOST_CHARACTERS / 2).collect();
-        let shown = shown
-            .replace('$', "$$")
-            .replace('\'', "$'")
-            .replace(char::is_control, " ");
-        format!("[${}]( '{shown}' )", block.0)
-    }
-
     /// Whether the name of a block is one of these.
     pub(crate) fn has(name: &str) -> bool {
         let own = name.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -141,7 +113,7 @@ impl Blocks {
 
     /// The definitions of those that are used, each as a text.
     pub(crate) fn texts(&self) -> impl Iterator<Item = &String> {
-        self.used.values().chain(self.idle.values().map(|(_, text)| text))
+        self.used.values()
     }
 
     /// Their definitions.

@@ -1,6 +1,9 @@
 //! L5X: the XML that Logix Designer exports, of a whole controller or of a part of one.
 
-use crate::model::{Aoi, DataType, Member, Program, Project, Raw, Routine, Rung, Tag, Usage};
+use crate::model::{
+    Aoi, DataType, Foreign, Language, Member, Program, Project, Protected, Raw, Routine, Rung, Tag, Task,
+    TaskKind, Usage,
+};
 use ladder_notation::ReadError;
 use ladder_notation::xml::Xml;
 use roxmltree::Node;
@@ -124,9 +127,14 @@ impl Reader<'_> {
             self.project.aois.push(read);
         }
         for node in all(controller, "AddOnInstructionDefinitions", "EncodedData") {
-            self.encoded(node);
+            self.project.protected.push(Protected {
+                at: at(node),
+                name: attribute(node, "Name"),
+                text: self.source(node),
+            });
         }
         for node in all(controller, "Tags", "Tag") {
+            self.message(node);
             let read = Self::tag(node);
             self.project.tags.push(read);
         }
@@ -152,10 +160,13 @@ impl Reader<'_> {
             if task.attribute("Type") == Some("PERIODIC") && self.project.rate.is_none() {
                 self.project.rate = task.attribute("Rate").map(str::to_owned);
             }
-            let scheduled = all(task, "ScheduledPrograms", "ScheduledProgram");
-            self.project
-                .scheduled
-                .extend(scheduled.map(|program| attribute(program, "Name")));
+            let programs = all(task, "ScheduledPrograms", "ScheduledProgram");
+            self.project.tasks.push(Task {
+                name: attribute(task, "Name"),
+                kind: TaskKind::named(task.attribute("Type").unwrap_or_default()),
+                inhibited: task.attribute("InhibitTask") == Some("true"),
+                programs: programs.map(|program| attribute(program, "Name")).collect(),
+            });
         }
     }
 
@@ -176,6 +187,31 @@ impl Reader<'_> {
         let what = format!("{} {}", attribute(node, "EncodedType"), attribute(node, "Name"));
         let why = "it is encoded: its source is protected, and only Logix Designer can read it";
         self.refuse(node, what, why);
+    }
+
+    /// An element as the file has it.
+    fn source(&self, node: Node<'_, '_>) -> String {
+        self.text[node.range()].to_owned()
+    }
+
+    /// What a message writes, if the tag is one: what it fetches, besides its own bits.
+    fn message(&mut self, tag: Node<'_, '_>) {
+        let mut inside = tag.descendants();
+        if let Some(message) = inside.find(|node| node.has_tag_name("MessageParameters")) {
+            let is_fetched = |kind: &str| !kind.to_ascii_lowercase().contains("write");
+            let targets = ["LocalElement", "DestinationTag"];
+            let mut written: Vec<String> = Vec::new();
+            if message.attribute("MessageType").is_none_or(is_fetched) {
+                written.extend(
+                    targets
+                        .iter()
+                        .filter_map(|name| message.attribute(*name))
+                        .map(str::to_owned),
+                );
+            }
+            let key = attribute(tag, "Name").to_ascii_uppercase();
+            self.project.messages.insert(key, written);
+        }
     }
 
     fn data_type(node: Node<'_, '_>) -> DataType {
@@ -238,7 +274,7 @@ impl Reader<'_> {
             locals: all(node, "LocalTags", "LocalTag")
                 .map(|tag| Self::tag(tag))
                 .collect(),
-            routines: self.routines(node, &format!("Add-On Instruction {name}")),
+            routines: self.routines(node),
             comment: described(node),
             name,
         }
@@ -287,50 +323,83 @@ impl Reader<'_> {
         let name = attribute(node, "Name");
         Program {
             at: at(node),
+            inhibited: node.attribute("Disabled") == Some("true"),
             main: node.attribute("MainRoutineName").map(str::to_owned),
             tags: all(node, "Tags", "Tag").map(|tag| Self::tag(tag)).collect(),
-            routines: self.routines(node, &format!("program {name}")),
+            routines: self.routines(node),
             comment: described(node),
             name,
         }
     }
 
-    fn routines(&mut self, owner: Node<'_, '_>, of: &str) -> Vec<Routine> {
-        for node in all(owner, "Routines", "EncodedData") {
-            self.encoded(node);
-        }
+    fn routines(&mut self, owner: Node<'_, '_>) -> Vec<Routine> {
         let mut routines = Vec::new();
-        for node in all(owner, "Routines", "Routine") {
-            let name = attribute(node, "Name");
-            let language = match node.attribute("Type") {
-                Some("FBD") => Some("a function block diagram"),
-                Some("SFC") => Some("a sequential function chart"),
-                Some("ST") => Some("structured text"),
-                _ => None,
-            };
-            let other = node.children().find_map(|child| match child.tag_name().name() {
-                "FBDContent" => Some("a function block diagram"),
-                "SFCContent" => Some("a sequential function chart"),
-                "STContent" => Some("structured text"),
-                _ => None,
+        for node in all(owner, "Routines", "EncodedData") {
+            routines.push(Routine {
+                at: at(node),
+                name: attribute(node, "Name"),
+                foreign: Some(Foreign {
+                    language: Language::Protected,
+                    text: self.source(node),
+                }),
+                ..Routine::default()
             });
-            if let Some(language) = language.or(other) {
-                let why = format!("it is {language}; only ladder logic is read");
-                self.refuse(node, format!("routine {name} of {of}"), &why);
-                continue;
-            }
+        }
+        for node in all(owner, "Routines", "Routine") {
             let rungs = node
                 .children()
                 .filter(|child| child.has_tag_name("RLLContent"))
                 .flat_map(|content| content.children().filter(|child| child.has_tag_name("Rung")));
             routines.push(Routine {
                 at: at(node),
+                name: attribute(node, "Name"),
                 rungs: rungs.map(|rung| self.rung(rung)).collect(),
+                foreign: self.foreign(node),
                 comment: described(node),
-                name,
             });
         }
         routines
+    }
+
+    /// What is in a routine that is not ladder logic.
+    fn foreign(&self, routine: Node<'_, '_>) -> Option<Foreign> {
+        let languages = [
+            ("ST", "STContent", Language::StructuredText),
+            ("FBD", "FBDContent", Language::FunctionBlocks),
+            ("SFC", "SFCContent", Language::Chart),
+        ];
+        languages.into_iter().find_map(|(kind, element, language)| {
+            let content = child(routine, element);
+            if content.is_none() && routine.attribute("Type") != Some(kind) {
+                return None;
+            }
+            let text = match (content, language) {
+                (None, _) => String::new(),
+                (Some(content), Language::StructuredText) => {
+                    let lines = content.children().filter(|child| child.has_tag_name("Line"));
+                    let lines: Vec<String> = lines.map(|line| self.line(line)).collect();
+                    lines.join("\n")
+                }
+                (Some(content), _) => self.source(content),
+            };
+            Some(Foreign { language, text })
+        })
+    }
+
+    /// A line of structured text, with its indentation: what is in the section, if it is in one.
+    fn line(&self, line: Node<'_, '_>) -> String {
+        let source = &self.text[line.range()];
+        let inside = source
+            .split_once("<![CDATA[")
+            .and_then(|(_, rest)| rest.rsplit_once("]]>"));
+        match inside {
+            Some((inside, _)) => inside.replace("]]]]><![CDATA[>", "]]>"),
+            None => line
+                .text()
+                .unwrap_or_default()
+                .trim_matches(['\r', '\n'])
+                .to_owned(),
+        }
     }
 
     fn rung(&mut self, node: Node<'_, '_>) -> Rung {

@@ -22,6 +22,7 @@ mod model;
 mod neutral;
 mod operand;
 mod plan;
+mod repeated;
 mod scope;
 mod sketch;
 mod slc;
@@ -30,6 +31,7 @@ mod times;
 mod translate;
 mod types;
 mod unit;
+mod unread;
 mod values;
 mod words;
 mod write;
@@ -107,7 +109,9 @@ impl Notation for L5x {
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
         let text = text(source)?;
-        Ok(sketch::sketch(&l5x::read(text)?, text))
+        let mut project = l5x::read(text)?;
+        repeated::refuse_repeated(&mut project);
+        Ok(sketch::sketch(&project, text))
     }
 
     fn writes_other_files(&self) -> bool {
@@ -146,7 +150,9 @@ impl Notation for L5k {
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
         let text = text(source)?;
-        Ok(sketch::sketch(&l5k::read(text)?, text))
+        let mut project = l5k::read(text)?;
+        repeated::refuse_repeated(&mut project);
+        Ok(sketch::sketch(&project, text))
     }
 
     fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {

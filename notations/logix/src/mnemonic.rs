@@ -71,6 +71,25 @@ pub(crate) enum Op {
     FromText,
 }
 
+impl Op {
+    /// Whether it decides about the power of its rung. All others act, and pass it.
+    pub(crate) const fn is_condition(self, operands: usize) -> bool {
+        match self {
+            Op::Xic | Op::Xio | Op::Ons | Op::Compare(_) | Op::Lim | Op::Meq | Op::Cmp => true,
+            Op::Osr => operands == 1,
+            _ => false,
+        }
+    }
+
+    /// Whether the routine may not go on after it, or goes on elsewhere or with other rails.
+    pub(crate) const fn may_leave(self) -> bool {
+        matches!(
+            self,
+            Op::Jmp | Op::Lbl | Op::Ret | Op::Brk | Op::Tnd | Op::Mcr | Op::Sbr
+        )
+    }
+}
+
 /// What an operand is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Role {
@@ -93,7 +112,7 @@ pub(crate) enum Role {
 }
 
 /// A row of the table: the names, the instruction, its operands, and those that it has in RSLogix 500 if they differ.
-/// A letter is an operand, see [`role`].
+/// A letter is an operand, see [`role`]; a capital letter one that it writes.
 type Row = (&'static [&'static str], Op, &'static str, Option<&'static str>);
 
 const fn row(names: &'static [&'static str], op: Op, operands: &'static str) -> Row {
@@ -103,18 +122,18 @@ const fn row(names: &'static [&'static str], op: Op, operands: &'static str) -> 
 const ROWS: &[Row] = &[
     row(&["XIC"], Op::Xic, "b"),
     row(&["XIO"], Op::Xio, "b"),
-    row(&["OTE", "EOT"], Op::Ote, "b"),
-    row(&["OTL"], Op::Otl, "b"),
-    row(&["OTU"], Op::Otu, "b"),
-    row(&["ONS"], Op::Ons, "b"),
-    (&["OSR"], Op::Osr, "bb", Some("b")),
-    row(&["OSF"], Op::Osf, "bb"),
-    (&["TON"], Op::Timer("TON"), "tpp", Some("twpp")),
-    (&["TOF"], Op::Timer("TOF"), "tpp", Some("twpp")),
-    (&["RTO"], Op::Timer("RTO"), "tpp", Some("twpp")),
-    row(&["CTU"], Op::Counter("CTU"), "cpp"),
-    row(&["CTD"], Op::Counter("CTD"), "cpp"),
-    row(&["RES"], Op::Res, "s"),
+    row(&["OTE", "EOT"], Op::Ote, "B"),
+    row(&["OTL"], Op::Otl, "B"),
+    row(&["OTU"], Op::Otu, "B"),
+    row(&["ONS"], Op::Ons, "B"),
+    (&["OSR"], Op::Osr, "BB", Some("B")),
+    row(&["OSF"], Op::Osf, "BB"),
+    (&["TON"], Op::Timer("TON"), "Tpp", Some("Twpp")),
+    (&["TOF"], Op::Timer("TOF"), "Tpp", Some("Twpp")),
+    (&["RTO"], Op::Timer("RTO"), "Tpp", Some("Twpp")),
+    row(&["CTU"], Op::Counter("CTU"), "Cpp"),
+    row(&["CTD"], Op::Counter("CTD"), "Cpp"),
+    row(&["RES"], Op::Res, "S"),
     row(&["EQU", "EQ"], Op::Compare("EQ"), "vv"),
     row(&["NEQ", "NE"], Op::Compare("NE"), "vv"),
     row(&["LES", "LT"], Op::Compare("LT"), "vv"),
@@ -124,57 +143,57 @@ const ROWS: &[Row] = &[
     row(&["LIM", "LIMIT"], Op::Lim, "vvv"),
     row(&["MEQ"], Op::Meq, "vvv"),
     row(&["CMP"], Op::Cmp, "f"),
-    row(&["ADD"], Op::Binary("+"), "vvv"),
-    row(&["SUB"], Op::Binary("-"), "vvv"),
-    row(&["MUL"], Op::Binary("*"), "vvv"),
-    row(&["DIV"], Op::Binary("/"), "vvv"),
-    row(&["MOD"], Op::Binary("MOD"), "vvv"),
-    row(&["XPY", "EXPT"], Op::Binary("**"), "vvv"),
-    row(&["AND"], Op::Binary("AND"), "vvv"),
-    row(&["OR"], Op::Binary("OR"), "vvv"),
-    row(&["XOR"], Op::Binary("XOR"), "vvv"),
-    row(&["NOT"], Op::Unary("NOT"), "vv"),
-    row(&["NEG"], Op::Unary("-"), "vv"),
-    row(&["ABS"], Op::Unary("ABS"), "vv"),
-    row(&["SQR", "SQRT"], Op::Unary("SQRT"), "vv"),
-    row(&["SIN"], Op::Unary("SIN"), "vv"),
-    row(&["COS"], Op::Unary("COS"), "vv"),
-    row(&["TAN"], Op::Unary("TAN"), "vv"),
-    row(&["ASN", "ASIN"], Op::Unary("ASIN"), "vv"),
-    row(&["ACS", "ACOS"], Op::Unary("ACOS"), "vv"),
-    row(&["ATN", "ATAN"], Op::Unary("ATAN"), "vv"),
-    row(&["ATAN2"], Op::Atan2, "vvv"),
-    row(&["LN"], Op::Unary("LN"), "vv"),
-    row(&["LOG"], Op::Unary("LOG"), "vv"),
-    row(&["DEG"], Op::Unary("DEG"), "vv"),
-    row(&["RAD"], Op::Unary("RAD"), "vv"),
-    row(&["TRN", "TRUNC"], Op::Trunc, "vv"),
-    row(&["CPT"], Op::Cpt, "vf"),
-    row(&["MOV", "MOVE"], Op::Mov, "vv"),
-    row(&["MVM"], Op::Mvm, "vvv"),
-    row(&["BTD"], Op::Btd, "vwvww"),
-    row(&["CLR"], Op::Clr, "v"),
-    row(&["COP", "CPS"], Op::Cop, "aaw"),
-    row(&["FLL"], Op::Fll, "vaw"),
-    row(&["BSL"], Op::Shift("BSL"), "arbp"),
-    row(&["BSR"], Op::Shift("BSR"), "arbp"),
-    row(&["FFL"], Op::Load("FFL"), "varpp"),
-    row(&["LFL"], Op::Load("LFL"), "varpp"),
-    row(&["FFU"], Op::Unload("FFU"), "avrpp"),
-    row(&["LFU"], Op::Unload("LFU"), "avrpp"),
-    row(&["SQI", "SQC"], Op::Sqi, "avvrpp"),
-    row(&["SQO"], Op::Sqo, "avvrpp"),
-    row(&["SQL"], Op::Sql, "avrpp"),
-    row(&["FAL"], Op::Fal, "rppwvf"),
-    row(&["FSC"], Op::Fsc, "rppwf"),
-    row(&["AVE"], Op::Statistic("AVE"), "awvrpp"),
-    row(&["STD"], Op::Statistic("STD"), "awvrpp"),
-    row(&["SRT"], Op::Srt, "awrpp"),
-    row(&["SIZE"], Op::Size, "awv"),
-    row(&["SWPB"], Op::Swpb, "vwv"),
-    row(&["TOD", "TO_BCD"], Op::ToBcd, "vv"),
-    row(&["FRD", "BCD_TO"], Op::FromBcd, "vv"),
-    row(&["FOR"], Op::For, "wvvvv"),
+    row(&["ADD"], Op::Binary("+"), "vvV"),
+    row(&["SUB"], Op::Binary("-"), "vvV"),
+    row(&["MUL"], Op::Binary("*"), "vvV"),
+    row(&["DIV"], Op::Binary("/"), "vvV"),
+    row(&["MOD"], Op::Binary("MOD"), "vvV"),
+    row(&["XPY", "EXPT"], Op::Binary("**"), "vvV"),
+    row(&["AND"], Op::Binary("AND"), "vvV"),
+    row(&["OR"], Op::Binary("OR"), "vvV"),
+    row(&["XOR"], Op::Binary("XOR"), "vvV"),
+    row(&["NOT"], Op::Unary("NOT"), "vV"),
+    row(&["NEG"], Op::Unary("-"), "vV"),
+    row(&["ABS"], Op::Unary("ABS"), "vV"),
+    row(&["SQR", "SQRT"], Op::Unary("SQRT"), "vV"),
+    row(&["SIN"], Op::Unary("SIN"), "vV"),
+    row(&["COS"], Op::Unary("COS"), "vV"),
+    row(&["TAN"], Op::Unary("TAN"), "vV"),
+    row(&["ASN", "ASIN"], Op::Unary("ASIN"), "vV"),
+    row(&["ACS", "ACOS"], Op::Unary("ACOS"), "vV"),
+    row(&["ATN", "ATAN"], Op::Unary("ATAN"), "vV"),
+    row(&["ATAN2"], Op::Atan2, "vvV"),
+    row(&["LN"], Op::Unary("LN"), "vV"),
+    row(&["LOG"], Op::Unary("LOG"), "vV"),
+    row(&["DEG"], Op::Unary("DEG"), "vV"),
+    row(&["RAD"], Op::Unary("RAD"), "vV"),
+    row(&["TRN", "TRUNC"], Op::Trunc, "vV"),
+    row(&["CPT"], Op::Cpt, "Vf"),
+    row(&["MOV", "MOVE"], Op::Mov, "vV"),
+    row(&["MVM"], Op::Mvm, "vvV"),
+    row(&["BTD"], Op::Btd, "vwVww"),
+    row(&["CLR"], Op::Clr, "V"),
+    row(&["COP", "CPS"], Op::Cop, "aAw"),
+    row(&["FLL"], Op::Fll, "vAw"),
+    row(&["BSL"], Op::Shift("BSL"), "ARbp"),
+    row(&["BSR"], Op::Shift("BSR"), "ARbp"),
+    row(&["FFL"], Op::Load("FFL"), "vARpp"),
+    row(&["LFL"], Op::Load("LFL"), "vARpp"),
+    row(&["FFU"], Op::Unload("FFU"), "AVRpp"),
+    row(&["LFU"], Op::Unload("LFU"), "AVRpp"),
+    row(&["SQI", "SQC"], Op::Sqi, "avvRpp"),
+    row(&["SQO"], Op::Sqo, "avVRpp"),
+    row(&["SQL"], Op::Sql, "AvRpp"),
+    row(&["FAL"], Op::Fal, "RppwVf"),
+    row(&["FSC"], Op::Fsc, "Rppwf"),
+    row(&["AVE"], Op::Statistic("AVE"), "awVRpp"),
+    row(&["STD"], Op::Statistic("STD"), "awVRpp"),
+    row(&["SRT"], Op::Srt, "AwRpp"),
+    row(&["SIZE"], Op::Size, "awV"),
+    row(&["SWPB"], Op::Swpb, "vwV"),
+    row(&["TOD", "TO_BCD"], Op::ToBcd, "vV"),
+    row(&["FRD", "BCD_TO"], Op::FromBcd, "vV"),
+    row(&["FOR"], Op::For, "wVvvv"),
     row(&["BRK"], Op::Brk, ""),
     row(&["JMP"], Op::Jmp, "w"),
     row(&["LBL"], Op::Lbl, "w"),
@@ -185,16 +204,16 @@ const ROWS: &[Row] = &[
     row(&["AFI"], Op::Afi, ""),
     row(&["NOP"], Op::Nop, ""),
     row(&["TND", "END"], Op::Tnd, ""),
-    row(&["SCL"], Op::Scl, "vvvv"),
-    row(&["SCP"], Op::Scp, "vvvvvv"),
-    row(&["PID"], Op::Pid, "ivvvwwv"),
-    row(&["CONCAT"], Op::Strings("CONCAT"), "$$$"),
-    row(&["MID"], Op::Strings("MID"), "$vv$"),
-    row(&["DELETE"], Op::Strings("DELETE"), "$vv$"),
-    row(&["INSERT"], Op::Strings("INSERT"), "$$v$"),
-    row(&["FIND"], Op::Strings("FIND"), "$$vv"),
-    row(&["DTOS"], Op::ToText, "v$"),
-    row(&["STOD", "STOR"], Op::FromText, "$v"),
+    row(&["SCL"], Op::Scl, "vvvV"),
+    row(&["SCP"], Op::Scp, "vvvvvV"),
+    row(&["PID"], Op::Pid, "IvvVwwv"),
+    row(&["CONCAT"], Op::Strings("CONCAT"), "xxX"),
+    row(&["MID"], Op::Strings("MID"), "xvvX"),
+    row(&["DELETE"], Op::Strings("DELETE"), "xvvX"),
+    row(&["INSERT"], Op::Strings("INSERT"), "xxvX"),
+    row(&["FIND"], Op::Strings("FIND"), "xxvV"),
+    row(&["DTOS"], Op::ToText, "vX"),
+    row(&["STOD", "STOR"], Op::FromText, "xV"),
 ];
 
 /// The rows by the names in capitals.
@@ -242,11 +261,24 @@ pub(crate) fn operands_in_ascii(name: &str) -> Option<usize> {
     }
 }
 
+/// The letters of an instruction with this many operands.
+fn letters(name: &str, operands: usize) -> &'static str {
+    row_of(name).map_or("", |(_, _, own, in_ascii)| {
+        in_ascii.filter(|own| own.len() == operands).unwrap_or(own)
+    })
+}
+
+/// Whether an instruction with this many operands writes one of them.
+pub(crate) fn is_written(name: &str, operands: usize, index: usize) -> bool {
+    let letter = letters(name, operands).as_bytes().get(index);
+    letter.is_some_and(u8::is_ascii_uppercase)
+}
+
 /// What an operand is, of an instruction with this many.
 pub(crate) fn role(name: &str, operands: usize, index: usize) -> Option<Role> {
-    let (_, op, own, in_ascii) = row_of(name)?;
-    let own = in_ascii.filter(|own| own.len() == operands).unwrap_or(own);
-    Some(match own.as_bytes().get(index) {
+    let (_, op, ..) = row_of(name)?;
+    let letter = letters(name, operands).as_bytes().get(index);
+    Some(match letter.map(u8::to_ascii_lowercase) {
         Some(b'b') => Role::Bit,
         Some(b'v') => Role::Value,
         Some(b't') => Role::Timer,
@@ -256,7 +288,7 @@ pub(crate) fn role(name: &str, operands: usize, index: usize) -> Option<Role> {
         Some(b'a') => Role::Array,
         Some(b'f') => Role::Formula,
         Some(b'p') => Role::Preset,
-        Some(b'$') => Role::Text,
+        Some(b'x') => Role::Text,
         None if matches!(op, Op::Sbr | Op::Ret) => Role::Value,
         None if *op == Op::Jsr && index > 0 => Role::Value,
         _ => Role::Word,

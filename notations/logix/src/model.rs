@@ -1,5 +1,7 @@
 //! A project as its file has it, whichever file that is. Places are offsets in bytes.
 
+use std::collections::HashMap;
+
 /// What a file holds: a whole controller, or a part of one with what it needs.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Project {
@@ -10,8 +12,10 @@ pub(crate) struct Project {
     pub(crate) aois: Vec<Aoi>,
     pub(crate) tags: Vec<Tag>,
     pub(crate) programs: Vec<Program>,
-    /// The names of the programs in the order in which tasks run them.
-    pub(crate) scheduled: Vec<String>,
+    pub(crate) tasks: Vec<Task>,
+    pub(crate) protected: Vec<Protected>,
+    /// What messages write: the tag of each message in capitals, and the tags.
+    pub(crate) messages: HashMap<String, Vec<String>>,
     /// The period of the first periodic task, in milliseconds, as it is written.
     pub(crate) rate: Option<String>,
     /// Parts that cannot be read: the place, what it is, why.
@@ -102,24 +106,99 @@ pub(crate) struct Aoi {
     pub(crate) comment: Option<String>,
 }
 
+/// A task.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Task {
+    pub(crate) name: String,
+    pub(crate) kind: TaskKind,
+    /// Nothing runs it.
+    pub(crate) inhibited: bool,
+    /// The names of its programs, in their order.
+    pub(crate) programs: Vec<String>,
+}
+
+/// When a task runs.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) enum TaskKind {
+    /// Whenever no other does.
+    #[default]
+    Continuous,
+    Periodic,
+    Event,
+}
+
+impl TaskKind {
+    /// As both kinds of files name it.
+    pub(crate) fn named(name: &str) -> TaskKind {
+        match name.to_ascii_uppercase().as_str() {
+            "PERIODIC" => TaskKind::Periodic,
+            "EVENT" => TaskKind::Event,
+            _ => TaskKind::Continuous,
+        }
+    }
+}
+
+/// An Add-On Instruction whose source is protected.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Protected {
+    pub(crate) at: usize,
+    pub(crate) name: String,
+    /// What the file has of it.
+    pub(crate) text: String,
+}
+
 /// A program.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Program {
     pub(crate) at: usize,
     pub(crate) name: String,
+    /// No task runs it.
+    pub(crate) inhibited: bool,
     pub(crate) main: Option<String>,
     pub(crate) tags: Vec<Tag>,
     pub(crate) routines: Vec<Routine>,
     pub(crate) comment: Option<String>,
 }
 
-/// A routine of ladder logic. Other languages are in [`Project::refused`].
+/// A routine.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Routine {
     pub(crate) at: usize,
     pub(crate) name: String,
     pub(crate) rungs: Vec<Rung>,
+    /// It is in another language, which has no rungs.
+    pub(crate) foreign: Option<Foreign>,
     pub(crate) comment: Option<String>,
+}
+
+/// A routine that is not ladder logic.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Foreign {
+    pub(crate) language: Language,
+    /// Lines of structured text; of all else what the file has.
+    pub(crate) text: String,
+}
+
+/// A language without rungs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Language {
+    StructuredText,
+    FunctionBlocks,
+    Chart,
+    /// Its source is protected.
+    Protected,
+}
+
+impl Language {
+    /// What a routine in it is.
+    pub(crate) const fn is(self) -> &'static str {
+        match self {
+            Language::StructuredText => "it is structured text",
+            Language::FunctionBlocks => "it is a function block diagram",
+            Language::Chart => "it is a sequential function chart",
+            Language::Protected => "its source is protected",
+        }
+    }
 }
 
 /// A rung.
@@ -131,4 +210,6 @@ pub(crate) struct Rung {
     pub(crate) comment: Option<String>,
     /// Another mark than `N`: it is part of a pending edit.
     pub(crate) edit: Option<String>,
+    /// It stands for a whole routine in another language.
+    pub(crate) foreign: Option<Foreign>,
 }

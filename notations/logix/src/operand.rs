@@ -105,7 +105,7 @@ pub(crate) fn number(text: &str) -> Option<Expr> {
         None if digits.bytes().all(|b| b.is_ascii_digit()) && !digits.is_empty() => {
             Expr::Int(int(&digits, 10)?)
         }
-        None if digits.starts_with(|c: char| c.is_ascii_digit()) => {
+        None if digits.starts_with(|c: char| c.is_ascii_digit() || c == '.') => {
             Expr::Real(digits.parse().ok().filter(|real: &f64| real.is_finite())?)
         }
         None => return None,
@@ -263,6 +263,11 @@ impl<'t> Reader<'t> {
         Some(number)
     }
 
+    fn is_fraction(&self) -> bool {
+        let digits = self.rest().strip_prefix('.');
+        digits.is_some_and(|digits| digits.starts_with(|c: char| c.is_ascii_digit()))
+    }
+
     fn primary(&mut self) -> Result<Expr, String> {
         self.blanks();
         let Some(first) = self.rest().chars().next() else {
@@ -283,7 +288,8 @@ impl<'t> Reader<'t> {
                 Ok(inner)
             }
             '\'' => self.string(),
-            c if c.is_ascii_digit() => {
+            // Logix writes `.5`, too.
+            c if c.is_ascii_digit() || self.is_fraction() => {
                 let rest = self.rest();
                 self.literal(false)
                     .ok_or_else(|| format!("`{}` is no number", shown(rest)))
@@ -447,6 +453,7 @@ mod tests {
         check("16#ffff_ffff", expect!["4294967295"]);
         check("2#0000_0101", expect!["5"]);
         check("-1.5e+002", expect!["-150.0"]);
+        check("y * .5 + -.25", expect!["((y * 0.5) + (- 0.25))"]);
         check("'it$'s'", expect!["'it$'s'"]);
         check("\\Pump.Speed", expect!["\\Pump.Speed"]);
     }

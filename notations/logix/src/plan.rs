@@ -1,7 +1,7 @@
 //! Which routine of a project is the main program, and which are functions.
 
 use crate::mnemonic::{Op, instruction};
-use crate::model::Project;
+use crate::model::{Project, TaskKind};
 use crate::neutral::instructions;
 use crate::unit::{Owner, Unit};
 use ladder_notation::names::Names;
@@ -15,6 +15,17 @@ pub(crate) struct Plan {
     pub(crate) main: Option<usize>,
     /// Else the routines that the main program calls, in their order.
     pub(crate) called: Vec<usize>,
+    /// The programs that run at other times than the scan, each with the routines with which it begins.
+    pub(crate) later: Vec<(Vec<usize>, Later)>,
+}
+
+/// A program that runs at other times than the scan.
+pub(crate) struct Later {
+    pub(crate) program: usize,
+    /// When it runs.
+    pub(crate) why: String,
+    /// It is in the scan here; else nothing runs it.
+    pub(crate) is_run: bool,
 }
 
 impl Plan {
@@ -39,33 +50,98 @@ impl Plan {
             Owner::Aoi(_) => String::new(),
         });
         let functions = functions.collect();
-        let mut order: Vec<usize> = Vec::new();
-        let scheduled = project.scheduled.iter().filter_map(|name| {
-            let mut all = project.programs.iter();
-            all.position(|program| program.name.eq_ignore_ascii_case(name))
+        let order = order(project);
+        let begin = |program: &Scheduled| begun(project, units, program.program);
+        let runs = order.iter().filter(|program| program.is_run());
+        let called: Vec<usize> = runs.flat_map(begin).collect();
+        let later = order.iter().filter_map(|program| {
+            let why = program.why.clone()?;
+            Some((
+                begin(program),
+                Later {
+                    program: program.program,
+                    why,
+                    is_run: program.is_run(),
+                },
+            ))
         });
-        order.extend(scheduled);
-        // Without tasks, as in the export of a part, all run.
-        if project.scheduled.is_empty() {
-            order.extend(0..project.programs.len());
-        }
-        let called: Vec<usize> = order
-            .into_iter()
-            .flat_map(|program| begun(project, units, program))
-            .collect();
+        let later = later.collect();
         match called[..] {
             [main] => Plan {
                 functions,
                 main: Some(main),
                 called: Vec::new(),
+                later,
             },
             _ => Plan {
                 functions,
                 main: None,
                 called,
+                later,
             },
         }
     }
+}
+
+/// A program that a task runs.
+struct Scheduled {
+    program: usize,
+    kind: TaskKind,
+    /// When it runs, if that is not the scan.
+    why: Option<String>,
+}
+
+impl Scheduled {
+    fn is_run(&self) -> bool {
+        self.kind != TaskKind::Event
+    }
+}
+
+/// The programs in the order in which tasks run them. One task is the scan: the continuous one, else the first.
+fn order(project: &Project) -> Vec<Scheduled> {
+    let numbers: HashMap<String, usize> = {
+        let names = project
+            .programs
+            .iter()
+            .map(|program| program.name.to_ascii_uppercase());
+        names.enumerate().map(|(number, name)| (name, number)).collect()
+    };
+    let tasks = || project.tasks.iter().filter(|task| !task.programs.is_empty());
+    // Without tasks, as in the export of a part, all run.
+    if tasks().next().is_none() {
+        let all = 0..project.programs.len();
+        let scheduled = all.map(|program| Scheduled {
+            program,
+            kind: TaskKind::Continuous,
+            why: None,
+        });
+        return scheduled.collect();
+    }
+    let runs = || tasks().filter(|task| !task.inhibited);
+    let of_kind = |kind: TaskKind| runs().find(|task| task.kind == kind);
+    let scan = of_kind(TaskKind::Continuous).or_else(|| of_kind(TaskKind::Periodic));
+    let mut order = Vec::new();
+    for task in runs() {
+        let is_scan = scan.is_some_and(|scan| scan.name == task.name);
+        let why = match task.kind {
+            _ if is_scan => None,
+            TaskKind::Event => Some(format!("task {} runs it on an event", task.name)),
+            TaskKind::Continuous | TaskKind::Periodic => {
+                Some(format!("task {} runs it at times of its own", task.name))
+            }
+        };
+        let programs = task
+            .programs
+            .iter()
+            .filter_map(|name| numbers.get(&name.to_ascii_uppercase()));
+        let programs = programs.filter(|program| !project.programs[**program].inhibited);
+        order.extend(programs.map(|program| Scheduled {
+            program: *program,
+            kind: task.kind,
+            why: why.clone(),
+        }));
+    }
+    order
 }
 
 /// The routines with which a program begins: its main routine, or in the export of a part all that no other calls.
@@ -90,7 +166,7 @@ fn begun(project: &Project, units: &[Unit<'_>], program: usize) -> Vec<usize> {
         }
     }
     let is_begun =
-        |unit: &Unit<'_>| !called.contains(&unit.routine.name.to_ascii_uppercase()) && !unit.rungs.is_empty();
+        |unit: &Unit<'_>| !called.contains(&unit.routine.name.to_ascii_uppercase()) && !unit.is_empty();
     own()
         .filter(|(_, unit)| is_begun(unit))
         .map(|(number, _)| number)

@@ -13,20 +13,12 @@ use crate::scope::Tags;
 use crate::survey::survey;
 use crate::translate::{Routines, Translator};
 use crate::unit::{Owner, Unit, units};
-use ladder_analysis::Severity;
+use crate::unread::LEFT;
 use ladder_format::Circuit;
 use ladder_format::program::{Drawing, Element, Item, Network};
 use ladder_notation::names::Names;
-use ladder_notation::{Finding, LineColumn, Lines, Reading};
+use ladder_notation::{LineColumn, Lines, Reading};
 use std::collections::{HashMap, HashSet};
-
-/// The check that tells of what does nothing here.
-const fn inert(family: Family) -> &'static str {
-    match family {
-        Family::Logix => "l5x-inert",
-        Family::Slc => "rslogix500-inert",
-    }
-}
 
 /// The whole program. `text` is the file that the project was read from.
 pub(crate) fn sketch(project: &Project, text: &str) -> Reading {
@@ -41,11 +33,11 @@ pub(crate) fn sketch(project: &Project, text: &str) -> Reading {
         text,
         units: &units,
         reading: Reading::default(),
+        leaves: None,
     };
     sketcher.program(&plan);
     let mut reading = sketcher.reading;
     reading.report.entries.sort_by_key(|entry| entry.place);
-    reading.findings.sort_by_key(|finding| finding.place);
     reading
 }
 
@@ -56,6 +48,8 @@ pub(crate) struct Sketcher<'p> {
     text: &'p str,
     pub(crate) units: &'p [Unit<'p>],
     pub(crate) reading: Reading,
+    /// Why the routine that is being read may not go on after an instruction that is not read.
+    leaves: Option<String>,
 }
 
 impl<'p> Sketcher<'p> {
@@ -75,19 +69,32 @@ impl<'p> Sketcher<'p> {
             let block = Element::block(format!("<CALL>( {} )", plan.functions[*called]), None);
             [Item::Blank, network(Vec::new(), Circuit::Element(block))]
         });
-        let calls: Vec<Item> = calls.collect();
+        let mut calls: Vec<Item> = calls.collect();
+        for (routines, later) in plan.later.iter().filter(|(_, later)| !later.is_run) {
+            let program = &project.programs[later.program].name;
+            for routine in routines {
+                let comments = vec![format!("program {program}: {}", later.why)];
+                let never = Element::block("[ ]( SYS.OFF )", None);
+                let call = Element::block(format!("<CALL>( {} )", plan.functions[*routine]), None);
+                let circuit = [never, call].map(Circuit::Element).to_vec();
+                calls.extend([Item::Blank, network(comments, Circuit::Series(circuit))]);
+            }
+        }
         let mut functions: Vec<(usize, Vec<Item>)> = Vec::new();
         for (number, function) in plan.functions.iter().enumerate() {
             let unit = &self.units[number];
             if plan.main != Some(number)
                 && let Owner::Program(program) = unit.owner
             {
-                functions.push((program, self.function(number, function)));
+                let later = plan.later.iter().find(|(routines, _)| routines.contains(&number));
+                let later = later.map(|(_, later)| self.later(later)).unwrap_or_default();
+                functions.push((program, self.function(number, function, later)));
             }
         }
         let aois = (0..project.aois.len()).flat_map(|aoi| self.aoi(aoi));
         let mut blocks: Vec<Item> = aois.collect();
         blocks.extend(self.translator.blocks.items());
+        blocks.extend(self.translator.unread.items());
         let types = types(&self.translator.tags.types, &self.translator.aoi_names);
         let parts = Parts {
             types: types.into_iter().collect(),
@@ -106,16 +113,18 @@ impl<'p> Sketcher<'p> {
             self.reading.files = self.files(parts);
         }
         self.idle_programs(plan);
+        self.protected();
         self.accounts();
     }
 
     /// A routine as a function.
-    fn function(&mut self, number: usize, function: &str) -> Vec<Item> {
+    fn function(&mut self, number: usize, function: &str, first: Vec<Item>) -> Vec<Item> {
         let routine = self.units[number].routine;
         let origin = self.origin(routine.at);
         let begin = Element::block(format!("<FUN>( {function} )"), Some(origin));
         let comments = routine.comment.iter().cloned().collect();
         let mut items = vec![Item::Blank, network(comments, Circuit::Element(begin))];
+        items.extend(first);
         items.extend(self.unit(number));
         items
     }
@@ -125,14 +134,14 @@ impl<'p> Sketcher<'p> {
         let project = self.translator.project;
         for (number, program) in project.programs.iter().enumerate() {
             let own = |unit: &usize| self.units[*unit].owner == Owner::Program(number);
-            let has_rungs = self
-                .units
-                .iter()
-                .any(|unit| unit.owner == Owner::Program(number) && !unit.rungs.is_empty());
-            if has_rungs && !plan.called.iter().chain(&plan.main).any(own) {
+            let mut units = self.units.iter();
+            let has_rungs = units.any(|unit| unit.owner == Owner::Program(number) && !unit.is_empty());
+            let is_later = plan.later.iter().any(|(_, later)| later.program == number);
+            if has_rungs && !is_later && !plan.called.iter().chain(&plan.main).any(own) {
                 let place = self.place(program.at);
                 let what = format!("program {}", program.name);
-                let why = "no task runs its main routine: its routines are functions that nothing calls";
+                let why = "no task runs its main routine, or it is inhibited: its routines are functions that \
+                           nothing calls";
                 self.reading.report.approximated(place, what, why);
             }
         }
@@ -184,6 +193,11 @@ impl<'p> Sketcher<'p> {
     /// The rungs of a routine.
     pub(crate) fn unit(&mut self, number: usize) -> Vec<Item> {
         let unit = &self.units[number];
+        if let Some(foreign) = &unit.routine.foreign {
+            return self.foreign(number, foreign);
+        }
+        let entries = self.reading.report.entries.len();
+        let parts = self.translator.unread.len();
         self.translator.labels = labels(unit);
         self.translator.routine.clone_from(&unit.routine.name);
         let mut items = Vec::new();
@@ -193,6 +207,13 @@ impl<'p> Sketcher<'p> {
             for circuit in std::mem::take(&mut self.translator.after) {
                 items.extend([Item::Blank, network(Vec::new(), circuit)]);
             }
+        }
+        if let Some(why) = self.leaves.take() {
+            self.reading.report.entries.truncate(entries);
+            self.translator.unread.truncate(parts);
+            let rungs = unit.routine.rungs.iter();
+            let texts: Vec<&str> = rungs.map(|rung| rung.text.as_str()).collect();
+            return self.unread_routine(number, &why, &texts.join("\n"));
         }
         items
     }
@@ -266,22 +287,15 @@ impl<'p> Sketcher<'p> {
                 Circuit::Element(Element::comment(it.text, Some(origin)))
             }
             Err(why) => {
-                let message = format!("{why}: it does nothing, and power passes");
-                self.inert(place, it.text, &message);
-                Circuit::Element(Element::block(self.translator.idle(it), Some(origin)))
+                let unread = self.translator.unread(it, &why);
+                report.approximated(place, it.text, unread.why);
+                if unread.may_leave {
+                    let why = || format!("`{}` {LEFT} ({why})", it.text);
+                    self.leaves.get_or_insert_with(why);
+                }
+                Circuit::Element(Element::block(unread.block, Some(origin)))
             }
         }
-    }
-
-    /// Something that is not in the program here.
-    fn inert(&mut self, place: LineColumn, what: &str, message: &str) {
-        self.reading.report.approximated(place, what, message);
-        self.reading.findings.push(Finding {
-            place,
-            severity: Severity::Info,
-            check: inert(self.translator.project.family),
-            message: message.to_owned(),
-        });
     }
 
     /// What there is to say of declarations and of parts that were not read.
@@ -293,7 +307,8 @@ impl<'p> Sketcher<'p> {
         }
         for (at, what, why) in self.translator.tags.unknown.clone() {
             let place = self.place(at);
-            self.inert(place, &what, &format!("{why}; the tag is not there"));
+            let why = format!("{why}; the tag is not there");
+            self.reading.report.approximated(place, what, why);
         }
         let tags = std::iter::once(&project.tags).chain(project.programs.iter().map(|program| &program.tags));
         let tags: Vec<(usize, String)> = tags

@@ -103,7 +103,7 @@ fn rung(text: &str, first: usize, end: usize, comment: &mut Vec<&str>) -> Rung {
         at: first,
         text: text[first..end].to_owned(),
         comment: (!said.is_empty()).then_some(said),
-        edit: None,
+        ..Rung::default()
     }
 }
 
@@ -189,7 +189,6 @@ fn type_of(letters: &str) -> Option<&'static str> {
 pub(crate) fn operand(text: &str) -> Result<Expr, String> {
     match address(text) {
         Some(path) => Ok(Expr::Path(path)),
-        None if text.starts_with('.') => parse(&format!("0{text}")),
         // 12h is a mask in RSLogix 500.
         None => match text
             .strip_suffix(['h', 'H'])

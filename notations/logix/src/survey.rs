@@ -26,11 +26,11 @@ pub(crate) fn survey(units: &[Unit<'_>], family: Family, tags: &mut Tags) {
     each(tags, &mut |tags, scope, it| {
         for (index, text) in it.operands.iter().enumerate() {
             let role = role(it.name, it.operands.len(), index).unwrap_or(Role::Word);
-            if let (Role::Timer | Role::Counter | Role::Control, Ok(Expr::Path(path))) =
-                (role, operand(family, text))
-            {
-                tags.declare_by_use(scope, &path, role);
+            let Ok(expr) = operand(family, text) else { continue };
+            if let (Role::Timer | Role::Counter | Role::Control, Expr::Path(path)) = (role, &expr) {
+                tags.declare_by_use(scope, path, role);
             }
+            note_undeclared(tags, scope, &expr);
         }
     });
     each(tags, &mut |tags, scope, it| {
@@ -38,6 +38,29 @@ pub(crate) fn survey(units: &[Unit<'_>], family: Family, tags: &mut Tags) {
         surveyor.inputs_of_instances(it);
         surveyor.prescan(it);
     });
+}
+
+/// Notes what may become tags of their own in an operand.
+fn note_undeclared(tags: &mut Tags, scope: usize, expr: &Expr) {
+    match expr {
+        Expr::Path(path) => {
+            tags.note_undeclared(scope, path);
+            for step in &path.steps {
+                match step {
+                    Step::Index(all) => all.iter().for_each(|index| note_undeclared(tags, scope, index)),
+                    Step::ComputedBit(index) => note_undeclared(tags, scope, index),
+                    Step::Member(_) | Step::Bit(_) => {}
+                }
+            }
+        }
+        Expr::Unary(_, inner) => note_undeclared(tags, scope, inner),
+        Expr::Call(_, all) => all.iter().for_each(|inner| note_undeclared(tags, scope, inner)),
+        Expr::Binary(_, left, right) => {
+            note_undeclared(tags, scope, left);
+            note_undeclared(tags, scope, right);
+        }
+        Expr::Int(_) | Expr::Real(_) | Expr::Text(_) | Expr::Unset => {}
+    }
 }
 
 struct Surveyor<'a> {

@@ -22,6 +22,13 @@ pub(crate) enum Owner {
     Aoi(usize),
 }
 
+impl Unit<'_> {
+    /// Whether nothing is in it, in whatever language.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.rungs.is_empty() && self.routine.foreign.is_none()
+    }
+}
+
 /// All routines, those of the programs first.
 pub(crate) fn units(project: &Project) -> Vec<Unit<'_>> {
     let mut units = Vec::new();

@@ -13,7 +13,9 @@ mod value;
 
 pub(crate) use value::value;
 
-use crate::model::{Aoi, DataType, Member, Program, Project, Routine, Rung, Tag};
+use crate::model::{
+    Aoi, DataType, Foreign, Language, Member, Program, Project, Protected, Routine, Rung, Tag, Task, TaskKind,
+};
 use ladder_notation::{Lines, ReadError};
 use statement::{Attributes, sizes, tag, unquoted, with_attributes};
 
@@ -169,12 +171,13 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Leaves a block out.
-    fn skip(&mut self, end: &str) -> Result<()> {
-        match self.rest().find(end) {
+    /// Leaves a block out. What was in it.
+    fn skip(&mut self, end: &str) -> Result<&'t str> {
+        let rest = self.rest();
+        match rest.find(end) {
             Some(found) => {
                 self.at += found + end.len();
-                Ok(())
+                Ok(&rest[..found])
             }
             None => Err((self.at, format!("the block that begins here has no {end}"))),
         }
@@ -214,10 +217,17 @@ impl<'t> Reader<'t> {
                 "ENCODED_DATA" => {
                     reader.word();
                     let (at, _, attributes) = reader.head()?;
-                    let what = format!("ENCODED_DATA {}", attributes.text("Name"));
-                    let why = "it is encoded: its source is protected, and only Logix Designer can read it";
-                    reader.project.refused.push((at, what, why.to_owned()));
-                    reader.skip("END_ENCODED_DATA")?;
+                    let name = attributes.text("Name");
+                    let text = reader.skip("END_ENCODED_DATA")?.to_owned();
+                    if attributes.text("EncodedType").eq_ignore_ascii_case("PROGRAM") {
+                        let why = "its source is protected, and only Logix Designer can read it";
+                        reader
+                            .project
+                            .refused
+                            .push((at, format!("ENCODED_DATA {name}"), why.to_owned()));
+                    } else {
+                        reader.project.protected.push(Protected { at, name, text });
+                    }
                 }
                 "TAG" => {
                     reader.word();
@@ -244,15 +254,24 @@ impl<'t> Reader<'t> {
     }
 
     fn task(&mut self) -> Result<()> {
-        let (_, _, attributes) = self.head()?;
-        if attributes.text("Type").eq_ignore_ascii_case("PERIODIC") && self.project.rate.is_none() {
+        let (_, name, attributes) = self.head()?;
+        let kind = TaskKind::named(&attributes.text("Type"));
+        if kind == TaskKind::Periodic && self.project.rate.is_none() {
             self.project.rate = Some(attributes.text("Rate"));
         }
+        let mut task = Task {
+            name,
+            kind,
+            inhibited: attributes.text("InhibitTask").eq_ignore_ascii_case("Yes"),
+            programs: Vec::new(),
+        };
         self.block("END_TASK", |reader, _| {
             let (_, program) = reader.statement()?;
-            reader.project.scheduled.push(program.to_owned());
+            task.programs.push(program.to_owned());
             Ok(true)
-        })
+        })?;
+        self.project.tasks.push(task);
+        Ok(())
     }
 
     fn data_type(&mut self) -> Result<DataType> {
@@ -309,7 +328,6 @@ impl<'t> Reader<'t> {
             comment: attributes.said(),
             ..Aoi::default()
         };
-        let owner = format!("Add-On Instruction {}", aoi.name);
         self.block("END_ADD_ON_INSTRUCTION_DEFINITION", |reader, word| {
             match word {
                 "PARAMETERS" => {
@@ -320,7 +338,7 @@ impl<'t> Reader<'t> {
                     reader.word();
                     aoi.locals.extend(reader.tags("END_LOCAL_TAGS")?);
                 }
-                _ => return reader.routine(word, &owner, &mut aoi.routines),
+                _ => return reader.routine(word, &mut aoi.routines),
             }
             Ok(true)
         })?;
@@ -333,18 +351,18 @@ impl<'t> Reader<'t> {
         let mut program = Program {
             at,
             name,
+            inhibited: attributes.text("DISABLED").eq_ignore_ascii_case("Yes"),
             main: (!main.is_empty()).then_some(main),
             comment: attributes.said(),
             ..Program::default()
         };
-        let owner = format!("program {}", program.name);
         self.block("END_PROGRAM", |reader, word| {
             match word {
                 "TAG" => {
                     reader.word();
                     program.tags.extend(reader.tags("END_TAG")?);
                 }
-                _ => return reader.routine(word, &owner, &mut program.routines),
+                _ => return reader.routine(word, &mut program.routines),
             }
             Ok(true)
         })?;
@@ -352,25 +370,38 @@ impl<'t> Reader<'t> {
     }
 
     /// A routine, if one begins with a word.
-    fn routine(&mut self, word: &str, owner: &str, routines: &mut Vec<Routine>) -> Result<bool> {
+    fn routine(&mut self, word: &str, routines: &mut Vec<Routine>) -> Result<bool> {
         let language = match word {
             "ROUTINE" => {
                 self.word();
                 routines.push(self.rungs()?);
                 return Ok(true);
             }
-            "FBD_ROUTINE" => "a function block diagram",
-            "SFC_ROUTINE" => "a sequential function chart",
-            "ST_ROUTINE" => "structured text",
+            "FBD_ROUTINE" => Language::FunctionBlocks,
+            "SFC_ROUTINE" => Language::Chart,
+            "ST_ROUTINE" => Language::StructuredText,
             _ => return Ok(false),
         };
         self.word();
-        let (at, name, _) = self.head()?;
-        let why = format!("it is {language}; only ladder logic is read");
-        self.project
-            .refused
-            .push((at, format!("routine {name} of {owner}"), why));
-        self.skip(&format!("END_{word}"))?;
+        let (at, name, attributes) = self.head()?;
+        let text = self.skip(&format!("END_{word}"))?;
+        let text = match language {
+            // Each of its lines begins with a quote.
+            Language::StructuredText => {
+                let lines = text
+                    .lines()
+                    .filter_map(|line| line.trim_start().strip_prefix('\''));
+                lines.collect::<Vec<_>>().join("\n")
+            }
+            _ => text.trim().to_owned(),
+        };
+        routines.push(Routine {
+            at,
+            name,
+            foreign: Some(Foreign { language, text }),
+            comment: attributes.said(),
+            ..Routine::default()
+        });
         Ok(true)
     }
 
@@ -401,6 +432,7 @@ impl<'t> Reader<'t> {
                 text: format!("{text};"),
                 comment: comment.take(),
                 edit: (!matches!(word, "N" | "IR")).then(|| word.to_owned()),
+                ..Rung::default()
             });
             Ok(true)
         })?;

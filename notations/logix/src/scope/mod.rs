@@ -6,7 +6,7 @@ pub(crate) use place::Place;
 
 use crate::mnemonic::Role;
 use crate::model::{Project, Raw, Tag, Usage};
-use crate::operand::{Expr, Path, parse};
+use crate::operand::{Expr, Path, Step, parse};
 use crate::types::{Elem, Ty, Types};
 use crate::values::Value;
 use ladder_notation::names::Names;
@@ -100,6 +100,8 @@ pub(crate) struct Tags {
     instances: Vec<(usize, Raw)>,
     /// Names that tags of several scopes have, in capitals.
     ambiguous: HashSet<String>,
+    /// What undeclared tags that become tags here are parts of, in capitals.
+    undeclared: HashSet<String>,
 }
 
 impl Tags {
@@ -113,6 +115,7 @@ impl Tags {
             unknown: Vec::new(),
             instances: Vec::new(),
             ambiguous: ambiguous(project),
+            undeclared: HashSet::new(),
         };
         tags.scopes.push(Scope {
             title: "the controller".to_owned(),
@@ -161,7 +164,10 @@ impl Tags {
         }
         if let Some(target) = &tag.alias {
             let entry = match parse(target) {
-                Ok(Expr::Path(path)) => Entry::Alias(path),
+                Ok(Expr::Path(path)) => {
+                    self.undeclared.insert(module(&path));
+                    Entry::Alias(path)
+                }
                 _ => Entry::Opaque(format!("it is an alias for `{target}`, which is no tag")),
             };
             self.scopes[scope].entries.insert(key, entry);
@@ -288,6 +294,59 @@ impl Tags {
         None
     }
 
+    /// Notes a path that may become a tag of its own.
+    pub(crate) fn note_undeclared(&mut self, scope: usize, path: &Path) {
+        let is_whole = |step: &Step| matches!(step, Step::Member(_) | Step::Bit(_));
+        if path.steps.iter().all(is_whole) && self.entry(scope, &path.root.to_ascii_uppercase()).is_none() {
+            self.undeclared.insert(module(path));
+        }
+    }
+
+    /// The tags here that change if what a path leads to is written. None: it is not known which.
+    pub(crate) fn written(&mut self, scope: usize, path: &Path) -> Option<Vec<String>> {
+        let (mut scope, mut path) = (scope, path.clone());
+        if let Some(program) = path.root.strip_prefix('\\') {
+            let title = format!("program {program}");
+            let mut scopes = self.scopes.iter();
+            let other = scopes.position(|scope| scope.title.eq_ignore_ascii_case(&title))?;
+            let Some(Step::Member(tag)) = path.steps.first().cloned() else {
+                return None;
+            };
+            if let Some(Entry::Symbol(symbol)) = self.scopes[other].entries.get(&tag.to_ascii_uppercase()) {
+                self.symbols[*symbol].shared |= other != scope;
+            }
+            scope = other;
+            path.root = tag;
+        }
+        for _ in 0..16 {
+            match self.entry(scope, &path.root.to_ascii_uppercase()) {
+                Some((_, Entry::Symbol(symbol))) => return Some(self.names_of(*symbol)),
+                // It is not here.
+                Some((_, Entry::Opaque(_))) => return Some(Vec::new()),
+                Some((of, Entry::Alias(target))) => (scope, path) = (of, target.clone()),
+                None if self.undeclared.contains(&module(&path)) => return None,
+                None => return Some(Vec::new()),
+            }
+        }
+        None
+    }
+
+    /// A tag, and those that calls hand over for inputs of the instances in it.
+    fn names_of(&self, symbol: usize) -> Vec<String> {
+        let own = &self.symbols[symbol];
+        let is_in = |instance: &str| {
+            let rest = instance.strip_prefix(own.name.as_str());
+            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+        };
+        let passed = self.passed.iter().filter(|((instance, _), _)| is_in(instance));
+        let passed = passed.map(|(_, passed)| &self.symbols[*passed]);
+        let passed = passed.filter(|passed| [CONTROLLER, own.scope].contains(&passed.scope));
+        std::iter::once(own)
+            .chain(passed)
+            .map(|tag| tag.name.clone())
+            .collect()
+    }
+
     /// Declares what is nowhere declared, where its first use shows what it is.
     pub(crate) fn declare_by_use(&mut self, scope: usize, path: &Path, role: Role) {
         let standard = match role {
@@ -359,6 +418,12 @@ impl Tags {
             _ => None,
         }
     }
+}
+
+/// What an address is a part of: the module, or the word.
+fn module(path: &Path) -> String {
+    let word = path.root.split('/').next().unwrap_or_default();
+    word.to_ascii_uppercase()
 }
 
 /// The names that tags of several scopes have, in capitals.

@@ -41,7 +41,7 @@ fn given(tag: &Tag) -> bool {
 
 impl Translator<'_> {
     /// The Add-On Instruction with this name.
-    pub(super) fn aoi(&self, name: &str) -> Option<usize> {
+    pub(crate) fn aoi(&self, name: &str) -> Option<usize> {
         let mut all = self.project.aois.iter();
         all.position(|aoi| aoi.name.eq_ignore_ascii_case(name))
     }

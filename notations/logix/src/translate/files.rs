@@ -129,17 +129,29 @@ impl Translator<'_> {
     /// `FLL`
     pub(super) fn fill(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
         let length = self.length(operands[2])?;
+        let from = self.expr(operands[0])?;
+        let is_zero = matches!(from, Expr::Int(0)) || matches!(from, Expr::Real(real) if real == 0.0);
+        let empty = Expr::Text(String::new());
         let Some(to) = self.stretch(operands[1])? else {
-            return Err(format!(
-                "`{}` is no array of one dimension with a constant index",
-                operands[1]
-            ));
+            let to = self.target(operands[1], Role::Array)?;
+            return match to.elem() {
+                // The usual way to clear one.
+                Some(Elem::String(_)) if length == 1 && is_zero => self.moved(&empty, &to),
+                Some(elem) if length == 1 && (elem.is_integer() || elem.is_real()) => self.moved(&from, &to),
+                _ => Err(format!(
+                    "`{}` is no array of one dimension with a constant index",
+                    operands[1]
+                )),
+            };
         };
         let Ty::Elem(elem) = to.ty else {
             return Err(format!("`{}` has no elementary elements", to.array));
         };
-        let from = self.expr(operands[0])?;
-        let (value, own) = self.value(&from, elem)?;
+        let (value, own) = match elem {
+            Elem::String(_) if is_zero => self.value(&empty, elem)?,
+            Elem::String(_) => return Err(format!("`{}` takes no number", to.array)),
+            _ => self.value(&from, elem)?,
+        };
         if own.is_some_and(|own| own != elem) {
             return Err(different(&value, &to.array));
         }

@@ -109,9 +109,7 @@ impl Translator<'_> {
         let routine = routine.trim_start_matches("U:");
         let key = (self.scope, routine.to_ascii_uppercase());
         let Some(subroutine) = self.routines.known.get(&key) else {
-            return Err(format!(
-                "there is no routine `{routine}` of ladder logic in the program"
-            ));
+            return Err(format!("there is no routine `{routine}` in the program"));
         };
         let (function, targets) = (subroutine.function.clone(), subroutine.inputs.clone());
         let returned = subroutine.returned.clone();
@@ -155,9 +153,7 @@ impl Translator<'_> {
         let key = (self.scope, routine.to_ascii_uppercase());
         match self.routines.known.get(&key) {
             Some(found) => Ok((found.function.clone(), found.leaves.clone())),
-            None => Err(format!(
-                "there is no routine `{routine}` of ladder logic in the program"
-            )),
+            None => Err(format!("there is no routine `{routine}` in the program")),
         }
     }
 

@@ -19,6 +19,7 @@ use crate::words;
 pub(crate) use flow::Routines;
 use ladder_format::Circuit;
 use ladder_format::program::Element;
+use ladder_notation::UnreadParts;
 use std::collections::{HashMap, HashSet};
 
 /// What an instruction became: the elements, and what there is to say about them.
@@ -33,6 +34,8 @@ pub(crate) struct Translator<'p> {
     pub(crate) project: &'p Project,
     pub(crate) tags: Tags,
     pub(crate) blocks: Blocks,
+    /// What is not read.
+    pub(crate) unread: UnreadParts,
     pub(crate) routines: Routines,
     /// The names of the blocks that Add-On Instructions become.
     pub(crate) aoi_names: Vec<String>,
@@ -57,6 +60,7 @@ impl<'p> Translator<'p> {
             project,
             tags,
             blocks: Blocks::default(),
+            unread: UnreadParts::default(),
             routines,
             aoi_names: aoi::names(project),
             labels: HashMap::new(),
@@ -90,11 +94,9 @@ impl<'p> Translator<'p> {
         })
     }
 
-    /// The block that stands for an instruction without a counterpart.
-    pub(crate) fn idle(&mut self, it: &Instruction<'_>) -> String {
-        let names = &self.aoi_names;
-        let taken = |word: &str| names.iter().any(|name| name[1..].eq_ignore_ascii_case(word));
-        self.blocks.idle(it.name, &it.operands, taken)
+    /// The scope of the instruction that was translated last.
+    pub(crate) const fn scope(&self) -> usize {
+        self.scope
     }
 
     /// Whether it is an instruction that has a counterpart, with another number of operands.
@@ -108,10 +110,12 @@ impl<'p> Translator<'p> {
             return self.aoi_call(aoi, operands);
         }
         let Some(op) = instruction(it.name, operands.len()) else {
-            return Err(if is_known(it.name) {
-                format!("{} does not have {} operands", it.name, operands.len())
-            } else {
-                format!("{} has no counterpart here", it.name)
+            return Err(match self.protected(it.name) {
+                Some(_) => "its source is protected".to_owned(),
+                None if is_known(it.name) => {
+                    format!("{} does not have {} operands", it.name, operands.len())
+                }
+                None => "it has no counterpart here".to_owned(),
             });
         };
         match op {
@@ -199,7 +203,7 @@ impl<'p> Translator<'p> {
         }
     }
 
-    fn expr(&self, text: &str) -> Result<Expr> {
+    pub(crate) fn expr(&self, text: &str) -> Result<Expr> {
         operand(self.project.family, text)
     }
 

@@ -130,11 +130,16 @@ impl Writer<'_> {
                 .to_owned(),
             None => said,
         });
+        let mut routines = routines(rungs, first);
+        for routine in &mut routines {
+            let rungs = std::mem::take(&mut routine.rungs);
+            (routine.rungs, routine.foreign) = self.in_one_language(rungs);
+        }
         Aoi {
             name,
             parameters,
             locals,
-            routines: routines(rungs, first),
+            routines,
             comment: comment.filter(|said| !said.is_empty()),
             ..Aoi::default()
         }

@@ -6,6 +6,7 @@ use super::{Result, Writer};
 use crate::model::{DataType, Member, Raw, Tag, Usage};
 use ladder_analysis::cross_reference;
 use ladder_analysis::names::scope::{Origin, Scope, SectionKind, TagFacts};
+use ladder_analysis::program::ParameterKind;
 use ladder_analysis::values::compound::{Compound, Structure};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
@@ -59,6 +60,32 @@ pub(super) struct There {
     dimensions: Vec<u32>,
 }
 
+/// Where a value is: the block, in capitals, and the path of the tag.
+#[derive(Debug, Clone, Default)]
+struct At {
+    block: String,
+    path: String,
+}
+
+impl At {
+    fn member(&self, name: &str) -> At {
+        let path = format!("{}.{name}", self.path);
+        At {
+            path,
+            block: self.block.clone(),
+        }
+    }
+
+    fn element(&self, indices: &[i64]) -> At {
+        let indices: Vec<String> = indices.iter().map(i64::to_string).collect();
+        let path = format!("{}[{}]", self.path, indices.join(", "));
+        At {
+            path,
+            block: self.block.clone(),
+        }
+    }
+}
+
 impl Writer<'_> {
     /// What the comments at declarations say.
     pub(super) fn comments(&self) -> Comments {
@@ -79,7 +106,7 @@ impl Writer<'_> {
             if is_shared || self.absorbed_names.contains(&Name::new(&facts.name)) {
                 continue;
             }
-            match self.tag(facts) {
+            match self.tag(facts, block) {
                 Ok(mut tag) => {
                     let key = (block.to_ascii_uppercase(), Name::new(&facts.name));
                     tag.comment = said.get(&key).cloned();
@@ -98,7 +125,7 @@ impl Writer<'_> {
         out
     }
 
-    fn tag(&mut self, facts: &TagFacts) -> Result<Tag> {
+    fn tag(&mut self, facts: &TagFacts, block: &str) -> Result<Tag> {
         let ty = facts.ty.ok_or("its type is not known")?;
         let there = self.ty(ty)?;
         if ty.scalar() == Some(Scalar::Time) && !self.is_own {
@@ -131,7 +158,11 @@ impl Writer<'_> {
         let value = if is_large && values.iter().all(is_zero) {
             None
         } else {
-            self.raw(ty, &mut values.into_iter())?
+            let at = At {
+                block: block.to_ascii_uppercase(),
+                path: facts.name.to_string(),
+            };
+            self.raw(ty, &at, &mut values.into_iter())?
         };
         Ok(Tag {
             name: self.names.spell(Kind::Tag, &facts.name),
@@ -326,10 +357,10 @@ impl Writer<'_> {
     }
 
     /// The values of a type, out of those of its elementary parts in their order.
-    fn raw(&mut self, ty: Type, values: &mut impl Iterator<Item = Value>) -> Result<Option<Raw>> {
+    fn raw(&mut self, ty: Type, at: &At, values: &mut impl Iterator<Item = Value>) -> Result<Option<Raw>> {
         if let Some((dimensions, element)) = ty.array() {
             let there = self.ty(ty)?;
-            let elements = self.elements_of(&dimensions, element, values)?;
+            let elements = self.elements_of(&dimensions, element, at, values)?;
             return Ok(Some(Raw::Array(there.name, there.dimensions, elements)));
         }
         Ok(Some(match ty {
@@ -348,12 +379,15 @@ impl Writer<'_> {
                 let value = values.next();
                 Raw::Scalar(self.ty(ty)?.name, number_of(value.as_ref(), Some(scalar))?)
             }
-            Type::State(state) => state_value(state),
+            Type::State(state) => {
+                let key = (at.block.clone(), Name::new(&at.path));
+                state_value(state, self.presets.get(&key).map_or("0", String::as_str))
+            }
             Type::Compound(id) => match id.get() {
                 Compound::Structure(structure) => {
                     let mut members = Vec::new();
                     for member in &structure.members {
-                        let value = self.raw(member.ty, values)?;
+                        let value = self.raw(member.ty, &at.member(&member.name), values)?;
                         // What the reader adds to a TIMER is none of it there.
                         let is_there = standard(&structure) != Some("TIMER") || member.name != "LAST";
                         let name = self.names.spell(Kind::Tag, &member.name);
@@ -361,10 +395,41 @@ impl Writer<'_> {
                     }
                     Raw::Structure(self.structure(&structure)?, members)
                 }
-                _ => return Ok(None),
+                Compound::Block(name) => return self.instance(&name),
+                Compound::Array(_) => return Ok(None),
             },
             Type::Array { .. } => return Ok(None),
         }))
+    }
+
+    /// What an instance of a block begins with: the values of its parameters.
+    fn instance(&mut self, name: &str) -> Result<Option<Raw>> {
+        let program = self.program;
+        let Some(block) = program
+            .blocks
+            .iter()
+            .find(|block| block.name.eq_ignore_ascii_case(name))
+        else {
+            return Ok(None);
+        };
+        let system =
+            |name: &str, value: &str| (name.to_owned(), Raw::Scalar("BOOL".to_owned(), value.to_owned()));
+        let mut members = vec![system("EnableIn", "1"), system("EnableOut", "0")];
+        for (tag, _) in block
+            .parameters
+            .iter()
+            .filter(|(_, kind)| *kind != ParameterKind::InOut)
+        {
+            let tag = &program.tags[tag.0 as usize];
+            let own = tag
+                .name
+                .rsplit_once('.')
+                .map_or(tag.name.as_str(), |(_, own)| own);
+            let value = self.raw(tag.ty, &At::default(), &mut tag.initial.iter().cloned())?;
+            let own = self.names.spell(Kind::Tag, own);
+            members.extend(value.map(|value| (own, value)));
+        }
+        Ok(Some(Raw::Structure(self.block_type(name)?, members)))
     }
 
     /// The elements of an array from index 0 on, row by row.
@@ -372,13 +437,14 @@ impl Writer<'_> {
         &mut self,
         dimensions: &[(i64, i64)],
         element: Type,
+        at: &At,
         values: &mut impl Iterator<Item = Value>,
     ) -> Result<Vec<Raw>> {
         let mut out = Vec::new();
         let whole = self.ty(element)?;
         let zero = {
             let mut zeros = element.initial_values().into_iter();
-            self.raw(element, &mut zeros)?
+            self.raw(element, &At::default(), &mut zeros)?
                 .unwrap_or(Raw::Scalar(whole.name, "0".to_owned()))
         };
         let mut indices = vec![0i64; dimensions.len()];
@@ -390,7 +456,12 @@ impl Writer<'_> {
         for _ in 0..sizes.iter().product::<i64>() {
             let mut all = indices.iter().zip(dimensions);
             let inside = all.all(|(index, (first, last))| (first..=last).contains(&index));
-            let value = if inside { self.raw(element, values)? } else { None };
+            let value = match inside {
+                // What is no timer or counter is nowhere looked for.
+                true if element.scalar().is_some() => self.raw(element, at, values)?,
+                true => self.raw(element, &at.element(&indices), values)?,
+                false => None,
+            };
             out.push(value.unwrap_or_else(|| zero.clone()));
             for (index, size) in indices.iter_mut().zip(&sizes).rev() {
                 *index += 1;
@@ -428,7 +499,7 @@ fn is_built_in(name: &str) -> bool {
     ["PID", "MESSAGE"].contains(&name)
 }
 
-fn state_value(state: StateType) -> Raw {
+fn state_value(state: StateType, preset: &str) -> Raw {
     let (name, numbers, bits): (_, _, &[&str]) = match state {
         StateType::Ctu | StateType::Ctd | StateType::Ctud | StateType::Ctc => {
             ("COUNTER", ["PRE", "ACC"], &["CU", "CD", "DN", "OV", "UN"])
@@ -437,7 +508,13 @@ fn state_value(state: StateType) -> Raw {
         _ => ("TIMER", ["PRE", "ACC"], &["EN", "TT", "DN"]),
     };
     let zero = |ty: &str| Raw::Scalar(ty.to_owned(), "0".to_owned());
-    let numbers = numbers.iter().map(|name| ((*name).to_owned(), zero("DINT")));
+    let numbers = numbers.iter().zip([preset, "0"]);
+    let numbers = numbers.map(|(name, number)| {
+        (
+            (*name).to_owned(),
+            Raw::Scalar("DINT".to_owned(), number.to_owned()),
+        )
+    });
     let bits = bits.iter().map(|name| ((*name).to_owned(), zero("BOOL")));
     Raw::Structure(name.to_owned(), numbers.chain(bits).collect())
 }

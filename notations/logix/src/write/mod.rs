@@ -21,6 +21,7 @@ mod pattern;
 mod routines;
 mod rung;
 mod state;
+mod unread;
 mod words;
 mod xml;
 
@@ -99,6 +100,8 @@ struct Writer<'a> {
     first_scan: Vec<String>,
     /// The bits of pulses.
     pulses: HashMap<String, String>,
+    /// The presets of timers and counters, by the block and the path.
+    presets: HashMap<(String, Name), String>,
     rungs: Vec<Series>,
     before: Vec<Series>,
     label: Option<String>,
@@ -183,6 +186,7 @@ fn file(analysis: &Analysis, unwritable: &Unwritable) -> std::result::Result<Wri
         made: Vec::new(),
         first_scan: Vec::new(),
         pulses: HashMap::new(),
+        presets: HashMap::new(),
         rungs: Vec::new(),
         before: Vec::new(),
         label: None,

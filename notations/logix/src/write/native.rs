@@ -2,6 +2,7 @@
 
 use super::names::Kind;
 use super::rung::{Series, it};
+use super::unread::UnreadPart;
 use super::{Result, Writer};
 use crate::blocks::{Blocks, OTE_BIT};
 use crate::types::Elem;
@@ -17,8 +18,8 @@ use std::collections::HashSet;
 pub(super) enum Known {
     /// An instruction that the reader wrote as a block.
     Native(&'static str),
-    /// One that does nothing here; its name there.
-    Idle(String),
+    /// What is not read here.
+    Unread(UnreadPart),
     /// An Add-On Instruction; its name there.
     Own(String),
     /// It cannot be one; why.
@@ -112,8 +113,8 @@ impl Writer<'_> {
             let text = lines_text(context, lines.clone());
             let known = match native(&block.name, &text) {
                 Some(own) => Known::Native(own),
-                None => match self.idle(lines.start) {
-                    Some(name) => Known::Idle(name),
+                None => match UnreadPart::of(context, lines.start, &text) {
+                    Some(part) => Known::Unread(part),
                     None if block.parameters.iter().any(|(tag, kind)| {
                         let ty = self.program.tags[tag.0 as usize].ty;
                         *kind != ParameterKind::InOut
@@ -141,18 +142,6 @@ impl Writer<'_> {
             self.body_of.insert(number, of);
             self.known.insert(number, known);
         }
-    }
-
-    /// The name of the instruction that a block stands for which does nothing.
-    fn idle(&self, header: usize) -> Option<String> {
-        let above = header.checked_sub(1)?;
-        let line = &self.analysis.context.parse.lines()[above];
-        if line.kind != LineKind::Comment {
-            return None;
-        }
-        let said = line.text().trim().strip_prefix("# ")?.to_owned();
-        let (name, _) = said.split_once(" has no counterpart: the block does nothing, and power passes.")?;
-        Some(name.to_owned())
     }
 
     /// The name that an Add-On Instruction had: what the reader says above its definition.
@@ -191,7 +180,7 @@ impl Writer<'_> {
     pub(super) fn user(&mut self, user: usize, block: &Block) -> Result<Series> {
         match self.known.get(&user).cloned() {
             Some(Known::Native(own)) => self.native(own, block),
-            Some(Known::Idle(name)) => self.idle_call(&name, block),
+            Some(Known::Unread(part)) => self.unread_call(&part, block),
             Some(Known::Own(name)) => self.call(user, &name, block),
             Some(Known::Not(why)) => Err(why),
             None => Err("its definition is not in the file".to_owned()),
@@ -230,29 +219,6 @@ impl Writer<'_> {
             ("FAL" | "FSC" | "FOR", all) => self.looped(own, block, all)?,
             _ => return Err("it has no counterpart there".to_owned()),
         }])
-    }
-
-    fn idle_call(&mut self, name: &str, block: &Block) -> Result<Series> {
-        let shown = match block.arguments.first() {
-            Some(bound) => self.source(bound.range).trim().trim_matches('\'').to_owned(),
-            None => String::new(),
-        };
-        if shown.chars().count() >= 127 {
-            return Err("not all of its operands are known".to_owned());
-        }
-        let shown = shown.replace("$'", "'").replace("$$", "$").replace(", ", ",");
-        if name == "JSR" {
-            let routine = shown.split(',').next().unwrap_or_default();
-            if self.analysis.context.function(&Name::new(routine)).is_some() {
-                return Err(format!(
-                    "it would call the routine `{routine}`, and does nothing here"
-                ));
-            }
-            self.note(&format!(
-                "there is no routine `{routine}`, as there was none where it was read"
-            ));
-        }
-        Ok(vec![it(name, &[&shown])])
     }
 
     /// What is given for a parameter.

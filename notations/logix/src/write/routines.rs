@@ -151,6 +151,10 @@ impl Writer<'_> {
         if let Some(first) = self.first_scan_rung() {
             routines[0].rungs.insert(0, first);
         }
+        for routine in &mut routines {
+            let rungs = std::mem::take(&mut routine.rungs);
+            (routine.rungs, routine.foreign) = self.in_one_language(rungs);
+        }
         if project.name.is_empty() {
             let name = &self.analysis.context.name;
             let stem = name.rsplit(['/', '\\']).next().unwrap_or_default();
@@ -175,7 +179,8 @@ impl Writer<'_> {
         project
             .types
             .sort_by_key(|ty| self.type_order.get(&ty.name).copied().unwrap_or(usize::MAX));
-        let is_empty = routines.iter().all(|routine| routine.rungs.is_empty()) && tags.is_empty();
+        let has_nothing = |routine: &Routine| routine.rungs.is_empty() && routine.foreign.is_none();
+        let is_empty = routines.iter().all(has_nothing) && tags.is_empty();
         if !is_empty || project.aois.is_empty() {
             project.programs.push(Program {
                 name: "MainProgram".to_owned(),
@@ -261,7 +266,17 @@ impl Writer<'_> {
         let place = self.at(network.location.range.start().into());
         self.note = None;
         let made = (self.made.len(), self.first_scan.len());
-        let rungs = self.network(network).and_then(checked);
+        let rungs = match self.unread_routine(network) {
+            Some(Ok(mut rungs)) => {
+                self.report.translated(place, "network");
+                if let Some(first) = rungs.first_mut() {
+                    first.comment = comment;
+                }
+                return rungs;
+            }
+            Some(Err(why)) => Err(why),
+            None => self.network(network).and_then(checked),
+        };
         match rungs {
             Ok(rungs) => {
                 match self.note.take() {

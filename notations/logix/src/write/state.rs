@@ -6,15 +6,18 @@
 use super::operand::milliseconds;
 use super::rung::{Piece, Series, it};
 use super::{Lowered, Result, Writer};
-use ladder_analysis::program::{Argument, Block, Expr, ExprKind, Place};
+use ladder_analysis::program::{Argument, Block, Expr, ExprKind, Place, TagId};
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
+use ladder_syntax::Name;
 
 /// What is given to a timer or counter.
 struct Given<'b> {
     /// Its tag.
     own: String,
+    /// The tags that it can be: several where an index is computed.
+    tags: Vec<TagId>,
     /// PT or PV.
     preset: Option<&'b Expr>,
     reset: Option<&'b Expr>,
@@ -44,6 +47,7 @@ impl Writer<'_> {
     fn given<'b>(&mut self, block: &'b Block) -> Result<Given<'b>> {
         let mut given = Given {
             own: String::new(),
+            tags: Vec::new(),
             preset: None,
             reset: None,
             load: None,
@@ -53,6 +57,14 @@ impl Writer<'_> {
             let name = bound.operand.map_or("", |operand| operand.name);
             match (&bound.argument, name) {
                 (Argument::State(_) | Argument::ChosenState(_), _) => {
+                    given.tags = match &bound.argument {
+                        Argument::ChosenState(chosen) => {
+                            let tags = (0..chosen.count).map(|number| chosen.first.0 + number * chosen.step);
+                            tags.map(TagId).collect()
+                        }
+                        Argument::State(tag) => vec![*tag],
+                        _ => Vec::new(),
+                    };
                     let written = self.source(bound.range).to_owned();
                     given.own = self.path(&written)?;
                 }
@@ -77,6 +89,22 @@ impl Writer<'_> {
             Op::Sr | Op::Rs => self.bistable(op, &given, used),
             _ => Err("it has no counterpart there".to_owned()),
         }
+    }
+
+    /// The preset is in the tag there.
+    fn keep_preset(&mut self, given: &Given<'_>, number: &str) -> Result<()> {
+        for tag in &given.tags {
+            let tag = &self.program.tags[tag.0 as usize];
+            let block = tag
+                .block
+                .map(|block| self.program.blocks[block].name.to_ascii_uppercase());
+            let key = (block.unwrap_or_default(), Name::new(&tag.name));
+            let before = self.presets.insert(key, number.to_owned());
+            if before.is_some_and(|before| before != number) {
+                return Err(format!("there `{}` has one preset, and here two", tag.name));
+            }
+        }
+        Ok(())
     }
 
     /// A number that never changes.
@@ -116,6 +144,9 @@ impl Writer<'_> {
             }
             _ => return Err("there its time is a constant".to_owned()),
         };
+        if number != "?" {
+            self.keep_preset(given, &number)?;
+        }
         let accumulated = if number == "?" { "?" } else { "0" };
         let done = it("XIC", &[&format!("{own}.DN")]);
         let timer = |name: &str| it(name, &[own, &number, accumulated]);
@@ -182,6 +213,7 @@ impl Writer<'_> {
             return Err("with a preset below 1 its output there comes only with its first count".to_owned());
         }
         let preset = preset.to_string();
+        self.keep_preset(given, &preset)?;
         let (count, done) = (format!("{own}.ACC"), format!("{own}.DN"));
         let first = [("CU", op != Op::Ctd), ("CD", op != Op::Ctu)];
         for (bit, _) in first.iter().filter(|(_, has)| *has) {

@@ -1,7 +1,7 @@
 //! A project as L5X: elements and attributes in the order in which Logix Designer wants them.
 
 use crate::l5x::ROOT;
-use crate::model::{Aoi, DataType, Program, Project, Raw, Routine, Rung, Tag, Usage};
+use crate::model::{Aoi, DataType, Foreign, Language, Program, Project, Raw, Routine, Rung, Tag, Usage};
 use ladder_notation::xml::{escape, section};
 
 /// The version of Logix Designer whose names of instructions are written.
@@ -299,14 +299,49 @@ impl Out {
     }
 
     fn routine(&mut self, routine: &Routine) {
-        self.open("Routine", &[("Name", &routine.name), ("Type", "RLL")]);
+        let kind = match routine.foreign.as_ref().map(|foreign| foreign.language) {
+            None => "RLL",
+            Some(Language::StructuredText) => "ST",
+            Some(Language::FunctionBlocks) => "FBD",
+            Some(Language::Chart) => "SFC",
+            Some(Language::Protected) => return self.as_it_is(routine),
+        };
+        self.open("Routine", &[("Name", &routine.name), ("Type", kind)]);
         self.described(routine.comment.as_ref());
+        match &routine.foreign {
+            None => {}
+            Some(Foreign {
+                language: Language::StructuredText,
+                text,
+            }) => {
+                self.open("STContent", &[]);
+                for (number, line) in text.split('\n').enumerate() {
+                    self.start("Line", &[("Number", &number.to_string())]);
+                    self.0.push_str(">\n");
+                    section(&mut self.0, line);
+                    self.0.push_str("\n</Line>\n");
+                }
+                self.close("STContent");
+                return self.close("Routine");
+            }
+            Some(_) => {
+                self.as_it_is(routine);
+                return self.close("Routine");
+            }
+        }
         self.open("RLLContent", &[]);
         for (number, rung) in routine.rungs.iter().enumerate() {
             self.rung(number, rung);
         }
         self.close("RLLContent");
         self.close("Routine");
+    }
+
+    /// What a routine is in a file that it was read from.
+    fn as_it_is(&mut self, routine: &Routine) {
+        self.0
+            .extend(routine.foreign.iter().map(|foreign| foreign.text.as_str()));
+        self.0.push('\n');
     }
 
     fn rung(&mut self, number: usize, rung: &Rung) {

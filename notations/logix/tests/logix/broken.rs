@@ -179,7 +179,7 @@ fn deep_branches_and_long_rungs_are_refused_where_they_are() {
     expect_test::expect![[r#"
         22:35: branches are nested deeper than 24
         27:12016: the rung has more than 2000 parts
-        32:10: the operand is nested deeper than 40: it does nothing, and power passes"#]]
+        32:10: the operand is nested deeper than 40: it is not run, and power passes"#]]
     .assert_eq(&shown.join("\n"));
     assert!(converted.written.text.contains("( )( b )"));
 }

@@ -10,4 +10,5 @@ mod loops;
 mod oracle;
 mod projects;
 mod run;
+mod unread;
 mod written;

@@ -320,3 +320,64 @@ fn what_xml_cannot_hold() {
     let read = L5x.read(&ladder_notation::Source::alone("test", xml.as_bytes()));
     assert!(read.is_ok(), "{xml}");
 }
+
+#[test]
+fn presets_and_instances_are_data() {
+    let (file, remarks) = written(
+        "FUNCTION_BLOCK [$Motor]\nVAR_INPUT speed : DINT := 7; END_VAR\nVAR_OUTPUT run : BOOL; END_VAR\nVAR t : TON; END_VAR\n\
+         +--[ ]( EN )--[TON]( t, T#2s )--( )( run )--+\nEND_FUNCTION_BLOCK\n\nTYPE\n    Zone : STRUCT\n        watch : TON;\n        on : \
+         BOOL;\n    END_STRUCT;\nEND_TYPE\nVAR zone : ARRAY[0..1] OF Zone; k : DINT; c : ARRAY[0..1, 0..1] OF CTU; a : BOOL; m : \
+         ARRAY[0..1] OF $Motor; END_VAR\n+--[ ]( a )--[TON]( zone[k].watch, 5s )--( )( zone[0].on )--+\n+--[ ]( a )--[CTU]( c[1, 0], \
+         3 )--+\n+--[ ]( a )--[$Motor]( m[1] )--+\n",
+    );
+    assert_eq!(remarks, Vec::<String>::new());
+    let data = file.lines().filter(|line| {
+        [
+            "\"PRE\"",
+            "<Tag ",
+            "<LocalTag ",
+            "Index=",
+            "\"Motor\"",
+            "\"speed\"",
+            "\"Enable",
+        ]
+        .iter()
+        .any(|word| line.contains(word))
+    });
+    expect![[r#"
+        <AddOnInstructionDefinition Name="Motor" Revision="1.0" ExecutePrescan="false" ExecutePostscan="false" ExecuteEnableInFalse="true" SoftwareRevision="v33.01">
+        <Parameter Name="EnableIn" TagType="Base" DataType="BOOL" Usage="Input" Radix="Decimal" Required="false" Visible="false" ExternalAccess="Read/Write">
+        <Parameter Name="EnableOut" TagType="Base" DataType="BOOL" Usage="Output" Radix="Decimal" Required="false" Visible="false" ExternalAccess="Read Only">
+        <Parameter Name="speed" TagType="Base" DataType="DINT" Usage="Input" Radix="Decimal" Required="false" Visible="false" ExternalAccess="Read/Write">
+        <LocalTag Name="t" DataType="TIMER" ExternalAccess="None">
+        <DataValueMember Name="PRE" DataType="DINT" Radix="Decimal" Value="2000"/>
+        <Routine Name="EnableInFalse" Type="RLL">
+        <Tag Name="zone" TagType="Base" DataType="Zone" Dimensions="2" Constant="false" ExternalAccess="Read/Write">
+        <Element Index="[0]">
+        <DataValueMember Name="PRE" DataType="DINT" Radix="Decimal" Value="5000"/>
+        <Element Index="[1]">
+        <DataValueMember Name="PRE" DataType="DINT" Radix="Decimal" Value="5000"/>
+        <Tag Name="k" TagType="Base" DataType="DINT" Radix="Decimal" Constant="false" ExternalAccess="Read/Write">
+        <Tag Name="c" TagType="Base" DataType="COUNTER" Dimensions="2 2" Constant="false" ExternalAccess="Read/Write">
+        <Element Index="[0,0]">
+        <DataValueMember Name="PRE" DataType="DINT" Radix="Decimal" Value="0"/>
+        <Element Index="[0,1]">
+        <DataValueMember Name="PRE" DataType="DINT" Radix="Decimal" Value="0"/>
+        <Element Index="[1,0]">
+        <DataValueMember Name="PRE" DataType="DINT" Radix="Decimal" Value="3"/>
+        <Element Index="[1,1]">
+        <DataValueMember Name="PRE" DataType="DINT" Radix="Decimal" Value="0"/>
+        <Tag Name="a" TagType="Base" DataType="BOOL" Radix="Decimal" Constant="false" ExternalAccess="Read/Write">
+        <Tag Name="m" TagType="Base" DataType="Motor" Dimensions="2" Constant="false" ExternalAccess="Read/Write">
+        <Array DataType="Motor" Dimensions="2">
+        <Element Index="[0]">
+        <Structure DataType="Motor">
+        <DataValueMember Name="EnableIn" DataType="BOOL" Radix="Decimal" Value="1"/>
+        <DataValueMember Name="EnableOut" DataType="BOOL" Radix="Decimal" Value="0"/>
+        <DataValueMember Name="speed" DataType="DINT" Radix="Decimal" Value="7"/>
+        <Element Index="[1]">
+        <Structure DataType="Motor">
+        <DataValueMember Name="EnableIn" DataType="BOOL" Radix="Decimal" Value="1"/>
+        <DataValueMember Name="EnableOut" DataType="BOOL" Radix="Decimal" Value="0"/>
+        <DataValueMember Name="speed" DataType="DINT" Radix="Decimal" Value="7"/>"#]].assert_eq(&data.collect::<Vec<_>>().join("\n"));
+}
