@@ -142,8 +142,11 @@ pub(super) fn comments(text: &str) -> Vec<Rung> {
     let mut rung = |parts| rungs.push(Rung { line: 0, parts });
     let mut in_definition = false;
     for line in text.lines().map(str::trim).chain([""]) {
-        // What a block says of itself is not a rung.
-        in_definition |= line.starts_with("FUNCTION_BLOCK");
+        // What is said of a block, in it or right above it, is not a rung.
+        if line.starts_with("FUNCTION_BLOCK") {
+            in_definition = true;
+            lines.clear();
+        }
         in_definition &= !line.starts_with("END_FUNCTION_BLOCK");
         if in_definition {
             continue;

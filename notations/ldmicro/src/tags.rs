@@ -280,6 +280,13 @@ impl Tags {
         }
     }
 
+    /// The tags of a name, whatever they are.
+    pub(super) fn named(&self, name: &str) -> impl Iterator<Item = String> {
+        let stage = self.stage(name).map(|(tag, index)| format!("{tag}[{index}]"));
+        let own = [self.bit.get(name), self.variable.get(name)];
+        stage.into_iter().chain(own.into_iter().flatten().cloned())
+    }
+
     /// The names that had to change, as the tag and LDmicro's name.
     pub(super) fn renamed(&self) -> Vec<(&str, &str)> {
         let registers = self.registers.iter().map(|(name, (tag, _))| (name, tag));

@@ -3,12 +3,14 @@
 use super::Exporter;
 use crate::field;
 use crate::fork::made::Made;
+use crate::fork::outside::Outside;
 use crate::fork::{RESOLUTION, table};
 use crate::kept::{UNSETTLED, after};
 use crate::model::Version;
 use ladder_analysis::program::{Argument, Block, BlockKind, Expr, ExprKind, Place as Operand};
 use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
+use ladder_notation::foreign_text_of;
 
 /// In the place of a label: the end of the subprogram that the jump is in. None is the end of the program.
 pub(super) const OWN_END: &str = "\0";
@@ -75,19 +77,47 @@ impl Exporter<'_> {
 
     /// The line of a block that the program brought along.
     pub(super) fn made(&self, block: &Block, index: usize) -> Result<String, String> {
+        let name = &self.program.blocks[index].name;
+        if let Some(line) = self.unread(block, name) {
+            return line;
+        }
         let made = match self.made.get(index) {
             Some(made) => made.clone()?,
             None => return Err(FOREIGN.to_owned()),
         };
-        if let Made::Idle(_) = made {
-            let fields = block.arguments.first().map(|bound| fields(&bound.argument));
-            let given: Vec<String> = fields.transpose()?.into_iter().collect();
-            return Ok(made.line(&given, 0, self.dialect));
-        }
         let given: Result<Vec<String>, String> = (0..block.arguments.len())
             .map(|index| self.given(block, index))
             .collect();
         Ok(made.line(&given?, self.initial(block), self.dialect))
+    }
+
+    /// The line of an element that is not read, if a block of this name is one: what is said above its definition begins
+    /// with its word.
+    fn unread(&self, block: &Block, name: &str) -> Option<Result<String, String>> {
+        let definition = self.definition(&format!("[{name}]"))?;
+        if !definition
+            .lines()
+            .any(|line| line.starts_with("# ladder: unread"))
+        {
+            return None;
+        }
+        let before = &self.text[..self.text.find(definition)?];
+        let said = before.trim_end().lines().next_back().unwrap_or_default();
+        let word = said
+            .trim_start_matches(['#', ' '])
+            .split(": ")
+            .next()
+            .unwrap_or_default();
+        let Some(outside) = Outside::of(word) else {
+            let why = format!("the comment above `{name}` does not say which element it is");
+            return Some(Err(why));
+        };
+        let fields = match (foreign_text_of(definition), block.arguments.first()) {
+            (Some(text), _) => Ok(text),
+            (None, Some(bound)) => fields(&bound.argument),
+            (None, None) => return Some(Ok(outside.word.to_owned())),
+        };
+        Some(fields.map(|fields| format!("{} {fields}", outside.word)))
     }
 
     /// What a block of this name is an element of, if it is defined so.
@@ -214,7 +244,7 @@ impl Exporter<'_> {
     }
 }
 
-/// The text that holds the fields of an element that does nothing here.
+/// The text that holds the fields of an element that is not read.
 fn fields(argument: &Argument) -> Result<String, String> {
     match argument {
         Argument::Value(Expr {

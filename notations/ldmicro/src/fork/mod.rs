@@ -5,16 +5,16 @@
 //! rungs --jumps--> labels, jumps and subprograms
 //! ```
 
-pub(super) mod idle;
 pub(super) mod jumps;
 pub(super) mod made;
+pub(super) mod outside;
 pub(super) mod table;
 
 use super::field::{self, Coil, Slot};
 use super::model::{Dialect, Version};
-use idle::Idle;
 use ladder_instructions::Op;
 use made::{Count, Kind, Made, MadeCounter, MadeTimer, Segments};
+use outside::Outside;
 use table::Form;
 
 /// An element of the fork.
@@ -33,6 +33,8 @@ pub(super) struct Read<'l> {
 pub(super) enum What {
     Instruction(Op),
     Made(Made),
+    /// What is not read, with its fields.
+    Outside(Outside),
 }
 
 /// What is in an operand's place.
@@ -50,7 +52,7 @@ pub(super) enum Given<'l> {
     Bit(&'l str, u8),
     /// An output of pulses, by its name.
     Pulses(&'l str),
-    /// All fields of an element that does nothing here.
+    /// All fields of an element that is not read.
     Fields(&'l str),
 }
 
@@ -86,7 +88,7 @@ pub(super) fn read(text: &str, dialect: Dialect) -> Option<Result<Read<'_>, Stri
     let fields = field::fields(text);
     if let Some(row) = table::row_of(text) {
         return match row.form {
-            Form::Idle(_) => idle(text),
+            Form::Outside(_) => outside(text),
             form => Some(own(form, &fields, dialect)),
         };
     }
@@ -105,29 +107,18 @@ pub(super) fn read(text: &str, dialect: Dialect) -> Option<Result<Read<'_>, Stri
             let given = vec![Given::Relay(fields[0])];
             Some(Ok(Read::new(What::Made(Made::Toggle), given)))
         }
-        "UART_SEND" | "UART_RECV" if is_more_than_a_byte(text, &fields) => idle(text),
-        "SET_PWM" if field::literal(fields.get(1)?).is_none() => idle(text),
+        "UART_SEND" | "UART_RECV" if is_more_than_a_byte(text, &fields) => outside(text),
+        "SET_PWM" if field::literal(fields.get(1)?).is_none() => outside(text),
         "SET_PWM" if is_forks(2) && fields.len() > 2 => Some(Ok(pulses(&fields))),
         _ => None,
     }
 }
 
-/// An element that does nothing here.
-pub(super) fn idle(text: &str) -> Option<Result<Read<'_>, String>> {
+/// An element that is not read.
+pub(super) fn outside(text: &str) -> Option<Result<Read<'_>, String>> {
     let (word, fields) = text.split_once(' ').unwrap_or((text, ""));
-    let idle = Idle::of(word)?;
-    if fields.len() > idle::MOST_BYTES {
-        return Some(Err(format!(
-            "its fields have more than {} bytes",
-            idle::MOST_BYTES
-        )));
-    }
-    let given = if fields.is_empty() {
-        Vec::new()
-    } else {
-        vec![Given::Fields(fields)]
-    };
-    Some(Ok(Read::new(What::Made(Made::Idle(idle)), given)))
+    let what = What::Outside(Outside::of(word)?);
+    Some(Ok(Read::new(what, vec![Given::Fields(fields)])))
 }
 
 /// How finely a duty is given, where it is in percent.
@@ -205,7 +196,7 @@ fn own<'l>(form: Form, fields: &[&'l str], dialect: Dialect) -> Result<Read<'l>,
         }
         Form::Segments => segments(fields),
         Form::Jump(_) => Err("it must be in a rung".to_owned()),
-        Form::Idle(_) => Err("it does nothing here".to_owned()),
+        Form::Outside(_) => Err("it is not read".to_owned()),
     }
 }
 
@@ -333,6 +324,7 @@ pub(super) fn plain(text: &str, read: &Read<'_>, dialect: Dialect) -> Option<Str
     }
     Some(match read.what {
         What::Made(made) => made.line(&words, read.initial.unwrap_or(0), dialect),
+        What::Outside(_) => text.to_owned(),
         What::Instruction(_) => {
             let word = text.split(' ').next()?;
             [&[word.to_owned()][..], &words[..]].concat().join(" ")

@@ -32,8 +32,8 @@ pub(super) enum Form {
     Count,
     /// `7SEGMENTS dest src common`
     Segments,
-    /// A block that does nothing; how many fields it has.
-    Idle(usize),
+    /// What is not read; how many fields it has at least.
+    Outside(usize),
 }
 
 /// What leads on to another rung, or is a place where that leads.
@@ -92,42 +92,42 @@ pub(crate) const ROWS: &[Row] = &[
     row("TIME2COUNT", Form::Count),
     row("7SEGMENTS", Form::Segments),
     row("ODR", Form::Made(Made::OneDropRising, &[])),
-    row("TIME2DELAY", Form::Idle(2)),
-    row("DELAY", Form::Idle(1)),
-    row("SLEEP", Form::Idle(0)),
-    row("CLRWDT", Form::Idle(0)),
-    row("LOCK", Form::Idle(0)),
-    row("BUS", Form::Idle(10)),
-    row("9SEGMENTS", Form::Idle(3)),
-    row("14SEGMENTS", Form::Idle(3)),
-    row("16SEGMENTS", Form::Idle(3)),
-    row("RSFR", Form::Idle(2)),
-    row("WSFR", Form::Idle(2)),
-    row("SSFR", Form::Idle(2)),
-    row("CSFR", Form::Idle(2)),
-    row("TSFR", Form::Idle(2)),
-    row("TCSFR", Form::Idle(2)),
-    row("RANDOM", Form::Idle(1)),
-    row("SEED_RANDOM", Form::Idle(2)),
-    row("NPULSE", Form::Idle(3)),
-    row("NPULSE_OFF", Form::Idle(0)),
-    row("PULSER", Form::Idle(5)),
-    row("STEPPER", Form::Idle(6)),
-    row("QUAD_ENCOD", Form::Idle(4)),
-    row("SPI", Form::Idle(8)),
-    row("SPI_WR", Form::Idle(8)),
-    row("I2C_RD", Form::Idle(8)),
-    row("I2C_WR", Form::Idle(8)),
-    row("UART_SENDn", Form::Idle(1)),
-    row("UART_RECVn", Form::Idle(1)),
-    row("UART_SEND_READY", Form::Idle(0)),
-    row("UART_SEND_BUSY", Form::Idle(0)),
-    row("UART_UDRE", Form::Idle(0)),
-    row("UART_RECV_AVAIL", Form::Idle(0)),
-    row("STRING", Form::Idle(2)),
-    row("FORMATTED_STR", Form::Idle(0)),
-    row("SET_PWM_SOFT", Form::Idle(0)),
-    row("PWM_OFF", Form::Idle(0)),
+    row("TIME2DELAY", Form::Outside(2)),
+    row("DELAY", Form::Outside(1)),
+    row("SLEEP", Form::Outside(0)),
+    row("CLRWDT", Form::Outside(0)),
+    row("LOCK", Form::Outside(0)),
+    row("BUS", Form::Outside(10)),
+    row("9SEGMENTS", Form::Outside(3)),
+    row("14SEGMENTS", Form::Outside(3)),
+    row("16SEGMENTS", Form::Outside(3)),
+    row("RSFR", Form::Outside(2)),
+    row("WSFR", Form::Outside(2)),
+    row("SSFR", Form::Outside(2)),
+    row("CSFR", Form::Outside(2)),
+    row("TSFR", Form::Outside(2)),
+    row("TCSFR", Form::Outside(2)),
+    row("RANDOM", Form::Outside(1)),
+    row("SEED_RANDOM", Form::Outside(2)),
+    row("NPULSE", Form::Outside(3)),
+    row("NPULSE_OFF", Form::Outside(0)),
+    row("PULSER", Form::Outside(5)),
+    row("STEPPER", Form::Outside(6)),
+    row("QUAD_ENCOD", Form::Outside(4)),
+    row("SPI", Form::Outside(8)),
+    row("SPI_WR", Form::Outside(8)),
+    row("I2C_RD", Form::Outside(8)),
+    row("I2C_WR", Form::Outside(8)),
+    row("UART_SENDn", Form::Outside(1)),
+    row("UART_RECVn", Form::Outside(1)),
+    row("UART_SEND_READY", Form::Outside(0)),
+    row("UART_SEND_BUSY", Form::Outside(0)),
+    row("UART_UDRE", Form::Outside(0)),
+    row("UART_RECV_AVAIL", Form::Outside(0)),
+    row("STRING", Form::Outside(2)),
+    row("FORMATTED_STR", Form::Outside(0)),
+    row("SET_PWM_SOFT", Form::Outside(0)),
+    row("PWM_OFF", Form::Outside(0)),
 ];
 
 /// The row of a line.
@@ -146,7 +146,7 @@ impl Row {
             Form::OneBit(_) | Form::Timer(_) | Form::Counter | Form::Count => 2,
             Form::Jump(Jump::Return) => 0,
             Form::Jump(_) => 1,
-            Form::Idle(least) => least,
+            Form::Outside(least) => least,
         }
     }
 
@@ -158,9 +158,9 @@ impl Row {
         }
     }
 
-    /// Whether it does nothing here.
-    pub(crate) const fn is_idle(&self) -> bool {
-        matches!(self.form, Form::Idle(_))
+    /// Whether it is not read.
+    pub(crate) const fn is_outside(&self) -> bool {
+        matches!(self.form, Form::Outside(_))
     }
 
     /// Whether it is this instruction on this many operands.

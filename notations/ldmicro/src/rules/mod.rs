@@ -54,9 +54,9 @@ fn unassigned(file: &File, uses: &HashMap<&str, Vec<(&Leaf, Form)>>, out: &mut V
     }
     let mut changed: HashSet<&str> = HashSet::new();
     for leaf in file.rungs.iter().flat_map(|rung| leaves(&rung.parts)) {
-        // Of an element that does nothing here it is not known which of its fields the controller changes.
+        // Of an element that is not read it is not known which of its fields the controller changes.
         let count = match forks_row(&leaf.text) {
-            Some(row) if row.is_idle() => usize::MAX,
+            Some(row) if row.is_outside() => usize::MAX,
             Some(_) => 1,
             None => 0,
         };

@@ -5,11 +5,13 @@ use super::head::plain_duration;
 use crate::element::{self, Form};
 use crate::field::{self, Coil, Slot};
 use crate::fork::made::Made;
+use crate::fork::outside::Outside;
 use crate::fork::{self, Given, Read, What};
 use crate::model::{Leaf, Version};
 use crate::tags::MOST_STAGES;
 use crate::text;
 use ladder_instructions::{Op, by_op};
+use ladder_notation::{Turn, Unread};
 
 /// The relay that the fork sets when the result of a calculation does not fit.
 const OVERFLOW: &str = "ROverflowFlagV";
@@ -19,18 +21,11 @@ pub(super) struct Translation {
     pub(super) text: String,
     /// Why it is not quite the same.
     pub(super) remark: Option<String>,
-    /// Whether it is an element that does nothing here.
-    pub(super) is_idle: bool,
 }
 
 impl Translation {
     const fn with(text: String, remark: Option<String>) -> Translation {
-        let is_idle = false;
-        Translation {
-            text,
-            remark,
-            is_idle,
-        }
+        Translation { text, remark }
     }
 }
 
@@ -48,7 +43,7 @@ impl<'f> Importer<'f> {
             return label
                 .is_none_or(|label| !field::is_literal(label) && block.split(' ').nth(1) == Some(label));
         }
-        if block.starts_with("[$RES]") {
+        if block.starts_with("[$RES") {
             return true;
         }
         // RES of a variable is a MOV here.
@@ -105,7 +100,7 @@ impl<'f> Importer<'f> {
             }
             Form::Reset => match self.tags.any_state(name) {
                 Some(tag) => format!("(RES)( {tag} )").into(),
-                None if self.tags.is_pulses(name) => match fork::idle(&leaf.text) {
+                None if self.tags.is_pulses(name) => match fork::outside(&leaf.text) {
                     Some(read) => self.forks(&read?)?,
                     None => return Err("no block here ends pulses".to_owned()),
                 },
@@ -186,17 +181,8 @@ impl<'f> Importer<'f> {
 
     /// An element of the fork.
     fn forks(&mut self, read: &Read<'_>) -> Result<Translation, String> {
-        if let What::Made(Made::Idle(idle)) = read.what {
-            self.made.insert(Made::Idle(idle));
-            let fields = read.given.iter().map(|given| match given {
-                Given::Fields(fields) => format!("( {} )", text::quoted(fields)),
-                _ => String::new(),
-            });
-            return Ok(Translation {
-                text: Made::Idle(idle).head() + &fields.collect::<String>(),
-                remark: Some(idle.remark()),
-                is_idle: true,
-            });
+        if let (What::Outside(outside), [Given::Fields(fields)]) = (read.what, &read.given[..]) {
+            return Ok(self.outside(outside, fields));
         }
         let mut remark = read.remark.map(str::to_owned);
         let mut operands = Vec::with_capacity(read.given.len());
@@ -241,6 +227,7 @@ impl<'f> Importer<'f> {
                 self.made.insert(made);
                 made.head()
             }
+            What::Outside(_) => return Err("it is not read".to_owned()),
         };
         let text = if operands.is_empty() {
             head
@@ -248,6 +235,27 @@ impl<'f> Importer<'f> {
             format!("{head}( {} )", operands.join(", "))
         };
         Ok(Translation::with(text, remark))
+    }
+
+    /// An element that is not read.
+    fn outside(&mut self, outside: Outside, fields: &str) -> Translation {
+        let remark = outside.remark();
+        let writes = outside.writes_its_fields().then(|| {
+            let mut tags: Vec<String> = fields.split(' ').flat_map(|name| self.tags.named(name)).collect();
+            tags.sort_unstable();
+            tags.dedup();
+            tags
+        });
+        let part = Unread {
+            name: &outside.name(),
+            about: &format!("{}: {remark}", outside.word),
+            text: fields,
+            writes: writes.as_deref(),
+            power: outside.power(),
+            turn: Turn::Here,
+        };
+        let text = self.unread.block(part, |name| Made::named(name).is_some());
+        Translation::with(text, Some(remark))
     }
 
     fn listed_values(&self, form: Form, fields: &[&str]) -> Result<Translation, String> {

@@ -12,7 +12,7 @@ use block::Translation;
 use ladder_analysis::Severity;
 use ladder_format::Circuit;
 use ladder_format::program::{Drawing, Element, Item, Network, comment_text};
-use ladder_notation::{Finding, LineColumn, Reading};
+use ladder_notation::{Finding, LineColumn, Reading, UnreadParts};
 use std::collections::hash_map::Entry;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::ops::Range;
@@ -32,6 +32,7 @@ pub(super) fn sketch(file: &File) -> Reading {
         pins,
         jumps: Jumps::of(file),
         made: BTreeSet::new(),
+        unread: UnreadParts::default(),
         reading: Reading::default(),
     };
     importer.head();
@@ -81,6 +82,8 @@ struct Importer<'f> {
     jumps: Jumps,
     /// The blocks that the program brings along.
     made: BTreeSet<Made>,
+    /// What is not read.
+    unread: UnreadParts,
     reading: Reading,
 }
 
@@ -104,6 +107,7 @@ impl<'f> Importer<'f> {
         for made in &self.made {
             items.extend([Item::Blank, made.item()]);
         }
+        items.extend(self.unread.items());
     }
 
     /// A subprogram as a function.
@@ -230,19 +234,7 @@ impl<'f> Importer<'f> {
         let place = LineColumn::line(leaf.line);
         let origin = Some(self.reading.origin(place));
         match self.translated(leaf) {
-            Ok(Translation {
-                text,
-                remark,
-                is_idle,
-            }) => {
-                if let Some(message) = remark.clone().filter(|_| is_idle) {
-                    self.reading.findings.push(Finding {
-                        place,
-                        severity: Severity::Info,
-                        check: "ldmicro-idle",
-                        message,
-                    });
-                }
+            Ok(Translation { text, remark }) => {
                 match remark {
                     Some(why) => self.reading.report.approximated(place, &leaf.text, why),
                     None => self.reading.report.translated(place, &leaf.text),

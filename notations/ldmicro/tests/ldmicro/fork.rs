@@ -271,23 +271,6 @@ fn every_element() {
         +--[ ]( EN )-------------------------------------------------[ROL]( y, a, 8 )--+
         END_FUNCTION_BLOCK
 
-        FUNCTION_BLOCK [$RES]
-        # `RES` does nothing here, and power passes: no block here ends pulses #
-        # ladder: allow(never-read): the fields are there to be seen #
-        VAR_INPUT
-            fields : STRING[512] := '';
-        END_VAR
-        END_FUNCTION_BLOCK
-
-        FUNCTION_BLOCK [$UARTSEND]
-        # `UART_SEND` does nothing here, and no power comes out of it: it is about several bytes, or waits for the line #
-        # ladder: allow(never-read): the fields are there to be seen #
-        VAR_INPUT
-            fields : STRING[512] := '';
-        END_VAR
-        +--[ ]( SYS.OFF )--------------------------------------------------( )( ENO )--+
-        END_FUNCTION_BLOCK
-
         FUNCTION_BLOCK [$TON]
         # Power comes once it has been there for p scans. #
         VAR_IN_OUT
@@ -414,6 +397,23 @@ fn every_element() {
         +--[/]( begun )------------------------[MOV]( c, init )--[MOV]( begun, TRUE )--+
         +--[/]( EN )--[SUB]( c, c, 1 )--[LT]( c, max )---( )( ENO )--[MOV]( c, init )--+
         END_FUNCTION_BLOCK
+
+        # UART_SEND: it is not run here, and no power comes out of it: it is about several bytes, or waits for the line #
+        FUNCTION_BLOCK [$UARTSEND]
+        VAR_INPUT
+            operands : STRING[254] := '';
+        END_VAR
+        # ladder: unread, writes n #
+        +------------------------------------------------------------------(R)( ENO )--+
+        END_FUNCTION_BLOCK
+
+        # RES: it is not run here, and power passes: no block here ends pulses #
+        FUNCTION_BLOCK [$RES]
+        VAR_INPUT
+            operands : STRING[254] := '';
+        END_VAR
+        # ladder: unread, writes #
+        END_FUNCTION_BLOCK
         1:1 #PORTA: approximated: it is spelled `_PORTA` here
         1:1 big: approximated: it has 4 bytes in LDmicro, and 16 bits here
         25:1 SR0 n m k: approximated: where the number of bits is below 0, there is a fault here
@@ -421,19 +421,17 @@ fn every_element() {
         36:1 BIN2BCD n m: approximated: its digits are a byte each in LDmicro, and 16 bits hold two of them
         37:1 BCD2BIN n m: approximated: its digits are a byte each in LDmicro, and 16 bits hold two of them
         102:1 SET_PWM n 1000 P1 16: approximated: its duty is not in percent in LDmicro; here it is
-        105:1 UART_SEND n 2 0: approximated: `UART_SEND` does nothing here, and no power comes out of it: it is about several bytes, or waits for the line
+        105:1 UART_SEND n 2 0: approximated: it is not run here, and no power comes out of it: it is about several bytes, or waits for the line
         107:1 FORMATTED_STRING n a\x20\3\t: approximated: here it is also sent once at the start; the fork waits until power comes
-        108:1 RES P1: approximated: `RES` does nothing here, and power passes: no block here ends pulses
+        108:1 RES P1: approximated: it is not run here, and power passes: no block here ends pulses
         109:1 MOVE #PORTA 5: approximated: #PORTA is a register of the controller; here it is a tag
         65:1 ldmicro-rightmost: CTC must be the rightmost element of its rung
         67:1 ldmicro-rightmost: RES must be the rightmost element of its rung
         68:1 ldmicro-rightmost: RES must be the rightmost element of its rung
         102:1 ldmicro-rightmost: SET_PWM must be the rightmost element of its rung
         103:1 ldmicro-rightmost: READ_ADC must be the rightmost element of its rung
-        105:1 ldmicro-idle: `UART_SEND` does nothing here, and no power comes out of it: it is about several bytes, or waits for the line
         106:1 ldmicro-rightmost: LOOK_UP_TABLE must be the rightmost element of its rung
         106:1 ldmicro-unassigned: Variable 'm' not assigned to, e.g. with a MOV statement, an ADD statement, etc. This is probably a programming error; now it will always be zero.
-        108:1 ldmicro-idle: `RES` does nothing here, and power passes: no block here ends pulses
         108:1 ldmicro-rightmost: RES must be the rightmost element of its rung
     "#]].assert_eq(&read(EVERYTHING));
 }

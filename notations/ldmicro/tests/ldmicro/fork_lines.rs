@@ -175,12 +175,12 @@ fn one_by_one() {
         ODR: [$ODR]
         UART_SEND n: [USND]( n )--# was: UART_SEND n #
         UART_SEND n 1 1: [$UARTSEND]( 'n 1 1' )
-            nearly: `UART_SEND` does nothing here, and no power comes out of it: it is about several bytes, or waits for the line
+            nearly: it is not run here, and no power comes out of it: it is about several bytes, or waits for the line
         UART_RECV n 1 1: [URCV]( n )--# was: UART_RECV n 1 1 #
         SET_PWM d 1000 P1 8: [PWM]( d, 1000, CH := 1 )--# was: SET_PWM d 1000 P1 8 #
             nearly: its duty is not in percent in LDmicro; here it is
         SET_PWM d f P1 8: [$SETPWM]( 'd f P1 8' )
-            nearly: `SET_PWM` does nothing here, and power passes: its frequency is a variable
+            nearly: it is not run here, and power passes: its frequency is a variable
         SET_PWM d 1000 Pled 0-100%: [PWM]( d, 1000, CH := 0 )
         READ_ADC Aa: [ADC]( Aa, 0 )--# was: READ_ADC Aa #
         READ_ADC Aa 2: [ADC]( Aa, 0 )--# was: READ_ADC Aa 2 #
@@ -194,10 +194,10 @@ fn one_by_one() {
     "#]].assert_eq(&out);
 }
 
-/// What is outside of a program becomes a block that does nothing: there is one info for each, the program has no errors,
-/// and the element comes back.
+/// What is outside of a program becomes an unread part: what it writes is said, the program has no errors, and the element
+/// comes back.
 #[test]
-fn what_is_outside_of_a_program_does_nothing() {
+fn what_is_outside_of_a_program_is_unread() {
     let elements = [
         "BUS n m 7 6 5 4 3 2 1 0",
         "9SEGMENTS n m C",
@@ -234,67 +234,68 @@ fn what_is_outside_of_a_program_does_nothing() {
         let ladder = converted.written.text;
         let block = ladder.split("--").find(|block| block.starts_with("[$"));
         let block = block.unwrap_or_default().trim_end_matches('-');
-        let infos = converted
-            .findings
-            .iter()
-            .filter(|found| found.check == "ldmicro-idle");
-        let infos: Vec<&str> = infos.map(|found| found.message.as_str()).collect();
-        out.push_str(&format!("{block}\n    {}\n", infos.join("; ")));
+        let unread = ladder
+            .split_once("# ladder: unread")
+            .map_or("", |(_, after)| after);
+        let writes = unread.split('#').next().unwrap_or_default().trim();
+        let remarks = converted.report.remarks();
+        let remarks: Vec<String> = remarks.map(|entry| format!("{:?}", entry.outcome)).collect();
+        out.push_str(&format!("{block}{writes}\n    {}\n", remarks.join("; ")));
         let analysis = ladder_analysis::analyze(&ladder_syntax::parse(&ladder).into(), "test.clad");
         assert!(analysis.program().is_some(), "{ladder}");
         assert_eq!(write(&ladder), Ok(text));
     }
     expect![[r#"
-        [$BUS]( 'n m 7 6 5 4 3 2 1 0' )
-            `BUS` does nothing here, and power passes: LDmicro itself makes nothing of it
-        [$SEGMENTS9]( 'n m C' )
-            `9SEGMENTS` does nothing here, and power passes: LDmicro itself lacks the characters of this display
-        [$TIME2DELAY]( 'd 100' )
-            `TIME2DELAY` does nothing here, and power passes: how many loops it counts depends on the controller
-        [$DELAY]( 'd' )
-            `DELAY` does nothing here, and power passes: it is about the hardware of the controller
-        [$SLEEP]
-            `SLEEP` does nothing here, and power passes: it is about the hardware of the controller
-        [$SLEEP]( 'Td 5000' )
-            `SLEEP` does nothing here, and power passes: it is about the hardware of the controller
-        [$CLRWDT]
-            `CLRWDT` does nothing here, and power passes: it is about the hardware of the controller
+        [$BUS]( 'n m 7 6 5 4 3 2 1 0' ), writes
+            Approximated("it is not run here, and power passes: LDmicro itself makes nothing of it")
+        [$SEGMENTS9]( 'n m C' ), writes
+            Approximated("it is not run here, and power passes: LDmicro itself lacks the characters of this display")
+        [$TIME2DELAY]( 'd 100' ), writes
+            Approximated("it is not run here, and power passes: how many loops it counts depends on the controller")
+        [$DELAY]( 'd' ), writes
+            Approximated("it is not run here, and power passes: it is about the hardware of the controller")
+        [$SLEEP], writes
+            Approximated("it is not run here, and power passes: it is about the hardware of the controller")
+        [$SLEEP]( 'Td 5000' ), writes
+            Approximated("it is not run here, and power passes: it is about the hardware of the controller")
+        [$CLRWDT], writes
+            Approximated("it is not run here, and power passes: it is about the hardware of the controller")
         [$LOCK]
-            `LOCK` does nothing here, and power passes: it is about the hardware of the controller
-        [$RSFR]( 'n 5' )
-            `RSFR` does nothing here, and power passes: it is about a register of the controller
-        [$RANDOM]( 'n' )
-            `RANDOM` does nothing here, and power passes: there are no random numbers here
-        [$SEEDRANDOM]( 'n 5' )
-            `SEED_RANDOM` does nothing here, and power passes: there are no random numbers here
-        [$NPULSE]( 'n 5 Ya' )
-            `NPULSE` does nothing here, and power passes: there are no pulses here
-        [$PULSER]( '1 1 1 n Ya' )
-            `PULSER` does nothing here, and no power comes out of it: there are no pulses here
-        [$STEPPER]( 's 5 1 1 1 Ya' )
-            `STEPPER` does nothing here, and no power comes out of it: there are no pulses here
-        [$QUADENCOD]( 'n 0 Xa Xb Xz Ya / 5' )
-            `QUAD_ENCOD` does nothing here, and no power comes out of it: there are no pulses here
-        [$SPI]( 'SPI1 a b Master 0 8 MSB 1000' )
-            `SPI` does nothing here, and power passes: it is about the hardware of the controller
-        [$I2CRD]( 'I2C1 - \$'$$ #PORTA 0x20 255 MSB 1000' )
-            `I2C_RD` does nothing here, and power passes: it is about the hardware of the controller
-        [$UARTRECVAVAIL]
-            `UART_RECV_AVAIL` does nothing here, and no power comes out of it: no byte is ever waiting here
-        [$UARTSENDBUSY]
-            `UART_SEND_BUSY` does nothing here, and power passes: the serial line is always free here
-        [$UARTSENDn]( 'n' )
-            `UART_SENDn` does nothing here, and no power comes out of it: it is about several bytes, or waits for the line
-        [$UARTSEND]( 'n 4 1' )
-            `UART_SEND` does nothing here, and no power comes out of it: it is about several bytes, or waits for the line
-        [$UARTRECV]( 'n 2 0' )
-            `UART_RECV` does nothing here, and no power comes out of it: it is about several bytes, or waits for the line
-        [$SETPWM]( 'd f' )
-            `SET_PWM` does nothing here, and power passes: its frequency is a variable
-        [$STRING]( 's n 3 97 98 99' )
-            `STRING` does nothing here, and power passes: LDmicro writes a number into a text as C does
-        [$STRING]( 's n naïve  text' )
-            `STRING` does nothing here, and power passes: LDmicro writes a number into a text as C does
+            Approximated("it is not run here, and power passes: it is about the hardware of the controller")
+        [$RSFR]( 'n 5' ), writes
+            Approximated("it is not run here, and power passes: it is about a register of the controller")
+        [$RANDOM]( 'n' ), writes
+            Approximated("it is not run here, and power passes: there are no random numbers here")
+        [$SEEDRANDOM]( 'n 5' ), writes
+            Approximated("it is not run here, and power passes: there are no random numbers here")
+        [$NPULSE]( 'n 5 Ya' ), writes
+            Approximated("it is not run here, and power passes: there are no pulses here")
+        [$PULSER]( '1 1 1 n Ya' ), writes
+            Approximated("it is not run here, and no power comes out of it: there are no pulses here")
+        [$STEPPER]( 's 5 1 1 1 Ya' ), writes
+            Approximated("it is not run here, and no power comes out of it: there are no pulses here")
+        [$QUADENCOD]( 'n 0 Xa Xb Xz Ya / 5' ), writes Xa
+            Approximated("it is not run here, and no power comes out of it: there are no pulses here")
+        [$SPI]( 'SPI1 a b Master 0 8 MSB 1000' ), writes
+            Approximated("it is not run here, and power passes: it is about the hardware of the controller")
+        [$I2CRD]( 'I2C1 - \$'$$ #PORTA 0x20 255 MSB 1000' ), writes
+            Approximated("it is not run here, and power passes: it is about the hardware of the controller")
+        [$UARTRECVAVAIL], writes
+            Approximated("it is not run here, and no power comes out of it: no byte is ever waiting here")
+        [$UARTSENDBUSY], writes
+            Approximated("it is not run here, and power passes: the serial line is always free here")
+        [$UARTSENDn]( 'n' ), writes
+            Approximated("it is not run here, and no power comes out of it: it is about several bytes, or waits for the line")
+        [$UARTSEND]( 'n 4 1' ), writes
+            Approximated("it is not run here, and no power comes out of it: it is about several bytes, or waits for the line")
+        [$UARTRECV]( 'n 2 0' ), writes
+            Approximated("it is not run here, and no power comes out of it: it is about several bytes, or waits for the line")
+        [$SETPWM]( 'd f' ), writes
+            Approximated("it is not run here, and power passes: its frequency is a variable")
+        [$STRING]( 's n 3 97 98 99' ), writes
+            Approximated("it is not run here, and power passes: LDmicro writes a number into a text as C does")
+        [$STRING]( 's n naïve  text' ), writes
+            Approximated("it is not run here, and power passes: LDmicro writes a number into a text as C does")
     "#]].assert_eq(&out);
 }
 

@@ -445,7 +445,6 @@ fn checks_of_the_fork() {
         12:1 ldmicro-name: Variable for 'n' incorrectly assigned: RES: Variable is not assigned to COUNTER or TIMER or PWM.
         13:1 ldmicro-rightmost: SET_PWM must be the rightmost element of its rung
         13:1 ldmicro-unassigned: Variable 'duty' not assigned to, e.g. with a MOV statement, an ADD statement, etc. This is probably a programming error; now it will always be zero.
-        14:1 ldmicro-idle: `RES` does nothing here, and power passes: no block here ends pulses
         17:1 ldmicro-rightmost: LOOK_UP_TABLE must be the rightmost element of its rung
         17:1 ldmicro-index: index 3 is outside the table, which has 3 values, from 0 on
         17:1 ldmicro-name: Variable for 'tab' incorrectly assigned: TABLE: the name of a table can only be used for tables elsewhere.

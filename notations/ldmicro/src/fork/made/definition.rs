@@ -1,7 +1,6 @@
 //! The definitions of the blocks, network by network: what is between `--` is in series. They compute what the
 //! fork's own code does, in the same order.
 
-use super::super::idle::Idle;
 use super::{Count, Kind, Made, MadeCounter, MadeTimer, Segments};
 
 /// What a block is made of.
@@ -137,7 +136,6 @@ impl Made {
             )
             .inputs(&["scans : INT"]),
             Made::Segments(segments) => segments.definition(),
-            Made::Idle(idle) => idle.definition(),
             Made::Timer(timer) => timer.definition(),
             Made::Counter(counter) => counter.definition(),
         }
@@ -194,17 +192,6 @@ const CHARACTERS: [u8; 129] = [
     0x71, 0x6F, 0x74, 0x10, 0x0E, 0x75, 0x18, 0x55, 0x54, 0x5C, 0x73, 0x67, 0x50, 0x6D, 0x78, 0x3E, 0x1C,
     0x6A, 0x76, 0x6E, 0x5B, 0x39, 0x30, 0x0F, 0x01, 0x00, 0x63,
 ];
-
-impl Idle {
-    fn definition(self) -> Definition {
-        let ends: &[&str] = if self.passes {
-            &[]
-        } else {
-            &["[ ]( SYS.OFF )--( )( ENO )"]
-        };
-        Definition::new(&self.remark(), "", ends).inputs(&["fields : STRING[512] := ''"])
-    }
-}
 
 impl MadeTimer {
     fn definition(self) -> Definition {

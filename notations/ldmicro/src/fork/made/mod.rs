@@ -3,7 +3,6 @@
 
 mod definition;
 
-use super::idle::Idle;
 use crate::field::Slot;
 use crate::model::Dialect;
 use ladder_format::Circuit;
@@ -41,8 +40,6 @@ pub(crate) enum Made {
     IfBitClear,
     /// `7SEGMENTS y a C`
     Segments(Segments),
-    /// An element that does nothing here, with its fields.
-    Idle(Idle),
     /// `RTL t delay adjust` and the like, counted in scans.
     Timer(MadeTimer),
     /// `CTU c max init kind` and the like.
@@ -209,13 +206,7 @@ impl Made {
             })
         });
         let timers = MadeTimer::ALL.into_iter().map(Made::Timer);
-        let idle = Idle::all().map(Made::Idle);
-        plain
-            .into_iter()
-            .chain(segments)
-            .chain(timers)
-            .chain(counters)
-            .chain(idle)
+        plain.into_iter().chain(segments).chain(timers).chain(counters)
     }
 
     /// The block that does to a bit which a variable says what an instruction does to a fixed one, and its operands.
@@ -254,7 +245,6 @@ impl Made {
             Made::IfBitSet => "IFBITSET",
             Made::IfBitClear => "IFBITCLEAR",
             Made::Timer(timer) => timer.word(),
-            Made::Idle(idle) => return format!("${}", idle.name()),
             Made::Segments(segments) => {
                 let common = if segments.anode { "anode" } else { "" };
                 let fixed = if segments.fixed { "of" } else { "" };
@@ -280,22 +270,11 @@ impl Made {
     pub(crate) fn item(self) -> Item {
         let definition = self.definition();
         let mut items = vec![Item::Comment(definition.says)];
-        if let Made::Idle(_) = self {
-            let why = "allow(never-read): the fields are there to be seen";
-            items.push(Item::Directive(why.to_owned()));
-        }
         let mut section = |kind, declared: &[&str]| {
             let mut section = Section::new(kind);
             for declared in declared {
                 let (name, ty) = declared.split_once(" : ").unwrap_or((declared, "INT"));
-                let (ty, initial) = match ty.split_once(" := ") {
-                    Some((ty, initial)) => (ty, Some(initial.to_owned())),
-                    None => (ty, None),
-                };
-                section.declarations.push(Declaration {
-                    initial,
-                    ..Declaration::new(name, ty)
-                });
+                section.declarations.push(Declaration::new(name, ty));
             }
             items.push(Item::Section(section));
         };
@@ -341,8 +320,6 @@ impl Made {
                 let common = if segments.anode { "A" } else { "C" };
                 format!("7SEGMENTS {} {common}", given.join(" "))
             }
-            Made::Idle(idle) if first.is_empty() => idle.word.to_owned(),
-            Made::Idle(idle) => format!("{} {first}", idle.word),
             Made::TimeToCount => {
                 let scans = given.get(1).and_then(|scans| scans.parse::<u64>().ok());
                 let delay = scans.unwrap_or(0).saturating_mul(dialect.cycle);

@@ -1,19 +1,18 @@
 //! Elements about what is outside of a program: the hardware and the registers of the controller, serial data of several
-//! bytes. Each becomes a block that does nothing and shows the element's fields, so that the program around it runs.
+//! bytes. Each becomes an unread part that shows the element's fields, so that the program around it runs.
 //! Whether power passes is what the fork's own simulator makes of them, where nothing is connected to the controller.
+
+use ladder_notation::Power;
 
 /// Such an element.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Idle {
+pub(crate) struct Outside {
     /// The word that its line begins with.
     pub(crate) word: &'static str,
     /// Whether the power that goes in comes out; else none does.
-    pub(crate) passes: bool,
+    passes: bool,
     why: &'static str,
 }
-
-/// As many bytes of fields has an element in LDmicro, which reads lines of 512.
-pub(crate) const MOST_BYTES: usize = 512;
 
 const HARDWARE: &str = "it is about the hardware of the controller";
 const REGISTER: &str = "it is about a register of the controller";
@@ -24,18 +23,18 @@ const WAITING: &str = "no byte is ever waiting here";
 const PULSES: &str = "there are no pulses here";
 const CHARACTERS: &str = "LDmicro itself lacks the characters of this display";
 
-const fn passing(word: &'static str, why: &'static str) -> Idle {
+const fn passing(word: &'static str, why: &'static str) -> Outside {
     let passes = true;
-    Idle { word, passes, why }
+    Outside { word, passes, why }
 }
 
-const fn ending(word: &'static str, why: &'static str) -> Idle {
+const fn ending(word: &'static str, why: &'static str) -> Outside {
     let passes = false;
-    Idle { word, passes, why }
+    Outside { word, passes, why }
 }
 
 /// All of them. Of `UART_SEND`, `UART_RECV`, `SET_PWM` and `RES` only some are.
-const ALL: [Idle; 40] = [
+const ALL: [Outside; 40] = [
     passing("BUS", "LDmicro itself makes nothing of it"),
     passing("9SEGMENTS", CHARACTERS),
     passing("14SEGMENTS", CHARACTERS),
@@ -78,14 +77,10 @@ const ALL: [Idle; 40] = [
     ending("UART_RECVn", SEVERAL),
 ];
 
-impl Idle {
-    pub(crate) fn all() -> impl Iterator<Item = Idle> {
-        ALL.into_iter()
-    }
-
+impl Outside {
     /// The one with this word.
-    pub(crate) fn of(word: &str) -> Option<Idle> {
-        Idle::all().find(|idle| idle.word == word)
+    pub(crate) fn of(word: &str) -> Option<Outside> {
+        ALL.into_iter().find(|outside| outside.word == word)
     }
 
     /// The name of its block, without the `$`: letters and digits, a letter first.
@@ -95,6 +90,16 @@ impl Idle {
         word.replace('_', "") + size
     }
 
+    pub(crate) const fn power(self) -> Power {
+        if self.passes { Power::Passes } else { Power::Ends }
+    }
+
+    /// Whether it writes nothing but variables among its fields. What another register changes is not known, and a
+    /// controller that is locked does nothing more.
+    pub(crate) fn writes_its_fields(self) -> bool {
+        !matches!(self.word, "WSFR" | "SSFR" | "CSFR" | "LOCK")
+    }
+
     /// What there is to say about it.
     pub(crate) fn remark(self) -> String {
         let power = if self.passes {
@@ -102,6 +107,6 @@ impl Idle {
         } else {
             "no power comes out of it"
         };
-        format!("`{}` does nothing here, and {power}: {}", self.word, self.why)
+        format!("it is not run here, and {power}: {}", self.why)
     }
 }
