@@ -27,7 +27,7 @@ fn a_project_goes_into_a_folder_and_runs_there() {
     expect![[r#"
         exit status 0
         -- stderr
-        cell.L5X:4:74: approximated: MSG(m): MSG has no counterpart here: it does nothing, and power passes
+        cell.L5X:4:74: approximated: MSG(m): it has no counterpart here: it is not run, and power passes
         cell.L5X: 8 translated, 1 approximated, 0 refused
     "#]]
     .assert_eq(&folder.ladder(&["convert", "cell.L5X", "-o", "cell/"]).to_string());
@@ -66,8 +66,7 @@ fn a_file_is_checked_run_and_tested_as_it_is() {
     expect![[r#"
         exit status 0
         -- stdout
-        cell.L5X:4:74: info[l5x-inert] MSG has no counterpart here: it does nothing, and power passes
-        Checked 1 file: 1 info.
+        Checked 1 file: no errors found.
     "#]]
     .assert_eq(
         &folder

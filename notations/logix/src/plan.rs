@@ -1,7 +1,7 @@
 //! Which routine of a project is the main program, and which are functions.
 
 use crate::mnemonic::{Op, instruction};
-use crate::model::{Project, TaskKind};
+use crate::model::{Project, Task, TaskKind};
 use crate::neutral::instructions;
 use crate::unit::{Owner, Unit};
 use ladder_notation::names::Names;
@@ -117,7 +117,13 @@ fn order(project: &Project) -> Vec<Scheduled> {
         });
         return scheduled.collect();
     }
-    let runs = || tasks().filter(|task| !task.inhibited);
+    let programs = |task: &Task| -> Vec<usize> {
+        let names = task.programs.iter().map(|name| name.to_ascii_uppercase());
+        let programs = names.filter_map(|name| numbers.get(&name).copied());
+        let runs = programs.filter(|program| !project.programs[*program].inhibited);
+        runs.collect()
+    };
+    let runs = || tasks().filter(|task| !task.inhibited && !programs(task).is_empty());
     let of_kind = |kind: TaskKind| runs().find(|task| task.kind == kind);
     let scan = of_kind(TaskKind::Continuous).or_else(|| of_kind(TaskKind::Periodic));
     let mut order = Vec::new();
@@ -130,13 +136,8 @@ fn order(project: &Project) -> Vec<Scheduled> {
                 Some(format!("task {} runs it at times of its own", task.name))
             }
         };
-        let programs = task
-            .programs
-            .iter()
-            .filter_map(|name| numbers.get(&name.to_ascii_uppercase()));
-        let programs = programs.filter(|program| !project.programs[**program].inhibited);
-        order.extend(programs.map(|program| Scheduled {
-            program: *program,
+        order.extend(programs(task).into_iter().map(|program| Scheduled {
+            program,
             kind: task.kind,
             why: why.clone(),
         }));

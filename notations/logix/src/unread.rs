@@ -8,7 +8,7 @@ use crate::operand::{Expr, Path, Step};
 use crate::plan::Later;
 use crate::sketch::{Sketcher, network};
 use crate::translate::Translator;
-use crate::unit::{Owner, Unit};
+use crate::unit::{Owner, Unit, operand};
 use ladder_format::Circuit;
 use ladder_format::program::{Element, Item};
 use ladder_notation::{Power, Turn, Unread};
@@ -134,7 +134,7 @@ impl<'p> Translator<'p> {
         let mut names = Vec::new();
         for text in texts {
             let mut paths = Vec::new();
-            match self.expr(text) {
+            match operand(self.project.family, text) {
                 Ok(expr) => paths_of(&expr, &mut paths),
                 Err(_) if text.contains(|c: char| c.is_alphabetic()) => return None,
                 Err(_) => {}

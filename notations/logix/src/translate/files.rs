@@ -5,6 +5,7 @@ use crate::mnemonic::Role;
 use crate::operand::{Expr, Step};
 use crate::scope::Place;
 use crate::types::{Elem, Ty};
+use crate::unit::operand;
 use ladder_format::Circuit;
 use ladder_format::program::Element;
 
@@ -20,7 +21,7 @@ struct Stretch {
 impl Translator<'_> {
     /// An array, or an element of one with a constant index, in one dimension. None: it is no array.
     fn stretch(&mut self, text: &str) -> Result<Option<Stretch>> {
-        let Expr::Path(mut path) = self.expr(text)? else {
+        let Expr::Path(mut path) = operand(self.project.family, text)? else {
             return Err(format!("`{text}` is no array"));
         };
         let first = match path.steps.last() {
@@ -55,7 +56,7 @@ impl Translator<'_> {
 
     /// A number of elements.
     fn length(&self, text: &str) -> Result<u32> {
-        match self.expr(text)? {
+        match operand(self.project.family, text)? {
             Expr::Int(length) if length > 0 => Ok(u32::try_from(length).unwrap_or(u32::MAX)),
             _ => Err(format!("the length `{text}` is no constant")),
         }

@@ -9,7 +9,7 @@ use ladder_format::program::Element;
 
 impl Translator<'_> {
     /// The mode of a file instruction as the blocks have it: 0 for all, -1 for one, else how many in a scan.
-    fn mode(&self, text: &str) -> Result<i64> {
+    fn mode(&mut self, text: &str) -> Result<i64> {
         match (text.to_ascii_uppercase().as_str(), self.expr(text)) {
             ("ALL", _) => Ok(0),
             ("INC", _) => Ok(-1),

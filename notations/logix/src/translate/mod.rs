@@ -11,7 +11,7 @@ use crate::blocks::{Blocks, OTE_BIT};
 use crate::mnemonic::{Op, Role, instruction, is_known};
 use crate::model::{Family, Project};
 use crate::neutral::Instruction;
-use crate::operand::{Expr, Step};
+use crate::operand::{Expr, Path, Step};
 use crate::scope::{Place, Tags};
 use crate::types::Elem;
 use crate::unit::operand;
@@ -45,6 +45,8 @@ pub(crate) struct Translator<'p> {
     pub(crate) routine: String,
     /// Networks that go on with the rung that is being translated, after it.
     pub(crate) after: Vec<Circuit<Element>>,
+    /// What is computed on the rung before the instruction that is being translated.
+    before: Vec<Circuit<Element>>,
     scope: usize,
     origin: Option<u32>,
     note: Option<String>,
@@ -66,6 +68,7 @@ impl<'p> Translator<'p> {
             labels: HashMap::new(),
             routine: String::new(),
             after: Vec::new(),
+            before: Vec::new(),
             scope: 0,
             origin: None,
             note: None,
@@ -87,7 +90,17 @@ impl<'p> Translator<'p> {
         self.scope = scope;
         self.origin = origin;
         self.note = None;
-        let circuit = self.instruction(it)?;
+        self.before.clear();
+        let after = self.after.len();
+        let mut circuit = self.instruction(it)?;
+        if !self.before.is_empty() {
+            if self.after.len() > after {
+                self.after.truncate(after);
+                return Err("the length of a text in a loop has no counterpart here".to_owned());
+            }
+            let before = std::mem::take(&mut self.before).into_iter();
+            circuit = Circuit::Series(before.chain([circuit]).collect());
+        }
         Ok(Translated {
             circuit,
             note: self.note.take(),
@@ -203,12 +216,52 @@ impl<'p> Translator<'p> {
         }
     }
 
-    pub(crate) fn expr(&self, text: &str) -> Result<Expr> {
-        operand(self.project.family, text)
+    /// An operand that is read: of a text its length is computed before.
+    fn expr(&mut self, text: &str) -> Result<Expr> {
+        let mut expr = operand(self.project.family, text)?;
+        if text.contains(".LEN") {
+            self.measure(&mut expr)?;
+        }
+        Ok(expr)
+    }
+
+    /// Puts tags in the place of the lengths of texts.
+    fn measure(&mut self, expr: &mut Expr) -> Result<()> {
+        match expr {
+            Expr::Path(path) => {
+                let Some((Step::Member(member), steps)) = path.steps.split_last() else {
+                    return Ok(());
+                };
+                let text = Path {
+                    root: path.root.clone(),
+                    steps: steps.to_vec(),
+                };
+                let place = self.tags.place(self.scope, &text, Role::Text);
+                if let (true, Ok(place)) = (member == "LEN", place)
+                    && matches!(place.elem(), Some(Elem::String(_)))
+                {
+                    let helper = self.helper("length", Elem::Dint, "the length of a text");
+                    let block = self.block(format!("[LEN]( {helper}, {} )", place.text));
+                    self.before.push(block);
+                    *path = Path {
+                        root: helper,
+                        steps: Vec::new(),
+                    };
+                }
+                Ok(())
+            }
+            Expr::Unary(_, inner) => self.measure(inner),
+            Expr::Call(_, all) => all.iter_mut().try_for_each(|inner| self.measure(inner)),
+            Expr::Binary(_, left, right) => {
+                self.measure(left)?;
+                self.measure(right)
+            }
+            Expr::Int(_) | Expr::Real(_) | Expr::Text(_) | Expr::Unset => Ok(()),
+        }
     }
 
     fn place(&mut self, text: &str, role: Role) -> Result<Place> {
-        match self.expr(text)? {
+        match operand(self.project.family, text)? {
             Expr::Path(path) => self.tags.place(self.scope, &path, role),
             _ => Err(format!("`{text}` is no tag")),
         }
@@ -248,13 +301,13 @@ impl<'p> Translator<'p> {
 
     /// The word and the number of a bit that is computed, `w.[i]`.
     fn computed_bit(&mut self, text: &str) -> Result<Option<(Place, String)>> {
-        let Expr::Path(path) = self.expr(text)? else {
+        let Expr::Path(path) = operand(self.project.family, text)? else {
             return Ok(None);
         };
         let Some((Step::ComputedBit(index), word)) = path.steps.split_last() else {
             return Ok(None);
         };
-        let word = crate::operand::Path {
+        let word = Path {
             root: path.root.clone(),
             steps: word.to_vec(),
         };

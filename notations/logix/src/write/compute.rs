@@ -9,6 +9,11 @@ use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
 
+/// Whether it is the text without characters, which is zeros there.
+fn is_empty_text(value: &Expr) -> bool {
+    matches!(&value.kind, ExprKind::Constant(Value::Text(text)) if text.is_empty())
+}
+
 impl Writer<'_> {
     /// What computes and moves.
     pub(super) fn data(&mut self, op: Op, block: &Block) -> Result<Series> {
@@ -45,6 +50,9 @@ impl Writer<'_> {
                 if !Self::is_simple(value) {
                     let text = self.formula(value)?;
                     return Ok(vec![it("CPT", &[&to, &text])]);
+                }
+                if is_empty_text(value) {
+                    return Ok(vec![it("FLL", &["0", &to, "1"])]);
                 }
                 let value = self.value(value)?;
                 Ok(vec![it("MOV", &[&value, &to])])
@@ -293,7 +301,10 @@ impl Writer<'_> {
             let Argument::Value(value) = &from.argument else {
                 return Err("it has no counterpart there".to_owned());
             };
-            let value = self.value(value)?;
+            let value = match is_empty_text(value) {
+                true => "0".to_owned(),
+                false => self.value(value)?,
+            };
             let length = last.unwrap_or(first) - first + 1;
             return Ok(vec![it(
                 "FLL",

@@ -224,14 +224,7 @@ impl Writer<'_> {
     /// What is given for a parameter.
     fn argument(&mut self, bound: &Bound) -> Result<String> {
         match &bound.argument {
-            Argument::Value(value) => {
-                if let Some(tag) = read_tag(value)
-                    && let Some(Some(text)) = self.absorbed.get(&tag)
-                {
-                    return Ok(text.clone());
-                }
-                self.value(value)
-            }
+            Argument::Value(value) => self.value(value),
             _ => {
                 let written = self.source(bound.range).to_owned();
                 let written = written
@@ -308,15 +301,6 @@ impl Writer<'_> {
     pub(super) fn is_given(&self, user: usize, parameter: usize) -> bool {
         self.given.contains(&(user, parameter))
             || self.program.blocks[user].parameters[parameter].1 == ParameterKind::InOut
-    }
-}
-
-fn read_tag(value: &ladder_analysis::program::Expr) -> Option<ladder_analysis::program::TagId> {
-    use ladder_analysis::program::{ExprKind, Place};
-    match &value.kind {
-        ExprKind::Read(Place::Tag(tag)) => Some(*tag),
-        ExprKind::Pass(inner) => read_tag(inner),
-        _ => None,
     }
 }
 

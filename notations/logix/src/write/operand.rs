@@ -112,6 +112,11 @@ impl Writer<'_> {
         match &expr.kind {
             ExprKind::Constant(value) => self.constant(value, expr),
             ExprKind::Read(place) => {
+                if let Place::Tag(tag) = place
+                    && let Some(Some(text)) = self.absorbed.get(tag)
+                {
+                    return Ok(text.clone());
+                }
                 let written = self.source(expr.range).to_owned();
                 self.place(place, &written)
             }

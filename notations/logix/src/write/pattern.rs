@@ -70,6 +70,14 @@ impl Writer<'_> {
             self.absorb(helper, Some(value));
             return Ok(Some((Vec::new(), 1)));
         }
+        if op_of(first) == Some(Op::Len)
+            && let (Some(helper), Some(value)) = (self.helper(first), value_at(first, 1))
+            && Self::is_simple(value)
+        {
+            let length = format!("{}.LEN", self.value(value)?);
+            self.absorb(helper, Some(length));
+            return Ok(Some((Vec::new(), 1)));
+        }
         if op_of(first) == Some(Op::SetCoil)
             && let Some(Argument::Place(Place::Tag(tag), _)) =
                 first.arguments.first().map(|bound| &bound.argument)

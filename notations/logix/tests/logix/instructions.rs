@@ -490,6 +490,36 @@ END_CONTROLLER
     expect!["42:20 routine Other"].assert_eq(&remarks.collect::<Vec<_>>().join("\n"));
 }
 
+#[test]
+fn lengths_of_texts_and_what_clears_them() {
+    let text = converted(
+        &L5x,
+        controller(
+            &[
+                ("s", "STRING", ""),
+                ("t", "STRING[5]", ""),
+                ("big", "BOOL", ""),
+                ("n", "DINT", ""),
+                ("d", "DINT", "7"),
+                ("x", "REAL", "100.0"),
+            ],
+            &[
+                "GRT(s.LEN,0)OTE(big);",
+                "ADD(s.LEN,3,n);",
+                "CPT(n,t[1].LEN + n)CMP(s.LEN < 2)FLL(0,d,1)FLL(0,s,1);",
+                "FLL(0,t[0],5);",
+                "CPT(x,x * .5);",
+            ],
+        )
+        .as_bytes(),
+    );
+    expect![[r#"
+        big,n,d,x
+        0,3,0,50.0"#]]
+    .assert_eq(&trace(&text.written.text, "", 1, "big,n,d,x"));
+    comes_back(&text.written.text);
+}
+
 /// The same for what is written in another way, which does the same.
 #[track_caller]
 fn check_one_way(

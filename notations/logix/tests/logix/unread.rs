@@ -57,11 +57,11 @@ fn instructions() {
         ("sub", "= w[2]", ""),
     ];
     let rungs = [
-        "GRT(s.LEN,0)OTE(y);",
+        "GRT(s.DATA[1],0)OTE(y);",
         "[XIC(a) ,XIO(s.DATA[i].3) ]OTE(y);",
         "XIC(a)MSG(m)OTE(y);",
         "XIC(a)GSV(WallClockTime,,DateTime,w[0])SSV(Task,Fast,Rate,n);",
-        "XIC(a)XYZ(sub,n + i,'it''s')ADD(s.LEN,3,n);",
+        "XIC(a)XYZ(sub,n + i,'it''s')ADD(s.DATA[0],3,n);",
         "JSR(Nowhere,1,n);",
         "MOV(n,Rack:O.Data[i])XIC(Rack:I.Fault)OTE(y);",
         "PID(Rack:I.Ch0,n,0,i,0,0,0)TON(s,?,?);",
@@ -70,7 +70,7 @@ fn instructions() {
         &L5x,
         &controller(&tags, &rungs),
         expect![[r#"
-            +-----------------------------------------------[$GRT]( 's.LEN,0' )--( )( y )--+
+            +-------------------------------------------[$GRT]( 's.DATA[1],0' )--( )( y )--+
 
             +--\--[ ]( a )----------------------------------------------------\--( )( y )--+
             |  /-------------------------------------[$XIO]( 's.DATA[i].3' )--/            |
@@ -79,7 +79,7 @@ fn instructions() {
 
             +--[ ]( a )----------------[$GSV]( 'WallClockTime,,DateTime,w[0]' )--[$SSV]( 'Task,Fast,Rate,n' )--+
 
-            +--[ ]( a )----------[$XYZ]( 'sub,n + i,$'it$'$'s$'' )--[$ADD]( 's.LEN,3,n' )--+
+            +--[ ]( a )------[$XYZ]( 'sub,n + i,$'it$'$'s$'' )--[$ADD]( 's.DATA[0],3,n' )--+
 
             +-----------------------------------------------------[$JSR]( 'Nowhere,1,n' )--+
 
@@ -178,13 +178,13 @@ fn instructions() {
             END_FUNCTION_BLOCK
 
             11:1 tag m: Approximated("its type MESSAGE is not declared in the file; the tag is not there")
-            22:10 GRT(s.LEN,0): Approximated("`s` has no such part: it is not run, and no power passes")
+            22:10 GRT(s.DATA[1],0): Approximated("`s` has no such part: it is not run, and no power passes")
             27:19 XIO(s.DATA[i].3): Approximated("`s` has no such part: it is not run, and no power passes")
             32:16 MSG(m): Approximated("it has no counterpart here: it is not run, and power passes")
             37:16 GSV(WallClockTime,,DateTime,w[0]): Approximated("it has no counterpart here: it is not run, and power passes")
             37:49 SSV(Task,Fast,Rate,n): Approximated("it has no counterpart here: it is not run, and power passes")
             42:16 XYZ(sub,n + i,'it''s'): Approximated("it has no counterpart here: it is not run, and power passes")
-            42:38 ADD(s.LEN,3,n): Approximated("`s` has no such part: it is not run, and power passes")
+            42:38 ADD(s.DATA[0],3,n): Approximated("`s` has no such part: it is not run, and power passes")
             47:10 JSR(Nowhere,1,n): Approximated("there is no routine `Nowhere` in the program: it is not run, and power passes")
             52:10 MOV(n,Rack:O.Data[i]): Approximated("`Rack:O` is not declared in the file: it is not run, and power passes")
             57:10 PID(Rack:I.Ch0,n,0,i,0,0,0): Approximated("`Rack:I` is not declared in the file: it is not run, and power passes")
@@ -197,52 +197,52 @@ fn instructions() {
     goes_back(
         &read.written.text,
         expect![[r#"
-        <Routines>
-        <Routine Name="MainRoutine" Type="RLL">
-        <RLLContent>
-        <Rung Number="0" Type="N">
-        <Text>
-        <![CDATA[GRT(s.LEN,0)OTE(y);]]>
-        </Text>
-        </Rung>
-        <Rung Number="1" Type="N">
-        <Text>
-        <![CDATA[[XIC(a) ,XIO(s.DATA[i].3) ]OTE(y);]]>
-        </Text>
-        </Rung>
-        <Rung Number="2" Type="N">
-        <Text>
-        <![CDATA[XIC(a)MSG(m)OTE(y);]]>
-        </Text>
-        </Rung>
-        <Rung Number="3" Type="N">
-        <Text>
-        <![CDATA[XIC(a)GSV(WallClockTime,,DateTime,w[0])SSV(Task,Fast,Rate,n);]]>
-        </Text>
-        </Rung>
-        <Rung Number="4" Type="N">
-        <Text>
-        <![CDATA[XIC(a)XYZ(sub,n + i,'it''s')ADD(s.LEN,3,n);]]>
-        </Text>
-        </Rung>
-        <Rung Number="5" Type="N">
-        <Text>
-        <![CDATA[JSR(Nowhere,1,n);]]>
-        </Text>
-        </Rung>
-        <Rung Number="6" Type="N">
-        <Text>
-        <![CDATA[MOV(n,Rack:O.Data[i])XIC(Rack_I_Fault)OTE(y);]]>
-        </Text>
-        </Rung>
-        <Rung Number="7" Type="N">
-        <Text>
-        <![CDATA[PID(Rack:I.Ch0,n,0,i,0,0,0)TON(s,?,?);]]>
-        </Text>
-        </Rung>
-        </RLLContent>
-        </Routine>
-    "#]],
+            <Routines>
+            <Routine Name="MainRoutine" Type="RLL">
+            <RLLContent>
+            <Rung Number="0" Type="N">
+            <Text>
+            <![CDATA[GRT(s.DATA[1],0)OTE(y);]]>
+            </Text>
+            </Rung>
+            <Rung Number="1" Type="N">
+            <Text>
+            <![CDATA[[XIC(a) ,XIO(s.DATA[i].3) ]OTE(y);]]>
+            </Text>
+            </Rung>
+            <Rung Number="2" Type="N">
+            <Text>
+            <![CDATA[XIC(a)MSG(m)OTE(y);]]>
+            </Text>
+            </Rung>
+            <Rung Number="3" Type="N">
+            <Text>
+            <![CDATA[XIC(a)GSV(WallClockTime,,DateTime,w[0])SSV(Task,Fast,Rate,n);]]>
+            </Text>
+            </Rung>
+            <Rung Number="4" Type="N">
+            <Text>
+            <![CDATA[XIC(a)XYZ(sub,n + i,'it''s')ADD(s.DATA[0],3,n);]]>
+            </Text>
+            </Rung>
+            <Rung Number="5" Type="N">
+            <Text>
+            <![CDATA[JSR(Nowhere,1,n);]]>
+            </Text>
+            </Rung>
+            <Rung Number="6" Type="N">
+            <Text>
+            <![CDATA[MOV(n,Rack:O.Data[i])XIC(Rack_I_Fault)OTE(y);]]>
+            </Text>
+            </Rung>
+            <Rung Number="7" Type="N">
+            <Text>
+            <![CDATA[PID(Rack:I.Ch0,n,0,i,0,0,0)TON(s,?,?);]]>
+            </Text>
+            </Rung>
+            </RLLContent>
+            </Routine>
+        "#]],
     );
 }
 
@@ -355,7 +355,7 @@ fn routines_that_may_be_left() {
         &[("s", "STRING", ""), ("n", "DINT", "")],
         &[
             ("Main", &["JSR(Sub,0,n);"]),
-            ("Sub", &["ADD(n,1,n);", "EQU(n,3)RET(s.LEN);", "CLR(n);"]),
+            ("Sub", &["ADD(n,1,n);", "EQU(n,3)RET(s.DATA[0]);", "CLR(n);"]),
         ],
     );
     let read = shows(
@@ -368,18 +368,18 @@ fn routines_that_may_be_left() {
 
             +---------------------------------------------------------------[$routineSub]--+
 
-            # routine Sub: `RET(s.LEN)` in it is not read (`s` has no such part); it is not run here. #
+            # routine Sub: `RET(s.DATA[0])` in it is not read (`s` has no such part); it is not run here. #
             FUNCTION_BLOCK [$routineSub]
             # ladder: unread #
             # ADD(n,1,n); #
-            # EQU(n,3)RET(s.LEN); #
+            # EQU(n,3)RET(s.DATA[0]); #
             # CLR(n); #
             END_FUNCTION_BLOCK
 
-            21:1 routine Sub: Approximated("`RET(s.LEN)` in it is not read (`s` has no such part): it is not run")"#]],
+            21:1 routine Sub: Approximated("`RET(s.DATA[0])` in it is not read (`s` has no such part): it is not run")"#]],
     );
     let (file, _) = back(&read.written.text).expect("it has no errors");
-    assert!(file.contains("<![CDATA[EQU(n,3)RET(s.LEN);]]>"), "{file}");
+    assert!(file.contains("<![CDATA[EQU(n,3)RET(s.DATA[0]);]]>"), "{file}");
 }
 
 #[test]
