@@ -4,7 +4,7 @@
 use crate::asked::asked;
 use crate::values::literal::{Literal, literal};
 use ladder_instructions::Profile;
-use ladder_syntax::{NodeOrToken, Parse};
+use ladder_syntax::{LineKind, NodeOrToken, Parse};
 
 /// The profile of a file: what the first such comment before its first network selects, else `iec`.
 pub(crate) fn profile(parse: &Parse) -> Profile {
@@ -36,7 +36,7 @@ fn said<T>(parse: &Parse, word: &str, answer: impl Fn(&str) -> Option<T>) -> Opt
         let outside = next..section.start.min(end);
         next = section.end;
         for line in lines.range(outside) {
-            if !line.kind.is_decoration() || !line.text().contains('#') {
+            if !matches!(line.kind, LineKind::Comment | LineKind::Rail) || !line.text().contains('#') {
                 continue;
             }
             for child in line.tree().children() {

@@ -23,6 +23,9 @@ impl Stays {
         if let Some(line) = unclosed.and_then(|place| lines.line_at(place.start())) {
             stays.keep(line..lines.lines().len());
         }
+        for (line, stays) in lines.lines().iter().zip(&mut stays.lines) {
+            *stays |= line.is_in_conflict();
+        }
         stays.split_lines(source);
         stays.broken_sections(source);
         stays.broken_networks(source);

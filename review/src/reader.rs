@@ -137,7 +137,9 @@ impl Reader<'_> {
         let outer = self.headers.len();
         for line in lines.start + 1..last {
             match parse.lines()[line].kind {
-                LineKind::Comment | LineKind::Blank | LineKind::Rail => self.pending.push(line),
+                LineKind::Comment | LineKind::Blank | LineKind::Rail | LineKind::Conflict => {
+                    self.pending.push(line);
+                }
                 LineKind::StructHeader => {
                     let tree = parse.lines()[line].tree();
                     let header = StructHeader::cast(NodeView::root(&tree));

@@ -126,7 +126,12 @@ impl Parse {
         // Comments end at a `#`, declarations look past blanks and comments, and all else ends with its physical line.
         let resume = resume?;
         let mut after = self.lines.range(resume..window.last);
-        let is_stop = |line: &Line| !matches!(line.kind, LineKind::Blank | LineKind::Comment);
+        let is_stop = |line: &Line| {
+            !matches!(
+                line.kind,
+                LineKind::Blank | LineKind::Comment | LineKind::Conflict
+            )
+        };
         after.any(is_stop).then_some(ReadAgain { lines, resume })
     }
 
@@ -219,7 +224,7 @@ fn looks_ahead(line: &Line) -> bool {
     line.mode_after.is_in_section()
         && match line.kind {
             LineKind::Declaration | LineKind::StructHeader | LineKind::StructEnd => !line.errors.is_empty(),
-            LineKind::Blank | LineKind::Comment => true,
+            LineKind::Blank | LineKind::Comment | LineKind::Conflict => true,
             _ => false,
         }
 }

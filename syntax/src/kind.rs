@@ -14,6 +14,8 @@ pub enum SyntaxKind {
     COMMENT,
     /// The byte order mark at the start of the text.
     BOM,
+    /// A line of signs of a merge's conflict, or all of it that is not read; see [`crate::Conflict`].
+    CONFLICT,
 
     // Drawing.
     /// A run of `-` outside blocks.
@@ -129,6 +131,8 @@ pub enum SyntaxKind {
     BLOCK_END,
     /// A line that holds nothing but errors.
     STRAY_LINE,
+    /// A line of signs of a merge's conflict, or what of one is not read.
+    CONFLICT_LINE,
 
     // Nodes: blocks.
     /// `[..](..)`
@@ -185,12 +189,15 @@ pub enum SyntaxKind {
     INITIAL_VALUE,
 }
 
-use SyntaxKind::{BOM, COMMENT, INITIAL_VALUE, NEWLINE, SOURCE_FILE, WHITESPACE};
+use SyntaxKind::{INITIAL_VALUE, SOURCE_FILE};
 
 impl SyntaxKind {
     /// White space, line ends, comments and the byte order mark.
     pub const fn is_trivia(self) -> bool {
-        matches!(self, WHITESPACE | NEWLINE | COMMENT | BOM)
+        matches!(
+            self,
+            Self::WHITESPACE | Self::NEWLINE | Self::COMMENT | Self::BOM | Self::CONFLICT
+        )
     }
 
     /// Whether this is the kind of a block on a rung.
@@ -208,6 +215,7 @@ impl SyntaxKind {
             NEWLINE,
             COMMENT,
             BOM,
+            CONFLICT,
             WIRE,
             RAIL_CONNECTOR,
             RAIL,
@@ -260,6 +268,7 @@ impl SyntaxKind {
             BLOCK_HEADER,
             BLOCK_END,
             STRAY_LINE,
+            CONFLICT_LINE,
             LOGICAL_BLOCK,
             COIL_BLOCK,
             FUNCTION_BLOCK,

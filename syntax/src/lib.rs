@@ -25,6 +25,7 @@
 
 pub mod ast;
 mod builder;
+mod conflict;
 mod dump;
 mod edit;
 mod error;
@@ -48,6 +49,7 @@ pub mod wiring;
 pub mod xml;
 
 pub use builder::Builder;
+pub use conflict::{Conflict, Sign};
 pub use dump::dump;
 pub use error::{DeclarationProblem, Many, OperandPlace, Surroundings, SyntaxError, SyntaxErrorKind};
 pub use file_lines::{AllLines, FileLines};

@@ -1,5 +1,6 @@
 //! The logical line: what is parsed on its own, and the small summary from which networks are grouped.
 
+use crate::conflict::OpenConflicts;
 use crate::error::{DeclarationProblem, SyntaxError};
 use crate::kind::SyntaxKind;
 
@@ -30,6 +31,8 @@ pub enum LineKind {
     BlockEnd,
     /// Nothing but errors.
     Stray,
+    /// A line of signs of a merge's conflict, or what of one is not read.
+    Conflict,
 }
 
 impl LineKind {
@@ -48,12 +51,16 @@ impl LineKind {
             LineKind::BlockHeader => SyntaxKind::BLOCK_HEADER,
             LineKind::BlockEnd => SyntaxKind::BLOCK_END,
             LineKind::Stray => SyntaxKind::STRAY_LINE,
+            LineKind::Conflict => SyntaxKind::CONFLICT_LINE,
         }
     }
 
-    /// Rail, comment and blank lines: between the rungs of a network they do not count.
+    /// Rail, comment and blank lines, and those of conflicts: between the rungs of a network they do not count.
     pub const fn is_decoration(self) -> bool {
-        matches!(self, LineKind::Rail | LineKind::Comment | LineKind::Blank)
+        matches!(
+            self,
+            LineKind::Rail | LineKind::Comment | LineKind::Blank | LineKind::Conflict
+        )
     }
 }
 
@@ -154,6 +161,10 @@ pub struct ReadLine<N> {
     pub(crate) has_line_end: bool,
     /// Whether a comment is on it, or begins on it.
     pub(crate) commented: bool,
+    /// Whether it belongs to a merge's conflict, ours included.
+    pub(crate) in_conflict: bool,
+    /// The conflicts that are open after it.
+    pub(crate) open_after: OpenConflicts,
     pub(crate) node: N,
 }
 
@@ -168,6 +179,11 @@ impl<N> ReadLine<N> {
         self.commented
     }
 
+    /// Whether it belongs to a merge's conflict, ours included; after one that is not finished all lines do.
+    pub fn is_in_conflict(&self) -> bool {
+        self.in_conflict
+    }
+
     /// The line with something else made of it.
     pub(crate) fn with_node<M>(self, node: M) -> ReadLine<M> {
         ReadLine {
@@ -180,6 +196,8 @@ impl<N> ReadLine<N> {
             line_ends: self.line_ends,
             has_line_end: self.has_line_end,
             commented: self.commented,
+            in_conflict: self.in_conflict,
+            open_after: self.open_after,
             node,
         }
     }

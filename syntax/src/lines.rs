@@ -152,6 +152,7 @@ pub(crate) fn entry_after<N>(line: &ReadLine<N>) -> Entry {
     Entry {
         mode: line.mode_after,
         mid_line: !line.has_line_end,
+        open: line.open_after,
     }
 }
 

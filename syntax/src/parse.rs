@@ -1,5 +1,6 @@
 //! From a text to its lines, its tree and its structure.
 
+use crate::conflict::{Conflict, Conflicts, OpenConflicts};
 use crate::error::{SyntaxError, SyntaxErrorKind};
 use crate::file_lines::FileLines;
 use crate::grammar::Entry;
@@ -155,6 +156,18 @@ impl Parse {
     /// drawing, else the last `#`. What is after it is not to be relied on.
     pub fn unclosed_comment(&self) -> Option<TextRange> {
         self.unclosed_comment
+    }
+
+    /// The conflicts that merges left, from top to bottom; those inside of others are not asked about.
+    pub fn conflicts(&self) -> Vec<Conflict> {
+        let mut conflicts = Conflicts::default();
+        let lines = self.lines.of_parts_that(Part::is_in_conflict);
+        for (number, line) in lines.filter(|(_, line)| line.in_conflict) {
+            let before = number.checked_sub(1);
+            let open = before.map_or(OpenConflicts::default(), |before| self.lines[before].open_after);
+            conflicts.line(line.text(), line.kind, self.line_start(number), open);
+        }
+        conflicts.finish()
     }
 
     /// All errors that the parser found, in the order of their places, counted from the start of the text.

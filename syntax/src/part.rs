@@ -39,6 +39,8 @@ pub struct Part {
     begins_with_up: bool,
     /// Whether a comment is on a line.
     commented: bool,
+    /// Whether a line belongs to a merge's conflict.
+    in_conflict: bool,
 }
 
 impl Part {
@@ -67,9 +69,15 @@ impl Part {
                     | LineKind::StructEnd
                     | LineKind::Comment
                     | LineKind::Blank
+                    | LineKind::Conflict
             )
         };
-        let declares = |line: &Line| !matches!(line.kind, LineKind::Comment | LineKind::Blank);
+        let declares = |line: &Line| {
+            !matches!(
+                line.kind,
+                LineKind::Comment | LineKind::Blank | LineKind::Conflict
+            )
+        };
         let declarations = || numbers().filter(|(_, line)| declares(line));
         Part {
             starts,
@@ -90,6 +98,7 @@ impl Part {
                 .any(|line| !line.errors.is_empty() || line.kind == LineKind::Stray),
             begins_with_up: lines.iter().any(begins_with_up),
             commented: lines.iter().any(|line| line.commented),
+            in_conflict: lines.iter().any(|line| line.in_conflict),
             lines,
         }
     }
@@ -143,6 +152,11 @@ impl Part {
     /// Whether a comment is on one of its lines.
     pub fn is_commented(&self) -> bool {
         self.commented
+    }
+
+    /// Whether one of its lines belongs to a merge's conflict.
+    pub fn is_in_conflict(&self) -> bool {
+        self.in_conflict
     }
 
     /// Whether one of its lines has an error, or is one.
@@ -206,7 +220,7 @@ pub(crate) fn can_end(lines: &[Line]) -> bool {
 fn is_open_after(open: bool, line: &Line) -> bool {
     match line.kind {
         LineKind::Rung => line.downs > 0,
-        LineKind::Rail | LineKind::Comment | LineKind::Blank | LineKind::Stray => open,
+        LineKind::Rail | LineKind::Comment | LineKind::Blank | LineKind::Conflict | LineKind::Stray => open,
         LineKind::SectionHeader
         | LineKind::Declaration
         | LineKind::SectionEnd

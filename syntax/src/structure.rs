@@ -53,7 +53,7 @@ pub enum Item {
     BlockHeader(usize),
     /// The last line of a block definition; the number is the line's.
     BlockEnd(usize),
-    /// A rail, comment or blank line between the others; the number is the line's.
+    /// A rail, comment or blank line between the others, or one of a conflict; the number is the line's.
     Decoration(usize),
     /// A line that holds nothing but errors; the number is the line's.
     Stray(usize),
@@ -185,7 +185,9 @@ impl Grouping {
         match lines.line(index).kind {
             // Groups have made networks of them.
             LineKind::Rung => {}
-            LineKind::Rail | LineKind::Comment | LineKind::Blank => out.items.push(Item::Decoration(index)),
+            LineKind::Rail | LineKind::Comment | LineKind::Blank | LineKind::Conflict => {
+                out.items.push(Item::Decoration(index));
+            }
             // An END_VAR without a section; the parser reported it.
             LineKind::Stray
             | LineKind::Declaration
@@ -318,7 +320,7 @@ fn section_end<L: LineList + ?Sized>(lines: &L, header: usize) -> (usize, bool) 
         match lines.line(index).kind {
             LineKind::SectionEnd => return (index + 1, true),
             LineKind::Declaration | LineKind::StructHeader | LineKind::StructEnd => end = index + 1,
-            LineKind::Comment | LineKind::Blank => {}
+            LineKind::Comment | LineKind::Blank | LineKind::Conflict => {}
             _ => break,
         }
     }

@@ -29,7 +29,12 @@ pub(super) fn shown(
     rules::syntax_errors::check(context, &mut of_text);
     all.extend(of_text.into_iter().map(Finding::from));
     hide_what_is_doubtful(context, &mut all);
-    as_asked(context, all, known, settings)
+    let mut conflicts = Vec::new();
+    rules::merge_conflict::check(context, &mut conflicts);
+    all.extend(conflicts.into_iter().map(Finding::from));
+    let (mut all, hidden) = as_asked(context, all, known, settings);
+    rules::merge_conflict::hide_all_else(&context.parse, &mut all);
+    (all, hidden)
 }
 
 /// Puts findings into the order of their places, each once.

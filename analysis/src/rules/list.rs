@@ -41,7 +41,7 @@ const LIST: &[(Rule, Check)] = &[
     (unclosed_block::RULE, Check::ByOthers),
     (unclosed_comment::RULE, Check::ByOthers),
     (unexpected_character::RULE, Check::ByOthers),
-    (merge_conflict::RULE, Check::File(merge_conflict::check)),
+    (merge_conflict::RULE, Check::ByOthers),
     (missing_wire::RULE, Check::Form(missing_wire::check)),
     (misplaced_rail::RULE, Check::Form(misplaced_rail::check)),
     (bad_literal::RULE, Check::ByOthers),

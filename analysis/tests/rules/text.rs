@@ -483,15 +483,72 @@ fn a_merge_that_is_not_decided() {
         expect![[r#"
             > # <<<<<<< ours #
               ^^^^^^^^^^^^^^^^ error[merge-conflict]: a merge left both forms of something here: it is not decided which one holds
-                help: keep one of the two, or make one of them, and remove the three comments
+                help: keep one of the two, or make one of them, and remove the lines of signs around them
                 fix: Keep ours
                   +--[ ]( a )----------------------------------------------------------( )( y )--+
                 fix: Keep theirs
                   +--[/]( a )----------------------------------------------------------( )( y )--+
-            > +--[/]( a )--( )( y )--+
-                                ^ warning[double-coil]: `y` is written by 2 coils: the last one alone decides
-                help: combine all conditions into one coil, joined with \ and /; or use (S) and (R)
-                at 2:19 `y`: `y` is written here as well
+                fix: Keep both
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
+                  +--[/]( a )----------------------------------------------------------( )( y )--+
+        "#]],
+    );
+    check(
+        "VAR\n<<<<<<< HEAD\n    a : BOOOL;\n||||||| 1a2b\n=======\n    b : BOOL;\n>>>>>>> theirs\nEND_VAR\n\
+         +--\\--[ ]( b )--( )( y )--+\n<<<<<<< HEAD\n|  /--[ ]( c )--(S)( y )--+\n=======\n# open\n>>>>>>> theirs\n",
+        expect![[r#"
+            > <<<<<<< HEAD
+              ^^^^^^^^^^^^ error[merge-conflict]: a merge left both forms of something here: it is not decided which one holds
+                help: keep one of the two, or make one of them, and remove the lines of signs around them
+                fix: Keep ours
+                      a : BOOOL;
+                fix: Keep theirs
+                      b : BOOL;
+                fix: Keep both
+                      a : BOOOL;
+                      b : BOOL;
+            > +--\--[ ]( b )--( )( y )--+
+                         ^ warning[undeclared-tag]: `b` is not declared
+                help: declare it, so that a typing error cannot make a new tag
+                fix: Declare `b : BOOL` in VAR_INPUT
+                  VAR_INPUT
+                      b : BOOL;
+                  END_VAR
+            > +--\--[ ]( b )--( )( y )--+
+                                   ^ warning[undeclared-tag]: `y` is not declared
+                help: declare it, so that a typing error cannot make a new tag
+                fix: Declare `y : BOOL` in VAR_OUTPUT
+                  VAR_OUTPUT
+                      y : BOOL;
+                  END_VAR
+            > <<<<<<< HEAD
+              ^^^^^^^^^^^^ error[merge-conflict]: a merge left both forms of something here: it is not decided which one holds
+                help: keep one of the two, or make one of them, and remove the lines of signs around them
+                fix: Keep ours
+                  +--\--[ ]( b )-------------------------------------------------------( )( y )--+
+                  |  /--[ ]( c )-------------------------------------------------------(S)( y )--+
+                fix: Keep theirs
+                  # open
+                fix: Keep both
+                  +--\--[ ]( b )-------------------------------------------------------( )( y )--+
+                  |  /--[ ]( c )-------------------------------------------------------(S)( y )--+
+                  # open
+        "#]],
+    );
+    // Unfinished ones. After one nothing is read.
+    check(
+        "<<<<<<< HEAD\n+--[ ]( a )--( )( y )--+\n+--[ ]( b )--(\n>>>>>>> theirs\n=======\n+--[ ]( y )--( )( a )--+\n\
+         <<<<<<< HEAD\n=======\n+--(",
+        expect![[r#"
+            > <<<<<<< HEAD
+              ^^^^^^^^^^^^ error[merge-conflict]: a merge left a conflict here, of which lines of signs are missing
+                help: make of it what should be here, and remove this line
+            > =======
+              ^^^^^^^ error[merge-conflict]: a merge left a conflict here, of which lines of signs are missing
+                help: make of it what should be here, and remove this line
+            > <<<<<<< HEAD
+              ^^^^^^^^^^^^ error[merge-conflict]: a merge left a conflict here, of which lines of signs are missing
+                help: put `>>>>>>>` below theirs: until then nothing after `=======` is read
         "#]],
     );
     // A part of one, and what only looks like one.
@@ -501,17 +558,20 @@ fn a_merge_that_is_not_decided() {
         expect![[r#"
             > # <<<<<<< ours #
               ^^^^^^^^^^^^^^^^ error[merge-conflict]: a merge left both forms of something here: it is not decided which one holds
-                help: keep one of the two, or make one of them, and remove the three comments
+                help: keep one of the two, or make one of them, and remove the lines of signs around them
                 fix: Keep ours
                   +--[ ]( a )----------------------------------------------------------( )( y )--+
 
                 fix: Keep theirs
+                fix: Keep both
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
+
             > # >>>>>>> theirs #
-              ^^^^^^^^^^^^^^^^^^ error[merge-conflict]: a merge left both forms of something here: it is not decided which one holds
-                help: keep one of the two, or make one of them, and remove the three comments
+              ^^^^^^^^^^^^^^^^^^ error[merge-conflict]: a merge left a conflict here, of which lines of signs are missing
+                help: make of it what should be here, and remove this line
             > # <<<<<<< ours #
-              ^^^^^^^^^^^^^^^^ error[merge-conflict]: a merge left both forms of something here: it is not decided which one holds
-                help: keep one of the two, or make one of them, and remove the three comments
+              ^^^^^^^^^^^^^^^^ error[merge-conflict]: a merge left a conflict here, of which lines of signs are missing
+                help: make of it what should be here, and remove this line
         "#]],
     );
     check(

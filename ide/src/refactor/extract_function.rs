@@ -134,7 +134,10 @@ pub(super) fn lines_with_comments(context: &Context, networks: &Range<usize>) ->
     let first = structure.networks.get(networks.start)?.lines.start;
     let last = structure.networks.get(networks.end - 1)?.lines.end;
     let lines = parse.lines();
-    let plain = |line: usize| lines[line].kind == LineKind::Rung || lines[line].kind.is_decoration();
+    let plain = |line: usize| {
+        (lines[line].kind == LineKind::Rung || lines[line].kind.is_decoration())
+            && !lines[line].is_in_conflict()
+    };
     if !(first..last).all(plain) {
         return None;
     }

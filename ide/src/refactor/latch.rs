@@ -269,7 +269,11 @@ fn between(context: &Context, first: usize) -> Option<String> {
     let parse = &context.parse;
     let networks = &parse.structure().networks;
     let mut lines = networks[first].lines.end..networks[first + 1].lines.start;
-    if !lines.clone().all(|line| parse.lines()[line].kind.is_decoration()) {
+    let is_plain = |line: usize| {
+        let line = &parse.lines()[line];
+        line.kind.is_decoration() && !line.is_in_conflict()
+    };
+    if !lines.clone().all(is_plain) {
         return None;
     }
     let ends = |range: TextRange| range.end();

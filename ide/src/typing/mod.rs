@@ -140,7 +140,7 @@ pub(crate) fn typing(context: &Context, offset: TextSize) -> Option<Typing<'_>> 
             typing.body = context.bodies.get(network).copied();
             typing.place = on_rung(found.green(), &mut typing)?;
         }
-        LineKind::Rail => return None,
+        LineKind::Rail | LineKind::Conflict => return None,
         LineKind::Stray | LineKind::Comment | LineKind::Blank if !in_section => {
             let before = typing.physical_line().start;
             if !typing.text[before..typing.word.start].trim().is_empty() {

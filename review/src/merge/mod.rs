@@ -1,7 +1,7 @@
 //! Three programs as one: what each of two sides changed of their common base.
 //!
 //! Entries are merged, not lines. What one side alone changed is as that side has it; what both changed in one entry is a
-//! conflict, for which both forms are drawn between comments, so that the text is still one that parses:
+//! conflict, for which both forms are there between comments, of which ours is read:
 //!
 //! ```text
 //! # <<<<<<< ours #
@@ -58,6 +58,13 @@ pub enum NotMerged {
         /// The line where it begins, from 1.
         line: usize,
     },
+    /// In one of the texts a conflict of an earlier merge is left.
+    Undecided {
+        /// Which: `ours`, `theirs`.
+        side: &'static str,
+        /// The line where it begins, from 1.
+        line: usize,
+    },
     /// Errors in the texts make something else of the entries when they are next to each other.
     Mixed,
 }
@@ -68,6 +75,10 @@ impl fmt::Display for NotMerged {
             NotMerged::Unclear { side, what, line } => write!(
                 f,
                 "{what} in line {line} of {side} is not closed, so it is not known what belongs to it; close it first"
+            ),
+            NotMerged::Undecided { side, line } => write!(
+                f,
+                "a merge left a conflict in line {line} of {side}; decide which form holds first"
             ),
             NotMerged::Mixed => f.write_str(
                 "errors in the texts join networks of one side to those of the other; fix the connectors first",
@@ -98,7 +109,7 @@ pub fn merge(sides: Sides<'_>) -> Result<Merged, NotMerged> {
     merge.writer.finish()
 }
 
-/// Whether all that is opened in a text is closed.
+/// Whether all that is opened in a text is closed, and all that is in question decided.
 fn check(side: &'static str, outline: &Outline) -> Result<(), NotMerged> {
     let context = &outline.context;
     let unclear = |what, at| {
@@ -110,6 +121,11 @@ fn check(side: &'static str, outline: &Outline) -> Result<(), NotMerged> {
     };
     if let Some(place) = context.parse.unclosed_comment() {
         return unclear("the comment", place.start());
+    }
+    // Of a base with conflicts, which git makes of several bases, ours is what the sides are compared with.
+    if let Some(conflict) = context.parse.conflicts().first().filter(|_| side != "base") {
+        let line = context.line_number(conflict.signs[0].1.start());
+        return Err(NotMerged::Undecided { side, line });
     }
     let frame = context.parse.frame();
     let start = |line| context.parse.line_start(line);

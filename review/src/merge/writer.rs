@@ -69,7 +69,10 @@ impl<'o> Writer<'o> {
         });
         self.form(self.sides.ours, ours);
         self.line("# ======= #");
+        // Theirs is not read: it is in the text as it is, next to ours.
+        let expected = self.expected.len();
         self.form(self.sides.theirs, theirs);
+        self.expected.truncate(expected);
         self.line(match clash {
             Clash::TheirsRemoved => "# >>>>>>> theirs: removed #",
             _ => "# >>>>>>> theirs #",

@@ -65,7 +65,7 @@ pub(super) fn head<B: Builder>(p: &mut Parser<'_, '_, B>, open: SyntaxKind) -> b
     }
     loop {
         let blanks = lexer::blanks_end(p.text.as_bytes(), p.at);
-        let (kind, end) = lexer::in_head(p.text, blanks);
+        let (kind, end) = lexer::in_head(p.text, blanks, p.open);
         let taken = kind == closing
             || kind == SyntaxKind::COMMENT
             || !named && matches!(kind, SyntaxKind::MNEMONIC | SyntaxKind::BLOCK_NAME);
@@ -88,7 +88,7 @@ pub(super) fn head<B: Builder>(p: &mut Parser<'_, '_, B>, open: SyntaxKind) -> b
         if let Some(junk_end) = recovery::closing_after_junk(p.text, blanks, closing_byte) {
             junk(p, blanks, junk_end);
         } else if literal {
-            junk(p, blanks, lexer::in_operands(p.text, blanks).1);
+            junk(p, blanks, lexer::in_operands(p.text, blanks, p.open).1);
         } else if matches!(
             kind,
             SyntaxKind::R_BRACKET | SyntaxKind::R_PAREN | SyntaxKind::R_ANGLE

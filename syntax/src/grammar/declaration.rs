@@ -2,6 +2,7 @@
 
 use super::{MAX_DEPTH, Parser, block, expression, plain};
 use crate::builder::Builder;
+use crate::conflict::OpenConflicts;
 use crate::error::{DeclarationProblem, SyntaxErrorKind};
 use crate::kind::SyntaxKind;
 use crate::lexer;
@@ -106,9 +107,9 @@ pub(super) const fn begins_drawing(byte: u8) -> bool {
 
 /// Whether the physical line that begins at `at` ends an open declaration: it belongs to the drawing, to
 /// another section or to a block definition.
-pub(super) fn ends_declaration(text: &str, at: usize) -> bool {
+pub(super) fn ends_declaration(text: &str, at: usize, open: OpenConflicts) -> bool {
     let mut at = at;
-    while let Some((SyntaxKind::WHITESPACE | SyntaxKind::COMMENT, end)) = lexer::space(text, at) {
+    while let Some((SyntaxKind::WHITESPACE | SyntaxKind::COMMENT, end)) = lexer::space(text, at, open) {
         at = end;
     }
     text.as_bytes().get(at).is_some_and(|&b| begins_drawing(b)) || keyword_at(text, at).is_some()
@@ -167,7 +168,7 @@ pub(super) fn block_header<B: Builder>(p: &mut Parser<'_, '_, B>) -> (LineKind, 
     keyword_token(p);
     blanks(p);
     let expected = SyntaxErrorKind::BadDeclaration(DeclarationProblem::BlockHeadExpected);
-    match lexer::on_rung(p.text, p.at) {
+    match lexer::on_rung(p.text, p.at, p.open) {
         (open @ (SyntaxKind::L_BRACKET | SyntaxKind::L_PAREN | SyntaxKind::L_ANGLE), _) => {
             let (from, errors) = (p.at, p.errors.len());
             if !block::head(p, open) && p.errors.len() == errors {
@@ -192,13 +193,15 @@ pub(super) fn block_end<B: Builder>(p: &mut Parser<'_, '_, B>) -> (LineKind, Mod
 
 /// Takes the word that begins here as a keyword.
 fn keyword_token<B: Builder>(p: &mut Parser<'_, '_, B>) {
-    let end = lexer::in_head(p.text, p.at).1;
+    let end = lexer::in_head(p.text, p.at, p.open).1;
     p.token((SyntaxKind::KEYWORD, end));
 }
 
 /// White space and comments on the same line.
 fn blanks<B: Builder>(p: &mut Parser<'_, '_, B>) {
-    while let Some(token @ (SyntaxKind::WHITESPACE | SyntaxKind::COMMENT, _)) = lexer::space(p.text, p.at) {
+    while let Some(token @ (SyntaxKind::WHITESPACE | SyntaxKind::COMMENT, _)) =
+        lexer::space(p.text, p.at, p.open)
+    {
         p.token(token);
     }
 }
@@ -207,7 +210,7 @@ fn blanks<B: Builder>(p: &mut Parser<'_, '_, B>) {
 /// new logical line.
 fn line_end<B: Builder>(p: &mut Parser<'_, '_, B>) {
     blanks(p);
-    if let Some(token) = lexer::space(p.text, p.at) {
+    if let Some(token) = lexer::space(p.text, p.at, p.open) {
         p.token(token);
     }
 }

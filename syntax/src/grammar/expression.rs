@@ -375,7 +375,7 @@ fn primary<B: Builder>(p: &mut Parser<'_, '_, B>) -> bool {
 /// Whether a parenthesis of a declaration holds the values of a structure: a member's name and `:=` are first in it.
 fn begins_members<B: Builder>(p: &Parser<'_, '_, B>) -> bool {
     let after = |mut at: usize| {
-        while let Some((_, end)) = lexer::space(p.text, at) {
+        while let Some((_, end)) = lexer::space(p.text, at, p.open) {
             at = end;
         }
         at

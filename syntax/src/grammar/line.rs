@@ -3,6 +3,7 @@
 use super::declaration::KeywordLine;
 use super::{Parser, block, declaration};
 use crate::builder::Builder;
+use crate::conflict::{OpenConflicts, Within};
 use crate::error::{DeclarationProblem, Many, Surroundings, SyntaxErrorKind};
 use crate::kind::SyntaxKind;
 use crate::lexer;
@@ -17,6 +18,8 @@ pub(crate) struct Entry {
     pub(crate) mode: Mode,
     /// A logical line ended before it on the same physical line (after a `;` or END_VAR).
     pub(crate) mid_line: bool,
+    /// The conflicts that are open.
+    pub(crate) open: OpenConflicts,
 }
 
 impl Entry {
@@ -24,13 +27,14 @@ impl Entry {
     pub(crate) const START: Entry = Entry {
         mode: Mode::Network,
         mid_line: false,
+        open: OpenConflicts { git: 0, comment: 0 },
     };
 }
 
 /// Parses the logical line that begins at `start`. `start` must not be the end of the text; at least one
 /// character is taken.
 pub(crate) fn line<B: Builder>(text: &str, start: usize, entry: Entry, builder: &mut B) -> ReadLine<B::Line> {
-    let mut p = Parser::new(text, start, builder);
+    let mut p = Parser::new(text, start, entry.open, builder);
     let mut marks = Marks::default();
     let (kind, mode_after) = logical_line(&mut p, entry, &mut marks);
     drop_swallowed(&mut p);
@@ -43,6 +47,8 @@ pub(crate) fn line<B: Builder>(text: &str, start: usize, entry: Entry, builder: 
         line_ends: line_ends(&text.as_bytes()[start..p.at]).count() as u32,
         has_line_end: matches!(text.as_bytes()[p.at - 1], b'\n' | b'\r'),
         commented: p.last_comment.is_some(),
+        in_conflict: entry.open.any() || p.met_conflict,
+        open_after: p.open,
         node: p.builder.finish_line(kind.syntax_kind()),
         errors: p.errors.into(),
     }
@@ -83,7 +89,10 @@ fn logical_line<B: Builder>(p: &mut Parser<'_, '_, B>, entry: Entry, marks: &mut
     if p.at == 0 && p.text.starts_with(BOM) {
         p.token((SyntaxKind::BOM, BOM.len()));
     }
-    while let Some(token) = lexer::space(p.text, p.at) {
+    if !entry.mid_line && p.conflict(Within::Nothing) {
+        return (LineKind::Conflict, mode);
+    }
+    while let Some(token) = lexer::space(p.text, p.at, p.open) {
         p.token(token);
         match token.0 {
             SyntaxKind::COMMENT => marks.comment = true,
@@ -133,7 +142,7 @@ fn logical_line<B: Builder>(p: &mut Parser<'_, '_, B>, entry: Entry, marks: &mut
 
 /// Records that the keyword or the piece of drawing that begins here does not belong here.
 fn misplaced<B: Builder>(p: &mut Parser<'_, '_, B>, problem: DeclarationProblem) {
-    let end = lexer::identifier_end(p.text, p.at).unwrap_or_else(|| lexer::on_rung(p.text, p.at).1);
+    let end = lexer::identifier_end(p.text, p.at).unwrap_or_else(|| lexer::on_rung(p.text, p.at, p.open).1);
     p.error(SyntaxErrorKind::BadDeclaration(problem), p.at, end);
 }
 
@@ -149,7 +158,7 @@ fn empty_line(marks: &Marks) -> LineKind {
 fn rung<B: Builder>(p: &mut Parser<'_, '_, B>, marks: &mut Marks) -> LineKind {
     let mut parts = 0;
     loop {
-        let token = lexer::on_rung(p.text, p.at);
+        let token = lexer::on_rung(p.text, p.at, p.open);
         if !matches!(
             token.0,
             SyntaxKind::EOF | SyntaxKind::NEWLINE | SyntaxKind::WHITESPACE

@@ -16,6 +16,7 @@ pub use declaration::{is_declaration_keyword, is_type_keyword};
 pub(crate) use line::{Entry, line};
 
 use crate::builder::Builder;
+use crate::conflict::{self, OpenConflicts, Within};
 use crate::error::{DeclarationProblem, Surroundings, SyntaxError, SyntaxErrorKind};
 use crate::kind::SyntaxKind;
 use crate::lexer::{self, Token};
@@ -47,6 +48,10 @@ struct Parser<'t, 'b, B> {
     last_end: usize,
     /// The last comment that was taken: where it begins and ends.
     last_comment: Option<(usize, usize)>,
+    /// The conflicts that are open where the text begins that is not in the tree yet.
+    open: OpenConflicts,
+    /// A line of signs of a conflict was met.
+    met_conflict: bool,
     builder: &'b mut B,
     errors: Vec<SyntaxError>,
     /// Line ends are white space, and this is a declaration.
@@ -64,7 +69,7 @@ struct Parser<'t, 'b, B> {
 }
 
 impl<'t, 'b, B: Builder> Parser<'t, 'b, B> {
-    fn new(text: &'t str, start: usize, builder: &'b mut B) -> Parser<'t, 'b, B> {
+    fn new(text: &'t str, start: usize, open: OpenConflicts, builder: &'b mut B) -> Parser<'t, 'b, B> {
         Parser {
             text,
             start,
@@ -76,6 +81,8 @@ impl<'t, 'b, B: Builder> Parser<'t, 'b, B> {
             },
             last_end: start,
             last_comment: None,
+            open,
+            met_conflict: false,
             builder,
             errors: Vec::new(),
             free_form: false,
@@ -96,9 +103,12 @@ impl<'t, 'b, B: Builder> Parser<'t, 'b, B> {
     fn token(&mut self, (kind, end): Token) {
         let start = std::mem::replace(&mut self.at, end);
         match kind {
-            SyntaxKind::WHITESPACE | SyntaxKind::NEWLINE => {}
+            SyntaxKind::WHITESPACE | SyntaxKind::NEWLINE | SyntaxKind::CONFLICT => {}
             SyntaxKind::COMMENT => {
                 self.last_comment = Some((start, end));
+                let (open, met) = self.after_comment(self.open, start, end);
+                self.open = open;
+                self.met_conflict |= met;
                 if !lexer::is_closed_comment(&self.text[start..end]) {
                     self.error(SyntaxErrorKind::UnclosedComment, start, start + 1);
                 }
@@ -114,15 +124,47 @@ impl<'t, 'b, B: Builder> Parser<'t, 'b, B> {
         self.builder.token(kind, self.text, start..end);
     }
 
+    /// Takes the token of a conflict that begins here, where a physical line does, if one does.
+    fn conflict(&mut self, within: Within) -> bool {
+        let Some((end, open)) = conflict::token(self.text, self.at, self.open, within) else {
+            return false;
+        };
+        self.token((SyntaxKind::CONFLICT, end));
+        self.met_conflict = true;
+        self.open = open;
+        true
+    }
+
+    /// The conflicts that are open after a comment, and whether a line of signs is in it.
+    fn after_comment(&self, open: OpenConflicts, start: usize, end: usize) -> (OpenConflicts, bool) {
+        let bytes = self.text.as_bytes();
+        if !lexer::spans_lines(&bytes[start..end]) {
+            return (open, false);
+        }
+        let comment = conflict::comment(bytes, start, open);
+        (comment.open, comment.met)
+    }
+
     /// Finds the next token among operands, past white space and comments (and in a declaration past line
     /// ends). Nothing goes into the tree.
     fn look(&mut self) {
         let mut start = lexer::blanks_end(self.text.as_bytes(), self.at);
+        let mut open = self.open;
         loop {
-            let (kind, end) = lexer::in_operands(self.text, start);
+            let (kind, end) = lexer::in_operands(self.text, start, open);
+            let mut next = end;
             let space = match kind {
-                SyntaxKind::WHITESPACE | SyntaxKind::COMMENT => true,
-                SyntaxKind::NEWLINE => self.free_form && !declaration::ends_declaration(self.text, end),
+                SyntaxKind::WHITESPACE => true,
+                SyntaxKind::COMMENT => {
+                    open = self.after_comment(open, start, end).0;
+                    true
+                }
+                SyntaxKind::NEWLINE if self.free_form => {
+                    while let Some(after) = conflict::token(self.text, next, open, Within::Declaration) {
+                        (next, open) = after;
+                    }
+                    !declaration::ends_declaration(self.text, next, open)
+                }
                 _ => false,
             };
             if !space {
@@ -133,7 +175,7 @@ impl<'t, 'b, B: Builder> Parser<'t, 'b, B> {
                 self.ahead = Ahead { kind, start, end };
                 return;
             }
-            start = end;
+            start = next;
         }
     }
 
@@ -175,9 +217,10 @@ impl<'t, 'b, B: Builder> Parser<'t, 'b, B> {
                     SyntaxKind::WHITESPACE,
                     lexer::blanks_end(self.text.as_bytes(), self.at),
                 ),
-                _ => lexer::in_operands(self.text, self.at),
+                _ => lexer::in_operands(self.text, self.at, self.open),
             };
             self.token(token);
+            while token.0 == SyntaxKind::NEWLINE && self.conflict(Within::Declaration) {}
         }
     }
 

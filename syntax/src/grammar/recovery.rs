@@ -6,6 +6,7 @@
 
 use super::Parser;
 use crate::builder::Builder;
+use crate::conflict::OpenConflicts;
 use crate::kind::SyntaxKind;
 use crate::lexer;
 
@@ -80,7 +81,7 @@ fn unmatched_parentheses(text: &str, at: usize) -> Vec<usize> {
             }
             // Inside parentheses a `#` may belong to a literal.
             b'#' if open.is_empty() || !lexer::takes_hash(text, word_start(text, at), at) => {
-                let end = lexer::comment_end(bytes, at);
+                let end = lexer::comment_end(bytes, at, OpenConflicts::default());
                 // After a comment over lines this may be another line: nothing is known, and nothing guessed.
                 if memchr::memchr2(b'\n', b'\r', &bytes[at..end]).is_some() {
                     return Vec::new();
@@ -128,7 +129,7 @@ fn begins_block(text: &str, at: usize) -> bool {
         _ => b')',
     };
     let inside = lexer::blanks_end(bytes, at + 1);
-    let word = match lexer::in_head(text, inside) {
+    let word = match lexer::in_head(text, inside, OpenConflicts::default()) {
         (SyntaxKind::MNEMONIC | SyntaxKind::BLOCK_NAME, end) => end,
         _ => inside,
     };

@@ -8,6 +8,7 @@ mod literal;
 
 pub(crate) use literal::{is_closed_string, string_end, takes_hash};
 
+use crate::conflict::{self, OpenConflicts};
 use crate::kind::SyntaxKind::{self, *};
 use literal::{address_end, literal_end};
 
@@ -15,19 +16,19 @@ use literal::{address_end, literal_end};
 pub(crate) type Token = (SyntaxKind, usize);
 
 /// The white space, line end or comment at `at`, if one begins there.
-pub(crate) fn space(text: &str, at: usize) -> Option<Token> {
+pub(crate) fn space(text: &str, at: usize, open: OpenConflicts) -> Option<Token> {
     let bytes = text.as_bytes();
     Some(match bytes.get(at)? {
         b' ' | b'\t' => (WHITESPACE, blanks_end(bytes, at)),
         b'\n' | b'\r' => (NEWLINE, newline_end(bytes, at)),
-        b'#' => (COMMENT, comment_end(bytes, at)),
+        b'#' => (COMMENT, comment_end(bytes, at, open)),
         _ => return None,
     })
 }
 
 /// The token at `at` on a line, outside blocks. `(EOF, at)` at the end of the text. Words, and whatever else has
 /// no meaning there, are `ERROR`.
-pub(crate) fn on_rung(text: &str, at: usize) -> Token {
+pub(crate) fn on_rung(text: &str, at: usize, open: OpenConflicts) -> Token {
     let bytes = text.as_bytes();
     let Some(&first) = bytes.get(at) else {
         return (EOF, at);
@@ -36,7 +37,7 @@ pub(crate) fn on_rung(text: &str, at: usize) -> Token {
         b' ' | b'\t' => return (WHITESPACE, blanks_end(bytes, at)),
         b'-' => return (WIRE, run(bytes, at, |b| b == b'-')),
         b'\n' | b'\r' => return (NEWLINE, newline_end(bytes, at)),
-        b'#' => return (COMMENT, comment_end(bytes, at)),
+        b'#' => return (COMMENT, comment_end(bytes, at, open)),
         b'+' => RAIL_CONNECTOR,
         b'|' => RAIL,
         b'\\' => DOWN,
@@ -76,22 +77,22 @@ const fn is_drawing(byte: u8) -> bool {
 }
 
 /// The token at `at` in a block's first part. Brackets, comments and white space are as on a rung.
-pub(crate) fn in_head(text: &str, at: usize) -> Token {
+pub(crate) fn in_head(text: &str, at: usize, open: OpenConflicts) -> Token {
     match text.as_bytes().get(at) {
         Some(b'/') => (MNEMONIC, at + 1),
         Some(b'$') => match identifier_end(text, at + 1) {
             Some(end) => (BLOCK_NAME, end),
-            None => on_rung(text, at),
+            None => on_rung(text, at, open),
         },
         _ => match identifier_end(text, at) {
             Some(end) => (MNEMONIC, end),
-            None => on_rung(text, at),
+            None => on_rung(text, at, open),
         },
     }
 }
 
 /// The token at `at` in an operand list or a declaration. Only here a `#` may belong to a literal (LANGUAGE §1).
-pub(crate) fn in_operands(text: &str, at: usize) -> Token {
+pub(crate) fn in_operands(text: &str, at: usize, open: OpenConflicts) -> Token {
     let bytes = text.as_bytes();
     let Some(&first) = bytes.get(at) else {
         return (EOF, at);
@@ -102,7 +103,7 @@ pub(crate) fn in_operands(text: &str, at: usize) -> Token {
         (b'A'..=b'Z' | b'a'..=b'z' | b'_' | 0x80.., _) => return word(text, at),
         (b'0'..=b'9', _) => return (LITERAL, literal_end(text, at)),
         (b'\n' | b'\r', _) => return (NEWLINE, newline_end(bytes, at)),
-        (b'#', _) => return (COMMENT, comment_end(bytes, at)),
+        (b'#', _) => return (COMMENT, comment_end(bytes, at, open)),
         (b',', _) => (COMMA, 1),
         (b')', _) => (R_PAREN, 1),
         (b'(', _) => (L_PAREN, 1),
@@ -197,8 +198,17 @@ const fn is_operand_character(byte: u8) -> bool {
 }
 
 /// Where the comment that opens at `at` ends: after the very next `#`, or at the end of the text.
-pub(crate) fn comment_end(bytes: &[u8], at: usize) -> usize {
-    memchr::memchr(b'#', &bytes[at + 1..]).map_or(bytes.len(), |n| at + 1 + n + 1)
+pub(crate) fn comment_end(bytes: &[u8], at: usize, open: OpenConflicts) -> usize {
+    let end = memchr::memchr(b'#', &bytes[at + 1..]).map_or(bytes.len(), |n| at + 1 + n + 1);
+    if spans_lines(&bytes[at..end]) {
+        return conflict::comment(bytes, at, open).end;
+    }
+    end
+}
+
+/// Whether a line end is in a comment.
+pub(crate) fn spans_lines(comment: &[u8]) -> bool {
+    memchr::memchr2(b'\n', b'\r', comment).is_some()
 }
 
 /// Whether the comment text `# .. #` has its closing `#`.

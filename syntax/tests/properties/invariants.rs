@@ -34,14 +34,15 @@ pub(crate) fn check_same(edited: &Parse, text: &str) {
     assert_eq!(edited.frame().blocks, structure.blocks, "{text:?}");
     let first = structure.networks.first().map(|first| first.lines.start);
     assert_eq!(edited.lines().first_network(), first, "{text:?}");
+    assert_eq!(edited.conflicts(), fresh.conflicts(), "{text:?}");
     assert_eq!(edited.unclosed_comment(), fresh.unclosed_comment(), "{text:?}");
     assert_eq!(edited.lines().len(), fresh.lines().len(), "{text:?}");
     for (index, (a, b)) in edited.lines().iter().zip(fresh.lines()).enumerate() {
         assert_eq!(edited.line_range(index), fresh.line_range(index), "{text:?}");
         assert_eq!(a.errors, b.errors, "{text:?}");
         assert_eq!(
-            (a.kind, a.mode_after, a.downs, a.ups, a.len),
-            (b.kind, b.mode_after, b.downs, b.ups, b.len)
+            (a.kind, a.mode_after, a.downs, a.ups, a.len, a.is_in_conflict()),
+            (b.kind, b.mode_after, b.downs, b.ups, b.len, b.is_in_conflict())
         );
     }
 }

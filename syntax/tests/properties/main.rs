@@ -1,6 +1,7 @@
 //! What holds for every text.
 
 mod arbitrary;
+mod conflicts;
 mod edits;
 mod invariants;
 mod linear;

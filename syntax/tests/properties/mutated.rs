@@ -22,6 +22,7 @@ pub(crate) fn mutation() -> impl Strategy<Value = Mutation> {
                 "(", ")", "[", "]", "<", ">", "-", "--", "+", "|", "\\", "/", "#", "'", ",", ";", ":", ":=", "=>", ".", "..",
                 " ", "\n", "\r", "\r\n", "\t", "$", "%", "5", "a", "T#", "END_VAR", "VAR\n", "TYPE\n", "END_TYPE", "STRUCT\n", "END_STRUCT;", "FUNCTION_BLOCK [$X]\n", "NOT ",
                 "[ ]( x )", "( )( y )", "# c #", "é", "\u{feff}", "*", "^",
+                "\n<<<<<<< a\n", "\n=======\n", "\n>>>>>>> b\n", "\n# ======= #\n",
             ]).prop_map(str::to_owned),
             1 => any::<String>(),
         ]

@@ -2,6 +2,7 @@
 
 mod accessors;
 mod comments;
+mod conflicts;
 mod declarations;
 mod lexing;
 mod recovery;

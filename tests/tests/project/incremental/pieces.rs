@@ -1,7 +1,10 @@
 //! The files that are edited, and what edits put in.
 
 /// What a hand puts in.
-pub(super) const PIECES: [&str; 47] = [
+pub(super) const PIECES: [&str; 50] = [
+    "\n<<<<<<< a\n",
+    "\n=======\n",
+    "\n>>>>>>> b\n",
     "",
     "",
     "",
