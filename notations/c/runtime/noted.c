@@ -8,7 +8,7 @@ static bool product_fits(bool is_unsigned, int64_t a, int64_t b)
     return b > 0 ? a >= INT64_MIN / b : b >= INT64_MAX / a;
 }
 
-//: noted_power times product_fits
+//: noted_power multiplied product_fits
 /* By squaring. A negative exponent leaves no whole number, but of 1 and -1. */
 static bool noted_power(bool is_unsigned, int64_t *to, int64_t a, int64_t b, bool *by_zero)
 {
@@ -23,18 +23,18 @@ static bool noted_power(bool is_unsigned, int64_t *to, int64_t a, int64_t b, boo
     while (left > 0) {
         if (left & 1) {
             exact = exact && product_fits(is_unsigned, *to, a);
-            *to = times(*to, a);
+            *to = multiplied(*to, a);
         }
         left >>= 1;
         if (left > 0) {
             exact = exact && product_fits(is_unsigned, a, a);
-            a = times(a, a);
+            a = multiplied(a, a);
         }
     }
     return exact;
 }
 
-//: noted_integer wrap plus minus times product_fits noted_power i_min i_max
+//: noted_integer wrap plus minus multiplied product_fits noted_power i_min i_max
 /* A step with whole numbers: the result, and whether its width has room for it. */
 static int64_t noted_integer(uint32_t step, int width, int64_t a, int64_t b, bool *by_zero, bool *exact)
 {
@@ -57,7 +57,7 @@ static int64_t noted_integer(uint32_t step, int width, int64_t a, int64_t b, boo
         *exact = is_unsigned ? (uint64_t)a >= (uint64_t)b : b >= 0 ? to <= a : to > a;
         break;
     case 2:
-        to = times(a, b);
+        to = multiplied(a, b);
         *exact = product_fits(is_unsigned, a, b);
         break;
     case 3:
@@ -109,7 +109,7 @@ static double noted_real(uint32_t step, double a, double b, bool *by_zero)
     }
 }
 
-//: Step width_of noted_integer noted_real to_real finite
+//: Step width_of noted_integer noted_real to_real put_real
 /* A step of a formula that goes on where it slips. Operands: to, operation, type, a, b, the bits that note a division by zero and a
    result that does not fit. */
 static int Step(state *s, const uint32_t *o)
@@ -120,7 +120,7 @@ static int Step(state *s, const uint32_t *o)
         const double value = noted_real(o[1], to_real(a), to_real(b), &by_zero);
         if (o[1] == 8 && value != value) return FAULT_DOMAIN;
         s->w[o[0]] = 0;
-        exact = finite(&s->w[o[0]], value, o[2] == TYPE_REAL) == 0;
+        exact = put_real(&s->w[o[0]], value, o[2] == TYPE_REAL) == 0;
     } else {
         s->w[o[0]] = noted_integer(o[1], width_of(o[2]), a, b, &by_zero, &exact);
     }
@@ -139,7 +139,7 @@ static int64_t low_bits(double value)
     return (int64_t)(value < 0.0 ? 0 - (uint64_t)bits : (uint64_t)bits);
 }
 
-//: brought width_of wrap fits to_real finite low_bits
+//: brought width_of wrap fits to_real put_real low_bits
 /* A number in another type. Operands: to, its type, from, its type, the bits as of a step. */
 static void brought(state *s, const uint32_t *o, bool to_nearest, bool clamps)
 {
@@ -152,7 +152,7 @@ static void brought(state *s, const uint32_t *o, bool to_nearest, bool clamps)
         double real;
         if (o[3] == TYPE_REAL || o[3] == TYPE_LREAL) real = to_real(from);
         else real = from_width == -64 ? (double)(uint64_t)from : (double)from;
-        fit = finite(&value, real, o[1] == TYPE_REAL) == 0;
+        fit = put_real(&value, real, o[1] == TYPE_REAL) == 0;
         clamps = false;
         is_negative = false;
     } else if (o[3] == TYPE_REAL || o[3] == TYPE_LREAL) {

@@ -33,8 +33,8 @@ static int64_t minus(int64_t a, int64_t b)
     return (int64_t)((uint64_t)a - (uint64_t)b);
 }
 
-//: times
-static int64_t times(int64_t a, int64_t b)
+//: multiplied
+static int64_t multiplied(int64_t a, int64_t b)
 {
     return (int64_t)((uint64_t)a * (uint64_t)b);
 }
@@ -81,15 +81,15 @@ static int i_mod(int width, int64_t *to, int64_t a, int64_t b)
     return 0;
 }
 
-//: i_power wrap times
+//: i_power wrap multiplied
 static int i_power(int width, int64_t *to, int64_t a, int64_t b)
 {
     uint64_t left = (uint64_t)b;
     int64_t result = 1;
     if (b < 0 && width != -64) return FAULT_EXPONENT;
     for (; left > 0; left >>= 1) {
-        if (left & 1) result = times(result, a);
-        a = times(a, a);
+        if (left & 1) result = multiplied(result, a);
+        a = multiplied(a, a);
     }
     *to = wrap(width, result);
     return 0;
@@ -194,9 +194,9 @@ static int64_t to_word(double value)
     return word;
 }
 
-//: finite to_word
+//: put_real to_word
 /* Rounds to the type; what is not finite there is a fault. */
-static int finite(int64_t *to, double value, bool single)
+static int put_real(int64_t *to, double value, bool single)
 {
     if (single) value = (double)(float)value;
     if (!(value - value == 0.0)) return FAULT_INFINITE;
@@ -204,23 +204,23 @@ static int finite(int64_t *to, double value, bool single)
     return 0;
 }
 
-//: r_div finite
+//: r_div put_real
 static int r_div(bool single, int64_t *to, double a, double b)
 {
-    return b == 0.0 ? FAULT_DIVISION : finite(to, a / b, single);
+    return b == 0.0 ? FAULT_DIVISION : put_real(to, a / b, single);
 }
 
-//: r_mod finite
+//: r_mod put_real
 static int r_mod(bool single, int64_t *to, double a, double b)
 {
-    return b == 0.0 ? FAULT_DIVISION : finite(to, fmod(a, b), single);
+    return b == 0.0 ? FAULT_DIVISION : put_real(to, fmod(a, b), single);
 }
 
-//: r_power finite
+//: r_power put_real
 static int r_power(bool single, int64_t *to, double a, double b)
 {
     const double value = pow(a, b);
-    return value != value ? FAULT_DOMAIN : finite(to, value, single);
+    return value != value ? FAULT_DOMAIN : put_real(to, value, single);
 }
 
 //: whole fits

@@ -214,7 +214,7 @@ static int OpenTable(state *s, const uint32_t *o)
     return 0;
 }
 
-//: OpenCurve width_of wrap minus times plus
+//: OpenCurve width_of wrap minus multiplied plus
 /* The point on the first line that ends at x or after it, in the width of the result. */
 static int OpenCurve(state *s, const uint32_t *o)
 {
@@ -227,7 +227,7 @@ static int OpenCurve(state *s, const uint32_t *o)
     for (n = 2; n + 1 < o[4]; n += 2) {
         const int64_t x0 = w[list[n - 2]], y0 = w[list[n - 1]], x1 = w[list[n]], y1 = w[list[n + 1]];
         if (x <= x1) {
-            const int64_t way = wrap(width, times(wrap(width, minus(x, x0)), wrap(width, minus(y1, y0))));
+            const int64_t way = wrap(width, multiplied(wrap(width, minus(x, x0)), wrap(width, minus(y1, y0))));
             const int64_t dx = wrap(width, minus(x1, x0));
             const int64_t rise = dx == 0 ? 0 : dx == -1 ? minus(0, way) : way / dx;
             s->b[o[1]] = 1;

@@ -5,7 +5,7 @@ static int packed_width(uint32_t type)
     return type == TYPE_REAL ? -32 : type == TYPE_LREAL ? -64 : width_of(type);
 }
 
-//: of_bits to_word finite
+//: of_bits to_word put_real
 static int of_bits(int64_t *to, uint32_t type, int64_t bits)
 {
     double value;
@@ -13,11 +13,11 @@ static int of_bits(int64_t *to, uint32_t type, int64_t bits)
         const uint32_t narrow = (uint32_t)bits;
         float single;
         memcpy(&single, &narrow, sizeof single);
-        return finite(to, (double)single, false);
+        return put_real(to, (double)single, false);
     }
     if (type == TYPE_LREAL) {
         memcpy(&value, &bits, sizeof value);
-        return finite(to, value, false);
+        return put_real(to, value, false);
     }
     *to = bits;
     return 0;
@@ -240,7 +240,7 @@ static int UnpackWords(state *s, const uint32_t *o)
     return 0;
 }
 
-//: Sum plus wrap width_of finite to_real
+//: Sum plus wrap width_of put_real to_real
 static int Sum(state *s, const uint32_t *o)
 {
     const int64_t *const at = s->w + s->w[o[2]];
@@ -250,7 +250,7 @@ static int Sum(state *s, const uint32_t *o)
     if (o[1] == TYPE_REAL || o[1] == TYPE_LREAL) {
         for (n = 0; n < count; n++) {
             const double value = reals ? to_real(at[n]) : (double)at[n];
-            const int fault = finite(&total, to_real(total) + value, o[1] == TYPE_REAL);
+            const int fault = put_real(&total, to_real(total) + value, o[1] == TYPE_REAL);
             if (fault) return fault;
         }
     } else {
@@ -333,7 +333,7 @@ static int SelectText(state *s, const uint32_t *o)
     return 0;
 }
 
-//: Curve to_real finite width_of wrap order
+//: Curve to_real put_real width_of wrap order
 /* A curve of straight lines, held flat outside. */
 static int Curve(state *s, const uint32_t *o)
 {
@@ -357,7 +357,7 @@ static int Curve(state *s, const uint32_t *o)
         } else if (reals) {
             const double ax = to_real(w[list[n - 2]]), ay = to_real(w[list[n - 1]]);
             const double bx = to_real(x1), by = to_real(y1);
-            return finite(&s->w[o[0]], ay + (by - ay) * (to_real(x) - ax) / (bx - ax), o[1] == TYPE_REAL);
+            return put_real(&s->w[o[0]], ay + (by - ay) * (to_real(x) - ax) / (bx - ax), o[1] == TYPE_REAL);
         } else {
             /* Cut off toward zero. The last digits are exact where 64 bits have room for the product. */
             const int64_t ax = w[list[n - 2]], ay = w[list[n - 1]], span = x1 - ax;
@@ -368,7 +368,7 @@ static int Curve(state *s, const uint32_t *o)
         }
         break;
     }
-    if (reals) return finite(&s->w[o[0]], to_real(y), o[1] == TYPE_REAL);
+    if (reals) return put_real(&s->w[o[0]], to_real(y), o[1] == TYPE_REAL);
     s->w[o[0]] = wrap(width, y);
     return 0;
 }

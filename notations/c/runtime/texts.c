@@ -345,7 +345,7 @@ static int parse_time(int64_t *to, const char *text)
     return 0;
 }
 
-//: Parse trimmed digits_of is_real parse_time finite width_of wrap
+//: Parse trimmed digits_of is_real parse_time put_real width_of wrap
 static int Parse(state *s, const uint32_t *o)
 {
     char text[128];
@@ -359,7 +359,7 @@ static int Parse(state *s, const uint32_t *o)
     if (o[1] == TYPE_TIME) return parse_time(to, text);
     if (o[1] == TYPE_REAL || o[1] == TYPE_LREAL) {
         if (!is_real(text)) return FAULT_TEXT;
-        return finite(to, strtod(text, NULL), o[1] == TYPE_REAL) ? FAULT_RANGE : 0;
+        return put_real(to, strtod(text, NULL), o[1] == TYPE_REAL) ? FAULT_RANGE : 0;
     }
     negative = *at == '-';
     if (*at == '-' || *at == '+') at++;

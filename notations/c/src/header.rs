@@ -115,7 +115,7 @@ pub(crate) fn header(p: &str, interface: &Interface, compiled: &Compiled) -> Str
         );
     }
     let _ = write!(out, "}} {p};\n\n");
-    out.push_str(&others(&upper, interface));
+    out.push_str(&others(p, &upper, interface));
     let _ = write!(
         out,
         "/* A cold start. The functions for ports stay as they are set. */\nvoid {p}_init({p} *self);\n\n\
@@ -135,8 +135,11 @@ pub(crate) fn header(p: &str, interface: &Interface, compiled: &Compiled) -> Str
 }
 
 /// Where each other tag is: for a debugger, or a test.
-fn others(upper: &str, interface: &Interface) -> String {
-    let mut names = Names::default();
+fn others(p: &str, upper: &str, interface: &Interface) -> String {
+    let mut names = Names::of_constants(p);
+    for (name, _) in FAULTS {
+        names.name(&format!("{upper}_FAULT_{name}"));
+    }
     let mut out = String::new();
     for field in &interface.others {
         let (bank, at) = match field.home {

@@ -31,7 +31,7 @@ pub(crate) struct Interface {
 }
 
 /// Of a program that has no outputs, what it never writes is an input, and what it writes an output.
-pub(crate) fn interface(program: &Program, compiled: &Compiled) -> Interface {
+pub(crate) fn interface(library: &str, program: &Program, compiled: &Compiled) -> Interface {
     let tags = || {
         program
             .tags
@@ -42,7 +42,7 @@ pub(crate) fn interface(program: &Program, compiled: &Compiled) -> Interface {
     let declares = tags().any(|(tag, _)| tag.role == Role::Output);
     let written = written(compiled);
     let mut interface = Interface::default();
-    let [mut inputs, mut outputs, mut others] = [const {}; 3].map(|()| Names::default());
+    let [mut inputs, mut outputs, mut others] = [(); 3].map(|()| Names::of_members(library));
     for (tag, home) in tags() {
         let role = match (tag.role, home) {
             (role, _) if declares || tag.constant => role,

@@ -1,59 +1,39 @@
 //! Names that C takes.
 
+use crate::pieces::PIECES;
 use std::collections::HashSet;
+use std::sync::LazyLock;
 
-/// Words that C keeps for itself, and those that the library uses in its structures.
-const TAKEN: [&str; 49] = [
-    "auto",
-    "bool",
-    "break",
-    "case",
-    "char",
-    "const",
-    "continue",
-    "default",
-    "do",
-    "double",
-    "else",
-    "enum",
-    "extern",
-    "false",
-    "float",
-    "for",
-    "goto",
-    "if",
-    "inline",
-    "int",
-    "long",
-    "register",
-    "restrict",
-    "return",
-    "short",
-    "signed",
-    "sizeof",
-    "static",
-    "struct",
-    "switch",
-    "true",
-    "typedef",
-    "union",
-    "unsigned",
-    "void",
-    "volatile",
-    "while",
-    "asm",
-    "class",
-    "delete",
-    "new",
-    "private",
-    "protected",
-    "public",
-    "template",
-    "this",
-    "virtual",
-    "errno",
-    "NULL",
-];
+/// The words of C and C++.
+const KEYWORDS: &str = include_str!("reserved/keywords.txt");
+
+/// Macros without parameters, and constants, of the headers of C17 and POSIX: wherever one of these words stands, it is replaced.
+const MACROS: &str = include_str!("reserved/macros.txt");
+
+/// The functions, types and variables of those headers, and those that the GNU library has with them.
+const NAMES: &str = include_str!("reserved/names.txt");
+
+fn words(lists: &[&'static str]) -> HashSet<&'static str> {
+    lists.iter().flat_map(|list| list.split_whitespace()).collect()
+}
+
+/// What nothing can be called, not even a member of a structure.
+static REPLACED: LazyLock<HashSet<&str>> = LazyLock::new(|| words(&[KEYWORDS, MACROS]));
+
+/// What nothing outside of structures can be called.
+static TAKEN: LazyLock<HashSet<&str>> = LazyLock::new(|| words(&[KEYWORDS, MACROS, NAMES]));
+
+/// The words of the runtime, and of what is written around it.
+static OWN: LazyLock<HashSet<String>> = LazyLock::new(|| {
+    let runtime = PIECES.all();
+    let code = runtime.split("*/").flat_map(|piece| piece.split("/*").next());
+    let is_in_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let words = code.flat_map(|code| code.split(|c: char| !is_in_word(c)));
+    words
+        .chain(AROUND.split_whitespace())
+        .map(str::to_owned)
+        .collect()
+});
 
 /// Gives each thing a name of its own.
 #[derive(Debug, Default)]
@@ -62,10 +42,25 @@ pub(crate) struct Names {
 }
 
 impl Names {
+    /// Those of a library's members: none is a macro of its header.
+    pub(crate) fn of_members(library: &str) -> Names {
+        let upper = library.to_ascii_uppercase();
+        Names {
+            used: [format!("{upper}_H"), format!("{upper}_RETAINED")].into(),
+        }
+    }
+
+    /// Those of a library's constants: none is called as something else in its header.
+    pub(crate) fn of_constants(library: &str) -> Names {
+        let mut names = Names::of_members(library);
+        names.used.extend(derived(library));
+        names
+    }
+
     /// A name for what a program calls so.
     pub(crate) fn name(&mut self, of: &str) -> String {
         let mut name = identifier(of);
-        while TAKEN.contains(&name.as_str()) || !self.used.insert(name.clone()) {
+        while REPLACED.contains(name.as_str()) || !self.used.insert(name.clone()) {
             name.push('_');
         }
         name
@@ -75,25 +70,25 @@ impl Names {
 /// What a library is called, from the name of its program: nothing that C, its callers or the runtime call something else.
 pub(crate) fn library(program: &str) -> String {
     let name = identifier(program);
-    let is_taken = TAKEN.contains(&name.as_str())
-        || OWN.contains(&name.as_str())
-        || crate::pieces::PIECES.named(&name).is_some();
-    if is_taken { name + "_program" } else { name }
+    // `FAULT_RANGE` and `TYPE_REAL` are the runtime's.
+    let is_own = OWN.contains(&name) || ["fault", "type"].contains(&name.to_ascii_lowercase().as_str());
+    if is_own || derived(&name).iter().any(|name| TAKEN.contains(name.as_str())) {
+        name + "_program"
+    } else {
+        name
+    }
 }
 
-/// What every source has, or every program.
-const OWN: [&str; 10] = [
-    "main",
-    "state",
-    "frame_of",
-    "note",
-    "operands",
-    "text_at",
-    "text_room",
-    "take_inputs",
-    "show_inputs",
-    "put_outputs",
-];
+/// The names that a library makes of its own.
+fn derived(library: &str) -> [String; 7] {
+    ["", "_inputs", "_outputs", "_init", "_scan", "_save", "_restore"].map(|end| format!("{library}{end}"))
+}
+
+/// The words around the runtime.
+const AROUND: &str = "main state self now then bytes value bits at n b w s o frame_of back rail body after left turn noted note \
+    fault line faults fault_line faulted operands text_at text_room first_words first_bits take_inputs show_inputs put_outputs \
+    put_word take_word done stopped depth frame held turns exact in out ended scans began user receive send analog pulse length \
+    chars none channel duty frequency byte";
 
 /// Letters, digits and `_`; anything else becomes `_`, and letters of other alphabets their number.
 pub(crate) fn identifier(of: &str) -> String {
@@ -110,10 +105,12 @@ pub(crate) fn identifier(of: &str) -> String {
         }
     }
     let name = name.trim_end_matches('_');
-    if name.is_empty() {
-        "tag".into()
-    } else {
-        name.into()
+    let is_reserved = |rest: &str| rest.starts_with(|c: char| c == '_' || c.is_ascii_uppercase());
+    match name.strip_prefix('_') {
+        _ if name.is_empty() => "tag".into(),
+        // C keeps these for itself.
+        Some(rest) if is_reserved(rest) => format!("tag{name}"),
+        _ => name.into(),
     }
 }
 
@@ -123,16 +120,51 @@ mod tests {
 
     #[test]
     fn libraries_are_called_like_nothing_else() {
-        let made = ["motor", "main", "int", "ton", "Left", "state"].map(library);
+        assert_eq!(library("motor"), "motor");
+        // Words of C, of its library and POSIX (`sem_init`), of the runtime, and the beginnings of its constants.
+        for taken in [
+            "main", "int", "class", "printf", "time", "sem", "index", "ton", "Left", "state", "self",
+            "Fault", "type",
+        ] {
+            assert_eq!(library(taken), format!("{taken}_program"));
+        }
+    }
+
+    #[test]
+    fn the_runtime_is_not_called_as_the_library_of_c_is() {
+        let marks = PIECES.names();
+        let clash: Vec<&str> = marks.filter(|name| TAKEN.contains(name)).collect();
+        assert_eq!(clash, [""; 0]);
+    }
+
+    #[test]
+    fn members_are_no_macros() {
+        let mut names = Names::of_members("motor");
+        let made = [
+            "MOTOR_H",
+            "MOTOR_RETAINED",
+            "EOF",
+            "errno",
+            "linux",
+            "_Bool",
+            "__FILE__",
+            "time",
+            "or",
+        ];
+        let made = made.map(|name| names.name(name));
         let expected = [
-            "motor",
-            "main_program",
-            "int_program",
-            "ton_program",
-            "Left_program",
-            "state_program",
+            "MOTOR_H_",
+            "MOTOR_RETAINED_",
+            "EOF_",
+            "errno_",
+            "linux_",
+            "tag_Bool",
+            "tag__FILE",
+            "time",
+            "or_",
         ];
         assert_eq!(made, expected);
+        assert_eq!(Names::of_constants("MOTOR").name("MOTOR_init"), "MOTOR_init_");
     }
 
     #[test]

@@ -6,6 +6,10 @@ use std::fmt::Write;
 /// Before the values stands a number that other programs do not have.
 const MARK: usize = 4;
 
+const PUT_WORD: &str = "static uint8_t *put_word(uint8_t *at, int64_t value)\n{\n    int n;\n    for (n = 0; n < 64; n += 8) *at++ = (uint8_t)((uint64_t)value >> n);\n    return at;\n}\n\n";
+
+const TAKE_WORD: &str = "static const uint8_t *take_word(const uint8_t *at, int64_t *value)\n{\n    uint64_t bits = 0;\n    int n;\n    for (n = 0; n < 64; n += 8) bits |= (uint64_t)*at++ << n;\n    *value = (int64_t)bits;\n    return at;\n}\n\n";
+
 /// A stretch of slots.
 enum Stretch {
     Bits(u32, u32),
@@ -121,10 +125,14 @@ pub(crate) fn functions(p: &str, compiled: &Compiled) -> String {
         let _ = writeln!(restore, "    {back}");
     }
     let mark = mark(compiled);
+    let put = if save.contains("put_word") { PUT_WORD } else { "" };
+    let take = if restore.contains("take_word") {
+        TAKE_WORD
+    } else {
+        ""
+    };
     format!(
-        "static uint8_t *put_word(uint8_t *at, int64_t value)\n{{\n    int n;\n    for (n = 0; n < 64; n += 8) *at++ = (uint8_t)((uint64_t)value >> n);\n    return at;\n}}\n\n\
-         static const uint8_t *take_word(const uint8_t *at, int64_t *value)\n{{\n    uint64_t bits = 0;\n    int n;\n    for (n = 0; n < 64; n += 8) bits |= (uint64_t)*at++ << n;\n    *value = (int64_t)bits;\n    return at;\n}}\n\n\
-         void {p}_save(const {p} *self, uint8_t *bytes)\n{{\n    const int64_t then = plus_held(self->now, self->w[2]);\n    uint8_t *at = bytes;\n    uint32_t n;\n    (void)then;\n    (void)n;\n    \
+        "{put}{take}void {p}_save(const {p} *self, uint8_t *bytes)\n{{\n    const int64_t then = plus_held(self->now, self->w[2]);\n    uint8_t *at = bytes;\n    uint32_t n;\n    (void)then;\n    (void)n;\n    \
          for (n = 0; n < 32; n += 8) *at++ = (uint8_t)(UINT32_C({mark}) >> n);\n{save}    (void)at;\n}}\n\n\
          bool {p}_restore({p} *self, const uint8_t *bytes)\n{{\n    const uint8_t *at = bytes;\n    uint32_t n;\n    for (n = 0; n < 32; n += 8)\n        if (*at++ != (uint8_t)(UINT32_C({mark}) >> n)) return false;\n{restore}    (void)at;\n    return true;\n}}\n\n"
     )

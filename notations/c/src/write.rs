@@ -10,7 +10,6 @@ use ladder_notation::{Companion, LineColumn, Lines, Report, WriteError, Writing,
 use ladder_simulator::compiled::{CHANNELS, Compiled, Word, compile};
 use std::collections::BTreeSet;
 use std::fmt::Write;
-use std::path::Path;
 
 /// The time from one scan to the next that a program is made for which does not say so, in nanoseconds: what some
 /// instructions of other systems count in.
@@ -70,20 +69,29 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
             "{place}a C library does not have {what}; take this block out, or write the program in another notation"
         )));
     }
-    let file = Path::new(program.files.first().map_or("program", String::as_str));
-    let name = names::library(&file.file_stem().unwrap_or_default().to_string_lossy());
-    let interface = interface::interface(program, &compiled);
+    let file = program.files.first().map_or("program", String::as_str);
+    let file = file.strip_suffix(".clad").unwrap_or(file);
+    let stem = file.rsplit('/').next().unwrap_or(file);
+    let name = names::library(stem);
+    // The header is called as the source is, but for what cannot stand in an `#include`.
+    let is_plain = |c: char| !c.is_control() && !"\"\\<>:?".contains(c);
+    let header = if !stem.is_empty() && stem.chars().all(is_plain) {
+        stem
+    } else {
+        &name
+    };
+    let interface = interface::interface(&name, program, &compiled);
     Ok(Writing {
-        bytes: source(&name, &interface, &compiled, &body).into_bytes(),
+        bytes: source(&name, header, &interface, &compiled, &body).into_bytes(),
         companions: vec![Companion {
-            name: format!("{name}.h"),
+            name: format!("{header}.h"),
             bytes: header::header(&name, &interface, &compiled).into_bytes(),
         }],
         report,
     })
 }
 
-fn source(p: &str, interface: &Interface, compiled: &Compiled, body: &Body) -> String {
+fn source(p: &str, header: &str, interface: &Interface, compiled: &Compiled, body: &Body) -> String {
     let upper = p.to_ascii_uppercase();
     let mut used: BTreeSet<&'static str> = body.used.clone();
     for field in interface.inputs.iter().chain(&interface.outputs) {
@@ -98,7 +106,7 @@ fn source(p: &str, interface: &Interface, compiled: &Compiled, body: &Body) -> S
     }
     let has_operands = body.says("operands + ");
     let runtime = PIECES.text(&used);
-    let mut out = format!("/* The ladder program {p}; see {p}.h. */\n#include \"{p}.h\"\n\n");
+    let mut out = format!("/* The ladder program {p}; see its header. */\n#include \"{header}.h\"\n\n");
     for (header, sign) in [
         ("inttypes.h", "PRI"),
         ("math.h", "("),

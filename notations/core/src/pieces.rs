@@ -32,6 +32,16 @@ impl Pieces {
         Pieces(pieces.collect())
     }
 
+    /// What all pieces are called.
+    pub fn names(&self) -> impl Iterator<Item = &'static str> {
+        self.0.iter().map(|piece| piece.name)
+    }
+
+    /// The text of all pieces.
+    pub fn all(&self) -> String {
+        self.0.iter().flat_map(|piece| [piece.text, "\n\n"]).collect()
+    }
+
     /// The name of a piece, if there is one that is called so.
     pub fn named(&self, name: &str) -> Option<&'static str> {
         self.0.iter().map(|piece| piece.name).find(|piece| *piece == name)

@@ -6,7 +6,7 @@
 mod compared;
 mod run;
 
-use compared::{check, compiled_and_run, compiler};
+use compared::{check, compiled_and_run, compiler, compilers, complaints};
 use ladder_analysis::{Analysis, analyze, link_files};
 use ladder_invariants::generator::{Mode, program};
 use ladder_simulator::{Options, Simulation, scenario};
@@ -125,6 +125,38 @@ fn what_is_kept_comes_back() {
     assert_eq!(said, "1\n40 9\n0\n");
 }
 
+/// The examples, the library's programs, and what has been wrong: under the usual options of each compiler that is here.
+#[test]
+fn compilers_have_nothing_to_say() {
+    if compilers().is_empty() {
+        eprintln!("skipped: there is no C compiler here");
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let root = ladder_tests::project::root();
+    let folders = ["examples", "library/scenarios"].map(|name| root.join(name));
+    let files = folders
+        .iter()
+        .flat_map(|folder| ladder_tests::project::files(folder, "clad"));
+    let mut texts: Vec<String> = files.map(|path| ladder_tests::project::read(&path)).collect();
+    assert!(texts.len() > 20, "{}", texts.len());
+    texts.extend([
+        // Nothing but bits is kept.
+        "VAR RETAIN m : BOOL; END_VAR\n+--[ ]( a )--(S)( m )--+\n".to_owned(),
+        // Tags that are called as the header, the runtime or C calls something.
+        "VAR_INPUT EOF, errno, linux, _Bool, class, I, PROGRAM_H, self : BOOL; END_VAR\nVAR program_in, init, FAULT_RANGE, H, RETAINED : DINT; END_VAR\n\
+         VAR_OUTPUT put_real, NULL, stdin : REAL; END_VAR\nVAR RETAIN kept : DINT; END_VAR\n\
+         +--[ ]( EOF )--[MOV]( put_real, 1.5 )--[DIV]( NULL, put_real, stdin )--[ADD]( kept, init, H )--+\n"
+            .to_owned(),
+    ]);
+    let said: Vec<String> = texts
+        .iter()
+        .map(|text| complaints(folder.path(), &analysis(text)))
+        .filter(|said| !said.is_empty())
+        .collect();
+    assert!(said.is_empty(), "{}", said.join("\n"));
+}
+
 /// What no statement needs is not there: a text that nothing uses, a clock where only a number is kept.
 #[test]
 fn small_programs_compile_without_a_warning() {
@@ -152,7 +184,7 @@ fn what_timers_do_is_kept_and_names_do_not_clash() {
     let folder = tempfile::tempdir().unwrap();
     let text = "VAR_INPUT\n    FAULT_RESET : BOOL;\nEND_VAR\nVAR RETAIN\n    t : TOF;\nEND_VAR\nVAR_OUTPUT\n    on : BOOL;\nEND_VAR\n\
         +--[ ]( FAULT_RESET )--# goto stopped; note( frame &held ++turns (fault = #--[TOF]( t, T#100ms )--( )( on )--+\n";
-    let main = "#include \"main_program.h\"\n#include <stdio.h>\nint main(void)\n{\n    static main_program one, two;\n    \
+    let main = "#include \"main.h\"\n#include <stdio.h>\nint main(void)\n{\n    static main_program one, two;\n    \
         uint8_t bytes[MAIN_PROGRAM_RETAINED];\n    int n;\n    main_program_init(&one);\n    one.in.FAULT_RESET = true;\n    main_program_scan(&one, 0);\n    \
         main_program_save(&one, bytes);\n    main_program_init(&two);\n    if (!main_program_restore(&two, bytes)) return 1;\n    \
         for (n = 0; n < 12; n++) {\n        main_program_scan(&two, n * INT64_C(10000000));\n        printf(\"%d\", two.out.on);\n    }\n    return 0;\n}\n";

@@ -17,7 +17,7 @@ impl Emitter<'_> {
         let plain = match op {
             IntegerOp::Add => Some(("plus", format!("plus({a}, {other})"))),
             IntegerOp::Sub => Some(("minus", format!("minus({a}, {other})"))),
-            IntegerOp::Mul => Some(("times", format!("times({a}, {other})"))),
+            IntegerOp::Mul => Some(("multiplied", format!("multiplied({a}, {other})"))),
             IntegerOp::And => Some(("", format!("{a} & {other}"))),
             IntegerOp::Or => Some(("", format!("{a} | {other}"))),
             IntegerOp::Xor => Some(("", format!("{a} ^ {other}"))),
@@ -91,13 +91,13 @@ impl Emitter<'_> {
                 format!("{piece}({single}, &{to}, {a}, {other})")
             }
             _ => {
-                self.uses("finite");
+                self.uses("put_real");
                 let value = match op {
                     RealOp::Min => format!("{other} < {a} ? {other} : {a}"),
                     RealOp::Max => format!("{other} > {a} ? {other} : {a}"),
                     _ => format!("{a} {} {other}", sign(op).unwrap_or('+')),
                 };
-                format!("finite(&{to}, {value}, {single})")
+                format!("put_real(&{to}, {value}, {single})")
             }
         };
         self.faulting(at, &guarded(when, &call));
@@ -105,7 +105,7 @@ impl Emitter<'_> {
 
     pub(super) fn function(&mut self, at: u32, function: RealFunction, single: bool, to: Word, a: Word) {
         self.uses("to_real");
-        self.uses("finite");
+        self.uses("put_real");
         let a = format!("to_real({})", w(a));
         let (outside, value) = match function {
             RealFunction::Abs => ("", format!("fabs({a})")),
@@ -124,7 +124,7 @@ impl Emitter<'_> {
             RealFunction::Rad => ("", format!("{a} * (3.14159265358979323846 / 180.0)")),
             RealFunction::Deg => ("", format!("{a} * (180.0 / 3.14159265358979323846)")),
         };
-        let inside = format!("finite(&{}, {value}, {single})", w(to));
+        let inside = format!("put_real(&{}, {value}, {single})", w(to));
         let call = match outside {
             "" => inside,
             "one" => format!("(fabs({a}) > 1.0 ? FAULT_DOMAIN : {inside})"),
@@ -182,13 +182,13 @@ impl Emitter<'_> {
                 )
             }
             Conversion::IntegerToReal { from: wide, single } => {
-                need(&["finite"]);
+                need(&["put_real"]);
                 let value = if wide == Width::U64 {
                     format!("(double)(uint64_t){from}")
                 } else {
                     format!("(double){from}")
                 };
-                format!("finite(&{to}, {value}, {single})")
+                format!("put_real(&{to}, {value}, {single})")
             }
             Conversion::Round(wide) => {
                 need(&["to_real", "whole"]);
@@ -199,8 +199,8 @@ impl Emitter<'_> {
                 format!("whole(&{to}, trunc(to_real({from})), {})", width(wide))
             }
             Conversion::Single => {
-                need(&["to_real", "finite"]);
-                format!("(finite(&{to}, to_real({from}), true) ? FAULT_RANGE : 0)")
+                need(&["to_real", "put_real"]);
+                format!("(put_real(&{to}, to_real({from}), true) ? FAULT_RANGE : 0)")
             }
             Conversion::Milliseconds(wide) => {
                 need(&["milliseconds"]);
@@ -218,8 +218,8 @@ impl Emitter<'_> {
                 format!("whole(&{to}, nearbyint(to_real({from}) * 1e6), 64)")
             }
             Conversion::TimeToReal { single } => {
-                need(&["finite"]);
-                format!("finite(&{to}, (double){from} / 1e6, {single})")
+                need(&["put_real"]);
+                format!("put_real(&{to}, (double){from} / 1e6, {single})")
             }
             _ => return,
         };

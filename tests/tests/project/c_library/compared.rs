@@ -7,25 +7,80 @@ use std::process::Command;
 use std::sync::Arc;
 
 /// The flags under which a library compiles without a word.
-const STRICT: [&str; 7] = [
+const STRICT: [&str; 8] = [
     "-std=c99",
     "-Wall",
     "-Wextra",
     "-Wpedantic",
     "-Wconversion",
+    "-Wshadow",
     "-Werror",
     "-fsanitize=undefined,address",
 ];
 
 /// The compiler that `CC` names, or the first that is found.
 pub(super) fn compiler() -> Option<String> {
-    let works = |name: &String| Command::new(name).arg("--version").output().is_ok();
-    let named = std::env::var("CC").ok();
-    named
-        .into_iter()
-        .chain(["clang", "gcc", "cc"].map(str::to_owned))
-        .find(works)
+    std::env::var("CC")
+        .ok()
+        .or_else(|| compilers().into_iter().next())
 }
+
+/// All that are found.
+pub(super) fn compilers() -> Vec<String> {
+    let works = |name: &String| Command::new(name).arg("--version").output().is_ok();
+    ["clang", "gcc", "cc"]
+        .map(str::to_owned)
+        .into_iter()
+        .filter(works)
+        .collect()
+}
+
+/// What compilers say of a library under any of the options that people use; nothing if all is well.
+pub(super) fn complaints(folder: &Path, analysis: &Analysis) -> String {
+    let Ok(writing) = ladder_notations::by_name("c")
+        .expect("C is known")
+        .write(analysis)
+    else {
+        return String::new();
+    };
+    let header = &writing.companions[0].name;
+    let source = header.strip_suffix('h').expect("a header").to_owned() + "c";
+    std::fs::write(folder.join(header), &writing.companions[0].bytes).expect("a folder");
+    std::fs::write(folder.join(&source), &writing.bytes).expect("a folder");
+    let mut said = String::new();
+    for compiler in compilers() {
+        for options in OPTIONS {
+            let mut command = Command::new(&compiler);
+            command
+                .current_dir(folder)
+                .args(["-fsyntax-only", &source])
+                .args(*options);
+            let output = command.output().expect("a compiler");
+            if !output.status.success() || !output.stderr.is_empty() {
+                said += &format!(
+                    "{compiler} {options:?}\n{}",
+                    String::from_utf8_lossy(&output.stderr)
+                );
+            }
+        }
+    }
+    said
+}
+
+/// Without any, and all warnings in each of the languages.
+const OPTIONS: &[&[&str]] = &[
+    &[],
+    &[
+        "-std=c99",
+        "-Wall",
+        "-Wextra",
+        "-Wpedantic",
+        "-Wconversion",
+        "-Wshadow",
+    ],
+    &["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Wshadow"],
+    &["-std=gnu17", "-Wall", "-Wextra", "-Wconversion", "-Wshadow"],
+];
 
 fn harness(statements: &str, has_texts: bool) -> String {
     let text = if has_texts {
