@@ -65,4 +65,4 @@ pub use settings::{
 };
 pub use stamp::Stamp;
 pub use text::{decode, read, read_bytes};
-pub use write::{Replacement, write};
+pub use write::{Replacement, write, write_made};

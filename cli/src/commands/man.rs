@@ -49,7 +49,7 @@ pub(crate) fn run(arguments: &Arguments, described: Described) -> Result<Outcome
         }
         for page in &pages {
             let file = file_of(page);
-            ladder_workspace::write(&file, &text(page)?)?;
+            ladder_workspace::write_made(&file, &text(page)?)?;
         }
         terminal::note(&format_args!(
             "{} pages are in {}",

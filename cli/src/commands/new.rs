@@ -148,5 +148,5 @@ fn write_one(file: &Path, text: &str) -> Result<(), Failure> {
         fs::create_dir_all(folder)
             .map_err(|error| Failure::new(format!("{}: cannot be made: {error}", shown::path(folder))))?;
     }
-    Ok(ladder_workspace::write(file, text.as_bytes())?)
+    Ok(ladder_workspace::write_made(file, text.as_bytes())?)
 }

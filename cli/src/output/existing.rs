@@ -4,7 +4,6 @@ use super::made;
 use crate::outcome::Failure;
 use ladder_workspace::{SETTINGS_FILE, is_program, is_scenario, shown};
 use std::ffi::OsStr;
-use std::io;
 use std::path::Path;
 
 /// What may become of it.
@@ -26,13 +25,15 @@ impl Existing {
 /// Looks whether an output file may be written.
 ///
 /// # Errors
-/// It is there, and is a program or something else that no command made.
+/// It is there, and is a program or something else that no command made; or a link, through which nothing is written.
 pub(crate) fn may_write(file: &Path, existing: Existing) -> Result<(), Failure> {
     let failure = |problem: &str| Err(Failure::new(format!("{}: {problem}", shown::path(file))));
+    let is_link = file.symlink_metadata().is_ok_and(|own| own.is_symlink());
+    let link = "this is a link, and nothing is written through it; name another file, or end with --force, which replaces the link";
     let metadata = match file.metadata() {
         Ok(metadata) => metadata,
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
-        // Said when it is written.
+        Err(_) if is_link && existing == Existing::Kept => return failure(link),
+        // There is none; or it is said when it is written.
         Err(_) => return Ok(()),
     };
     // What is not a file (a device, a pipe) is written to as it is, and an empty one holds nothing to lose.
@@ -52,6 +53,9 @@ pub(crate) fn may_write(file: &Path, existing: Existing) -> Result<(), Failure> 
                 "this belongs to a program, and it stays as it is; name another file, or end with --force",
             );
         }
+    }
+    if is_link {
+        return failure(link);
     }
     if metadata.len() == 0 || made::by_a_command(file) {
         return Ok(());

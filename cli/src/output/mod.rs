@@ -25,7 +25,7 @@ impl Output {
         Ok(match file {
             Some(file) if file != Path::new("-") => {
                 may_write(file, existing)?;
-                Output::File(Replacement::of(file)?)
+                Output::File(Replacement::made(file)?)
             }
             _ => Output::Stdout(Stdout::new()),
         })

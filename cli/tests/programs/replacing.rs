@@ -150,6 +150,62 @@ fn a_program_by_another_name() {
     assert_eq!(folder.read("motor.clad"), MOTOR);
 }
 
+/// Whether it leads somewhere or nowhere: the link stays, or a file takes its place; what it leads to is never touched.
+#[cfg(unix)]
+#[test]
+fn nothing_is_written_through_a_link() {
+    use std::os::unix::fs::symlink;
+    for command in [
+        &["convert", "motor.clad", "--to", "st", "-o", "out/link"][..],
+        &["convert", "motor.clad", "--to", "st", "--report", "out/link", "-o", "out/motor.st"],
+        &["render", "motor.clad", "--format", "svg", "-o", "out/link"],
+        &["sim", "motor.clad", "--scans", "1", "-o", "out/link"],
+        &["diff", "motor.clad", "other.clad", "-o", "out/link"],
+    ] {
+        for behind in [None, Some("1,2\n")] {
+            let folder = folder();
+            folder.write("other.clad", MOTOR.replace("run", "ran"));
+            std::fs::create_dir(folder.path("out")).unwrap();
+            if let Some(behind) = behind {
+                folder.write("behind", behind);
+            }
+            symlink("../behind", folder.path("out/link")).unwrap();
+            let run = folder.ladder(command);
+            assert_eq!(run.status, Some(2), "{command:?}: {run}");
+            assert!(run.stderr.contains("out/link: this is a link"), "{run}");
+            assert!(folder.path("out/link").is_symlink());
+            let run = folder.ladder(&[command, &["--force"]].concat());
+            assert_ne!(run.status, Some(2), "{command:?}: {run}");
+            assert!(!folder.path("out/link").is_symlink(), "{command:?}");
+            assert_eq!(folder.path("behind").exists(), behind.is_some(), "{command:?}");
+            assert!(behind.is_none_or(|behind| folder.read("behind") == behind), "{command:?}");
+        }
+    }
+}
+
+/// The files of a project, and what belongs next to a program.
+#[cfg(unix)]
+#[test]
+fn a_project_stays_in_its_folder() {
+    use std::os::unix::fs::symlink;
+    let folder = folder();
+    std::fs::create_dir(folder.path("elsewhere")).unwrap();
+    std::fs::create_dir(folder.path("out")).unwrap();
+    symlink("../elsewhere/motor.h", folder.path("out/motor.h")).unwrap();
+    let run = folder.ladder(&["convert", "motor.clad", "--to", "c", "-o", "out/"]);
+    run.refused_with(
+        "out/motor.h: this is a link, and nothing is written through it; name another file, or end with --force, which replaces the link",
+    );
+    assert!(!folder.path("out/motor.c").exists() && !folder.path("elsewhere/motor.h").exists());
+    let run = folder.ladder(&["convert", "motor.clad", "--to", "c", "-o", "out/", "--force"]);
+    assert_eq!(run.status, Some(0), "{run}");
+    assert!(!folder.path("out/motor.h").is_symlink() && !folder.path("elsewhere/motor.h").exists());
+    assert!(folder.read("out/motor.c").contains("#include \"motor.h\""));
+    let run = folder.ladder(&["convert", "motor.clad", "--to", "c", "-o", "out/other.c"]);
+    assert_eq!(run.status, Some(0), "{run}");
+    assert!(folder.read("out/other.c").contains("#include \"other.h\"") && folder.path("out/other.h").exists());
+}
+
 #[test]
 fn a_recording_replaces_recordings_only() {
     let folder = folder();

@@ -19,21 +19,32 @@ use std::fs::{self, File, Metadata};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Writes a file, all of it or nothing: see [`Replacement`].
+/// Writes a file, all of it or nothing: see [`Replacement::of`].
 ///
 /// # Errors
 /// As for a [`Replacement`].
 pub fn write(path: &Path, content: &[u8]) -> Result<(), FileError> {
-    let mut replacement = Replacement::of(path)?;
-    replacement
-        .write_all(content)
-        .map_err(|error| FileError::writing(path, error))?;
-    replacement.commit()
+    Replacement::of(path)?.filled(content)
+}
+
+/// Writes a file that a command makes, likewise: see [`Replacement::made`].
+///
+/// # Errors
+/// As for a [`Replacement`].
+pub fn write_made(path: &Path, content: &[u8]) -> Result<(), FileError> {
+    Replacement::made(path)?.filled(content)
+}
+
+/// What becomes of a link.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Links {
+    Followed,
+    Replaced,
 }
 
 /// A new content for a file. The old one is there until [`commit`](Replacement::commit), and stays if that is
 /// never called; then the new one is on the disk, not only on its way there. An existing file keeps its mode, its owner
-/// and its other names (hard links), and a link is followed to the file that it means. What is not a file (a pipe,
+/// and its other names (hard links). What is not a file (a pipe,
 /// `/dev/stdout`) is written to as it is.
 #[derive(Debug)]
 pub struct Replacement {
@@ -52,14 +63,30 @@ enum Sink {
 }
 
 impl Replacement {
-    /// Begins to write.
+    /// Begins to write a file that someone edits: a link is followed to the file that it means.
     ///
     /// # Errors
     /// The file is write-protected, is a folder, or the operating system refuses.
     pub fn of(path: &Path) -> Result<Replacement, FileError> {
+        Replacement::begin(path, Links::Followed)
+    }
+
+    /// Begins to write a file that a command makes: a file takes the place of a link, and what that leads to stays as it is. A
+    /// link to a device or a pipe is followed, for nothing is lost there.
+    ///
+    /// # Errors
+    /// As for [`Replacement::of`].
+    pub fn made(path: &Path) -> Result<Replacement, FileError> {
+        Replacement::begin(path, Links::Replaced)
+    }
+
+    fn begin(path: &Path, links: Links) -> Result<Replacement, FileError> {
+        let is_link = || fs::symlink_metadata(path).is_ok_and(|own| own.is_symlink());
+        let replaces_link = links == Links::Replaced && is_link();
         let there = match fs::metadata(path) {
+            Ok(metadata) if replaces_link && metadata.is_file() => None,
             Ok(metadata) => Some(metadata),
-            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+            Err(error) if replaces_link || error.kind() == io::ErrorKind::NotFound => None,
             Err(error) => return Err(FileError::writing(path, error)),
         };
         let sink = match there.as_ref() {
@@ -69,6 +96,7 @@ impl Replacement {
             Some(there) if there.permissions().readonly() => {
                 return Err(FileError::new(path, Problem::ReadOnly));
             }
+            None if replaces_link => sink(path.to_owned(), None),
             there => target(path).and_then(|target| sink(target, there)),
         };
         let sink = sink.map_err(|error| FileError::writing(path, error))?;
@@ -76,6 +104,12 @@ impl Replacement {
             path: path.to_owned(),
             sink,
         })
+    }
+
+    fn filled(mut self, content: &[u8]) -> Result<(), FileError> {
+        self.write_all(content)
+            .map_err(|error| FileError::writing(&self.path, error))?;
+        self.commit()
     }
 
     /// Puts what was written in the file's place.

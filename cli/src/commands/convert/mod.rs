@@ -14,7 +14,7 @@ use ladder_notations::{Companion, Foreign, Notation, write_checked};
 use ladder_workspace::shown;
 use report::{Account, Side};
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 use target::{Job, jobs};
 
@@ -117,6 +117,7 @@ fn convert(job: &Job, existing: Existing) -> Result<(Account, Outcome), Failure>
         }
     };
     if let (Form::Ladder, Some(folder), false) = (job.to, &job.folder, files.is_empty()) {
+        make_folder(folder, &job.root)?;
         write_project(folder, &files, existing)?;
         let outcome = account.outcome();
         return Ok((account, outcome));
@@ -142,7 +143,7 @@ fn convert(job: &Job, existing: Existing) -> Result<(Account, Outcome), Failure>
         }
     };
     if let (Some(folder), Some(_)) = (job.output.as_deref().and_then(Path::parent), &job.folder) {
-        make_folder(folder)?;
+        make_folder(folder, &job.root)?;
     }
     write(job.output.as_deref(), &bytes, &next_to, existing)?;
     let outcome = account.outcome();
@@ -175,8 +176,14 @@ fn write(
             continue;
         };
         let path = output.with_file_name(&companion.name);
-        if let (Some(folder), true) = (path.parent(), companion.name.contains('/')) {
-            make_folder(folder)?;
+        if path == output {
+            return Err(Failure::new(format!(
+                "{}: what belongs next to this program is called so; name the program otherwise",
+                shown::path(&path)
+            )));
+        }
+        if let (Some(folder), Some(root)) = (path.parent(), output.parent()) {
+            make_folder(folder, root)?;
         }
         files.extend(open(Some(&path), &companion.bytes, existing)?);
     }
@@ -185,10 +192,19 @@ fn write(
 
 /// Writes the files of a project into a folder. Nothing is written if one of them may not be.
 fn write_project(folder: &Path, files: &[Companion], existing: Existing) -> Result<(), Failure> {
-    make_folder(folder)?;
     let mut opened = Vec::new();
     for file in files {
-        opened.extend(open(Some(&folder.join(&file.name)), &file.bytes, existing)?);
+        let mut parts = Path::new(&file.name).components();
+        if !parts.all(|part| matches!(part, Component::Normal(_))) {
+            let name = shown::line(&file.name);
+            return Err(Failure::new(format!(
+                "{name}: a file of this name would not be in {}",
+                shown::path(folder)
+            )));
+        }
+        let path = folder.join(&file.name);
+        make_folder(path.parent().unwrap_or(folder), folder)?;
+        opened.extend(open(Some(&path), &file.bytes, existing)?);
     }
     finish(opened)
 }
@@ -201,7 +217,7 @@ fn open<'b>(
     existing: Existing,
 ) -> Result<Option<(Output, &'b [u8])>, Failure> {
     let has_as_many = |file: &Path| {
-        let there = file.metadata();
+        let there = file.symlink_metadata();
         there.is_ok_and(|there| there.is_file() && there.len() == bytes.len() as u64)
     };
     let has_them = |file: &Path| has_as_many(file) && std::fs::read(file).is_ok_and(|there| there == bytes);
@@ -211,8 +227,19 @@ fn open<'b>(
     Ok(Some((Output::open(output, existing)?, bytes)))
 }
 
-/// Makes a folder, and those that it is in.
-fn make_folder(folder: &Path) -> Result<(), Failure> {
+/// Makes a folder, and those that it is in. Of those inside of `root` none is a link: nothing is made elsewhere.
+fn make_folder(folder: &Path, root: &Path) -> Result<(), Failure> {
+    let mut inner = folder.ancestors().take_while(|inner| *inner != root);
+    let is_link = |inner: &&Path| inner.symlink_metadata().is_ok_and(|found| found.is_symlink());
+    if let Some(link) = inner.find(is_link) {
+        return Err(Failure::new(format!(
+            "{}: this is a link, and nothing is written through it; remove it, or name another folder with -o",
+            shown::path(link)
+        )));
+    }
+    if folder == Path::new("") {
+        return Ok(());
+    }
     std::fs::create_dir_all(folder).map_err(|error| {
         let why = match error.kind() {
             std::io::ErrorKind::AlreadyExists | std::io::ErrorKind::NotADirectory => {

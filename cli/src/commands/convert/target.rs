@@ -17,6 +17,8 @@ pub(super) struct Job {
     pub(super) output: Option<PathBuf>,
     /// Where the files of a project go, if it is one.
     pub(super) folder: Option<PathBuf>,
+    /// The folder that was named for the output: nothing is written outside of it.
+    pub(super) root: PathBuf,
 }
 
 /// The programs that the inputs stand for. What is wrong with single ones has been reported, and is in the outcome.
@@ -151,6 +153,7 @@ fn job(
         )));
     };
     let output = output.filter(|output| *output != Path::new("-"));
+    let root = output.unwrap_or(Path::new("")).to_owned();
     let stem = input.file_stem().unwrap_or_default();
     let own_folder = match folder {
         Some(folder) => Some(folder.join(stem)),
@@ -173,6 +176,7 @@ fn job(
         to,
         output,
         folder: own_folder,
+        root,
     }))
 }
 

@@ -77,6 +77,6 @@ pub(super) fn write(file: &Path, compared: &[Compared<'_>]) -> Result<(), Failur
         return Ok(());
     };
     let text = scenario_file(&program.to_string_lossy(), run.interval, &[scenario]);
-    ladder_workspace::write(file, text.as_bytes())?;
+    ladder_workspace::write_made(file, text.as_bytes())?;
     Ok(())
 }

@@ -195,6 +195,6 @@ fn write_runs(file: &Path, all: &[FileAnswers]) -> Result<(), Failure> {
         )));
     }
     let text = ladder_prover::scenario_file(&answers.program, answers.interval, &answers.scenarios());
-    ladder_workspace::write(file, text.as_bytes())?;
+    ladder_workspace::write_made(file, text.as_bytes())?;
     Ok(())
 }

@@ -200,9 +200,9 @@ fn write(arguments: &Arguments, format: Format, bytes: &[u8]) -> Result<(), Fail
         // So that it is known for what it is when it is drawn again.
         Some(file) if format == Format::Text => {
             let signed = [bytes, b"\n", DRAWN_BY.as_bytes(), b" #\n"].concat();
-            ladder_workspace::write(file, &signed)?;
+            ladder_workspace::write_made(file, &signed)?;
         }
-        Some(file) => ladder_workspace::write(file, bytes)?,
+        Some(file) => ladder_workspace::write_made(file, bytes)?,
         None => {
             let mut out = Stdout::new();
             match format {

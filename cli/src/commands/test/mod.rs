@@ -244,7 +244,7 @@ fn run_files(arguments: &Arguments) -> Result<Round, Failure> {
         }
     }
     if let Some(file) = &arguments.coverage_output {
-        ladder_workspace::write(file, lcov::text(&covered).as_bytes())?;
+        ladder_workspace::write_made(file, lcov::text(&covered).as_bytes())?;
     }
     Ok(Round {
         outcome,

@@ -139,7 +139,10 @@ impl Mutated {
             text.push_str(line_end);
             text.push_str(&scenario.replace('\n', line_end));
         }
-        ladder_workspace::write(&file, text.as_bytes())?;
+        match target {
+            Target::InPlace if file.exists() => ladder_workspace::write(&file, text.as_bytes())?,
+            _ => ladder_workspace::write_made(&file, text.as_bytes())?,
+        }
         Ok(file)
     }
 }
