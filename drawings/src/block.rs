@@ -1,7 +1,7 @@
 //! Blocks: what is written in a box, or between the brackets of one, as a block of ladder text.
 
 use crate::operand::{Operands, duration};
-use ladder_instructions::{Accepts, Instruction, Presence, Shape, lookup};
+use ladder_instructions::{Accepts, Instruction, Operand, Presence, Shape, lookup};
 
 /// What is given to a block, by what it is called there.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -99,16 +99,25 @@ pub(crate) fn written(
                 _ => return Err(format!("its operand {} is not in the drawing", operand.name)),
             }
         };
-        let text = match operand.accepts {
-            Accepts::State(_) => operands.tag(&value),
-            Accepts::Duration => with_base(&value, time_base.as_deref()).or_else(|| operands.time(&value)),
-            _ => operands.value(&value),
-        };
-        let text = text.ok_or_else(|| format!("`{value}` is no name and no value"))?;
+        let text = self::text(operand, &value, time_base.as_deref(), operands)?;
         texts.push(match operand.presence {
             Presence::Named => format!("{} := {text}", operand.name),
             _ => text,
         });
+        let Presence::Repeated { group, .. } = operand.presence else {
+            continue;
+        };
+        let is_last = row.operands.get(number + 1).map(|next| next.presence) != Some(operand.presence);
+        let group = &row.operands[(number + 1).saturating_sub(usize::from(group))..=number];
+        // They come again as often as they are given.
+        for operand in group.iter().cycle().take_while(|_| is_last) {
+            let is_it = |it: &Given| it.name.is_empty() || is_called(operand.name, &it.name);
+            let Some(at) = given.iter().position(is_it) else {
+                break;
+            };
+            let value = given.remove(at).value;
+            texts.push(self::text(operand, &value, None, operands)?);
+        }
     }
     given.retain(|it| !is_shown(it));
     if let Some(more) = given.first() {
@@ -123,6 +132,22 @@ pub(crate) fn written(
         [] => Ok(format!("[{}]", row.mnemonic)),
         _ => Ok(format!("[{}]( {} )", row.mnemonic, texts.join(", "))),
     }
+}
+
+/// An operand of ladder text.
+fn text(
+    operand: &Operand,
+    value: &str,
+    time_base: Option<&str>,
+    operands: &mut Operands,
+) -> Result<String, String> {
+    let text = match operand.accepts {
+        Accepts::State(_) => operands.tag(value),
+        Accepts::Duration => with_base(value, time_base).or_else(|| operands.time(value)),
+        Accepts::Expression => operands.expression(value),
+        _ => operands.value(value),
+    };
+    text.ok_or_else(|| format!("`{value}` is not a name or a value"))
 }
 
 /// What a box only shows: names of its power, and how far it has come, which begins with 0.
@@ -308,7 +333,7 @@ pub(crate) fn boxed(edge: &str, inside: &[String]) -> Result<Boxed, String> {
         if is_title(line, number) {
             Vec::new()
         } else {
-            labelled(line)
+            labelled(line, row)
         }
     });
     Ok(Boxed {
@@ -318,7 +343,7 @@ pub(crate) fn boxed(edge: &str, inside: &[String]) -> Result<Boxed, String> {
 }
 
 /// `PT   ET`, `PT T#5s`, `Source A  count`, `Preset 5`: a name with its value, or pins, whose values are next to the box.
-fn labelled(line: &str) -> Vec<Given> {
+fn labelled(line: &str, row: &Instruction) -> Vec<Given> {
     let given = |name: &str, value: &str| Given {
         name: name.trim().trim_end_matches(NAMES_END).trim().to_owned(),
         value: value.trim().to_owned(),
@@ -333,6 +358,10 @@ fn labelled(line: &str) -> Vec<Given> {
             own.eq_ignore_ascii_case(text) || others.iter().any(|other| other.eq_ignore_ascii_case(text))
         });
         called
+            || row
+                .operands
+                .iter()
+                .any(|operand| operand.name.eq_ignore_ascii_case(text))
             || text.eq_ignore_ascii_case("TIME BASE")
             || SHOWN.iter().any(|shown| shown.eq_ignore_ascii_case(text))
     };

@@ -164,7 +164,7 @@ pub(crate) fn flow(inside: &str, operands: &mut Operands) -> Result<String, Stri
         return Ok(row.block());
     }
     let operand = operands.value(rest);
-    let operand = operand.ok_or_else(|| format!("`{}` is no name and no value", rest.trim()))?;
+    let operand = operand.ok_or_else(|| format!("`{}` is not a name or a value", rest.trim()))?;
     Ok(format!("{}( {operand} )", row.block()))
 }
 

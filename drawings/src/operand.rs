@@ -1,7 +1,7 @@
 //! Names and values of a drawing as operands of ladder text.
 
 use ladder_format::names::Names;
-use ladder_syntax::{is_identifier, is_reserved};
+use ladder_syntax::{SyntaxKind, is_identifier, is_reserved, parse};
 
 /// The members of timers and counters that controllers call with `/` too: `T4:0/DN`.
 const MEMBERS: [&str; 10] = ["EN", "TT", "DN", "CU", "CD", "ACC", "PRE", "Q", "ET", "CV"];
@@ -20,7 +20,13 @@ impl Operands {
         if let Some(address) = written.strip_prefix('%') {
             return address_of(address);
         }
-        if is_path(written) {
+        let is_part = || {
+            matches!(
+                kind(written),
+                Some(SyntaxKind::INDEX_EXPR | SyntaxKind::MEMBER_EXPR)
+            )
+        };
+        if is_path(written) || written.contains(['[', '.']) && is_part() {
             return Some(written.to_owned());
         }
         if !written.chars().any(char::is_alphabetic) || written.contains(['=', '<', '>', '"', '\'']) {
@@ -37,10 +43,18 @@ impl Operands {
     /// A tag or a number. None: it is neither.
     pub(crate) fn value(&mut self, written: &str) -> Option<String> {
         let written = written.trim();
-        if is_number(written) || duration(written).is_some() {
+        if is_number(written) || duration(written).is_some() || is_literal(written) {
             return Some(written.to_owned());
         }
         self.tag(written)
+    }
+
+    /// What is calculated, or a value.
+    pub(crate) fn expression(&mut self, written: &str) -> Option<String> {
+        match kind(written) {
+            Some(_) => Some(written.trim().to_owned()),
+            None => self.value(written),
+        }
     }
 
     /// A tag or a time: `T#5s`, `5 s`, `5000` (milliseconds).
@@ -123,6 +137,37 @@ fn is_number(written: &str) -> bool {
     is_decimal || radix(digits).unwrap_or(false)
 }
 
+/// What an operand of ladder text is that is written so.
+fn kind(written: &str) -> Option<SyntaxKind> {
+    if written.contains(['\n', '\r']) {
+        return None;
+    }
+    let parsed = parse(&format!("+--[CALC]( y, {written} )--+"));
+    let line = parsed.lines().first().filter(|line| line.errors.is_empty())?;
+    let tree = line.syntax();
+    let list = tree
+        .descendants()
+        .find(|node| node.kind() == SyntaxKind::OPERAND_LIST)?;
+    let mut operands = list.children().skip(1);
+    let operand = operands
+        .next()
+        .filter(|operand| operand.text() == written.trim())?;
+    operands.next().is_none().then(|| operand.kind())
+}
+
+/// `-1.5e-3`, `INT#-5`, `T#-5s`, `TRUE`, `'text'`.
+fn is_literal(written: &str) -> bool {
+    let digits = written.strip_prefix('-').unwrap_or(written).trim_start();
+    let is_plain = || {
+        let number = digits.replace('_', "");
+        number.starts_with(|c: char| c.is_ascii_digit()) && number.parse::<f64>().is_ok()
+    };
+    let is_word = ["TRUE", "FALSE"]
+        .iter()
+        .any(|word| word.eq_ignore_ascii_case(written));
+    (is_word || digits.contains(['#', '\'']) || is_plain()) && kind(digits) == Some(SyntaxKind::LITERAL_EXPR)
+}
+
 /// `T#5s`, `TIME#1h30m`, `5 s`, `2.5sec`, `10 min`.
 pub(crate) fn duration(written: &str) -> Option<String> {
     let lower = written.trim().to_ascii_lowercase();
@@ -191,6 +236,19 @@ mod tests {
             assert_eq!(operands.time(written).as_deref(), expected, "{written}");
         }
         assert_eq!(operands.value("16#FF").as_deref(), Some("16#FF"));
-        assert_eq!(operands.value("-2.5").as_deref(), Some("-2.5"));
+        for written in [
+            "-2.5",
+            "-1.5e-3",
+            "INT#-5",
+            "T#-5s",
+            "-16#FF",
+            "a[-3]",
+            "a[i - 1, -2].b",
+            "'it$'s'",
+            "FALSE",
+        ] {
+            assert_eq!(operands.value(written).as_deref(), Some(written));
+        }
+        assert_eq!(operands.expression("-a + 3 * -b").as_deref(), Some("-a + 3 * -b"));
     }
 }

@@ -5,6 +5,7 @@ use crate::frame::Frame;
 use crate::marks::{Mark, Marks};
 use crate::operand::Operands;
 use crate::sheet::{Sheet, is_wire};
+use crate::text::is_sign;
 use crate::wires::Wires;
 
 /// What is next to a box.
@@ -133,8 +134,9 @@ fn comes(sheet: &Sheet, line: usize, column: usize) -> bool {
     is_wire(sheet.at(line, column)) || matches!(sheet.at(line, column), ')' | ']' | '(' | '[')
 }
 
-fn is_value(c: char) -> bool {
-    c.is_alphanumeric() || "_#.:%/".contains(c)
+fn is_value(sheet: &Sheet, line: usize, column: usize) -> bool {
+    let c = sheet.at(line, column);
+    c.is_alphanumeric() || "_#.:%/".contains(c) || is_sign(sheet, line, column)
 }
 
 /// The value at the left of a box, with its wire: `5s──┤PT`.
@@ -147,7 +149,7 @@ fn value_before(sheet: &Sheet, marks: &mut Marks, line: usize, left: usize) -> O
     let long = (0..end)
         .rev()
         .take(LONGEST)
-        .take_while(|&column| is_value(sheet.at(line, column)))
+        .take_while(|&column| is_value(sheet, line, column))
         .count();
     let from = end - long;
     let is_free = from
@@ -194,7 +196,7 @@ fn value_after(
     }
     let long = (from..sheet.width(line))
         .take(LONGEST)
-        .take_while(|&column| is_value(sheet.at(line, column)))
+        .take_while(|&column| is_value(sheet, line, column))
         .count();
     if long == 0
         || wire == 0

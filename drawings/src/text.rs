@@ -24,11 +24,24 @@ pub(crate) fn is_text(sheet: &Sheet, marks: &Marks, line: usize, column: usize) 
     arms(c).is_none()
 }
 
-/// A dash between two letters or digits.
+/// A dash between two letters or digits, or a sign.
 pub(crate) fn is_hyphen(sheet: &Sheet, line: usize, column: usize) -> bool {
     let is_letter =
         |column: Option<usize>| column.is_some_and(|column| sheet.at(line, column).is_alphanumeric());
-    sheet.at(line, column) == '-' && is_letter(column.checked_sub(1)) && is_letter(Some(column + 1))
+    let is_between = is_letter(column.checked_sub(1)) && is_letter(Some(column + 1));
+    sheet.at(line, column) == '-' && is_between || is_sign(sheet, line, column)
+}
+
+/// The minus of a number or an index: `-7`, `T#-5s`, `a[-k]`. A dash after something that is drawn is wire.
+pub(crate) fn is_sign(sheet: &Sheet, line: usize, column: usize) -> bool {
+    let before = column.checked_sub(1).map_or(' ', |before| sheet.at(line, before));
+    let after = sheet.at(line, column + 1);
+    sheet.at(line, column) == '-'
+        && match before {
+            ' ' | '#' => after.is_ascii_digit(),
+            '[' | ',' => after.is_alphanumeric(),
+            _ => false,
+        }
 }
 
 /// All phrases of a line.

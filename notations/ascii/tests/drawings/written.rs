@@ -138,3 +138,50 @@ fn the_program_flow() {
         "#]],
     );
 }
+
+/// Numbers with their signs, in every place of an operand: what is drawn is read as the same program.
+#[test]
+fn operands_come_back() {
+    let numbers = ["-7", "7", "-1_000", "INT#-5", "-32768", "16#FF"];
+    let reals = ["-1.5", "2.25e-3", "-1.5e-3", "-0.001", "REAL#-2.5"];
+    let times = ["T#-5s", "T#1h30m", "T#-1m30s", "T#250ms"];
+    let blocks = |value: &str, of: &str| {
+        [
+            format!("[LE]( {of}1, {value} )"),
+            format!("[GT]( {value}, {of}1 )"),
+            format!("[EQ]( {of}1, {of}2, {value} )"),
+            format!("[MOV]( {of}1, {value} )"),
+            format!("[LIMIT]( {of}1, {value}, {of}2, {value} )"),
+            format!("[SEL]( {of}1, go, {value}, {of}2 )"),
+        ]
+    };
+    let sums = |value: &str, of: &str| {
+        [
+            format!("[ADD]( {of}1, {of}2, {value} )"),
+            format!("[SUB]( {of}1, {value}, {of}2, {value} )"),
+            format!("[CALC]( {of}1, -{of}2 + {value} * -({of}1 - {value}) )"),
+        ]
+    };
+    let of = |values: &[&str], name: &str, adds: bool| -> Vec<String> {
+        let all = values.iter().flat_map(|value| {
+            let sums = adds.then(|| sums(value, name)).into_iter().flatten();
+            blocks(value, name).into_iter().chain(sums).collect::<Vec<_>>()
+        });
+        all.collect()
+    };
+    let all = [
+        of(&numbers, "n", true),
+        of(&reals, "x", true),
+        of(&times, "d", false),
+    ]
+    .concat();
+    let all = all
+        .into_iter()
+        .chain(["[TON]( t, T#5s )".into(), "[LUT]( n1, n2, -1, 2, -3 )".into()]);
+    for block in all {
+        let program = format!("+--[ ]( go )--{block}--( )( out )--+\n");
+        let laid_out = ladder_format::format_text(&program, &ladder_format::Options::default());
+        let drawn = drawn(&program);
+        assert_eq!(read(&drawn), laid_out, "{drawn}");
+    }
+}
