@@ -29,6 +29,15 @@ impl Value {
     }
 }
 
+/// A real in the shortest form that reads back the same, always with a point or an exponent. A REAL is shortest among 32-bit
+/// numbers: `0.1`, not `0.10000000149011612`.
+pub fn real_text(real: f64, ty: Scalar) -> String {
+    match ty {
+        Scalar::Real => format!("{:?}", real as f32),
+        _ => format!("{real:?}"),
+    }
+}
+
 /// Brings a whole number into the width of an integer or bit-string type: two's complement, as integer
 /// arithmetic wraps.
 pub const fn wrap(value: i64, ty: Scalar) -> i64 {

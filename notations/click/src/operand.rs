@@ -3,6 +3,8 @@
 use super::bank::Kind;
 use super::model::{Constant, Operand};
 use super::tags::Tags;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::real_text;
 
 /// What a value is, if it is not a constant.
 pub(super) fn kind(operand: &Operand) -> Option<Kind> {
@@ -65,6 +67,14 @@ fn real(number: f64) -> String {
         Some(at) if !text.contains('.') => format!("{}.0{}", &text[..at], &text[at..]),
         _ => text,
     }
+}
+
+/// A REAL of a program as a number whose decimals are the fewest that read back the same.
+pub(super) fn shortest(number: f64) -> f64 {
+    if f64::from(number as f32) == number {
+        return real_text(number, Scalar::Real).parse().unwrap_or(number);
+    }
+    number
 }
 
 /// A string of ladder text. What is not a printable ASCII is given by its code.

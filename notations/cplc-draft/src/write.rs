@@ -6,7 +6,7 @@ use ladder_analysis::program::{
     Argument, Block, BlockKind, Expr, ExprKind, Member, Place as Operand, Program, Role, Tag, TagId,
 };
 use ladder_analysis::values::types::{Scalar, Type};
-use ladder_analysis::values::value::Value;
+use ladder_analysis::values::value::{Value, real_text};
 use ladder_format::{ElementKind, Options, Sketch, display_width};
 use ladder_instructions::Op;
 use ladder_notation::{LineColumn, Lines, Report, WriteError, Writing, comments, no_program};
@@ -238,7 +238,7 @@ impl Writer<'_> {
                 }
             }
             ExprKind::Constant(Value::Int(number)) => Ok(number.to_string()),
-            ExprKind::Constant(Value::Real(number)) => Ok(format!("{number:?}")),
+            ExprKind::Constant(Value::Real(number)) => Ok(real_text(*number, value.ty)),
             _ => Err("the draft has single tags and numbers as operands".to_owned()),
         }
     }

@@ -8,7 +8,7 @@ use ladder_analysis::program::{
     Argument, Block, BlockKind, Expr, ExprKind, Member, Network, Place as Operand, Program, SystemTag, TagId,
 };
 use ladder_analysis::values::types::Scalar;
-use ladder_analysis::values::value::Value;
+use ladder_analysis::values::value::{Value, real_text};
 use ladder_format::Circuit;
 use ladder_instructions::{Op, Profile};
 use ladder_notation::circuit::series_parallel;
@@ -371,7 +371,7 @@ fn literal(value: &Value, ty: Scalar) -> Result<String, String> {
         Value::Bool(on) => Ok(u8::from(*on).to_string()),
         Value::Int(_) if ty == Scalar::Time => Err("there a time is a plain count".to_owned()),
         Value::Int(number) if i32::try_from(*number).is_ok() => Ok(number.to_string()),
-        Value::Real(number) => Ok(format!("{number:?}")),
+        Value::Real(number) => Ok(real_text(*number, ty)),
         _ => Err("there are only numbers of 32 bits there".to_owned()),
     }
 }

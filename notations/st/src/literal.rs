@@ -1,7 +1,7 @@
 //! Values as Structured Text writes them.
 
 use ladder_analysis::values::types::Scalar;
-use ladder_analysis::values::value::Value;
+use ladder_analysis::values::value::{Value, real_text};
 
 /// A constant of a type that is no enumeration.
 pub(crate) fn literal(value: &Value, ty: Scalar) -> String {
@@ -28,10 +28,7 @@ fn whole(number: i64, ty: Scalar) -> String {
 }
 
 fn real_number(real: f64, ty: Scalar) -> String {
-    let text = match ty {
-        Scalar::Real => format!("{:?}", real as f32),
-        _ => format!("{real:?}"),
-    };
+    let text = real_text(real, ty);
     // An exponent follows a point.
     match text.split_once('e') {
         Some((digits, exponent)) if !digits.contains('.') => format!("{digits}.0E{exponent}"),

@@ -3,6 +3,7 @@
 use super::super::address::{Address, Tag, Which};
 use super::super::bank::{Bank, Kind};
 use super::super::model::{Action, Constant, Instruction, Nickname, Operand, Program};
+use super::super::operand::shortest;
 use super::super::ranges::is_of_blocks;
 use ladder_analysis::program::{self as ladder, Role, TagId};
 use ladder_analysis::values::types::{Scalar, Type};
@@ -144,7 +145,7 @@ fn initial(value: &Value, kind: Kind) -> Option<Constant> {
             u32::try_from(*number).ok().filter(|bits| *bits != 0)?,
         )),
         (Value::Int(number), _) if *number != 0 => Some(Constant::Int(*number)),
-        (Value::Real(number), _) if *number != 0.0 => Some(Constant::Float(*number)),
+        (Value::Real(number), _) if *number != 0.0 => Some(Constant::Float(shortest(*number))),
         (Value::Text(text), _) if !text.is_empty() => {
             Some(Constant::Text(String::from_utf8(text.to_vec()).ok()?))
         }

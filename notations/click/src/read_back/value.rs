@@ -5,6 +5,7 @@ use super::meaning::Meaning;
 use crate::address::{Span, Tag};
 use crate::bank::Bank;
 use crate::model::{Bits, Constant, Formula, Function, Operand, Operator, Pointer};
+use crate::operand::shortest;
 use crate::tags::system_number;
 use ladder_analysis::program::{
     Argument, BinaryOperator, Bound, Expr, ExprKind, Member, Place, RangeRef, TagId, UnaryOperator,
@@ -152,7 +153,7 @@ impl Back<'_> {
             Value::Real(_) if written.parse::<f64>().is_ok() => {
                 Constant::Float(written.parse().unwrap_or(0.0))
             }
-            Value::Real(number) => Constant::Float(*number),
+            Value::Real(number) => Constant::Float(shortest(*number)),
             Value::Text(bytes) if bytes.is_ascii() => {
                 Constant::Text(String::from_utf8_lossy(bytes).into_owned())
             }

@@ -9,7 +9,7 @@ use ladder_analysis::names::scope::{Origin, Scope, SectionKind, TagFacts};
 use ladder_analysis::program::ParameterKind;
 use ladder_analysis::values::compound::{Compound, Structure};
 use ladder_analysis::values::types::{Scalar, Type};
-use ladder_analysis::values::value::Value;
+use ladder_analysis::values::value::{Value, real_text};
 use ladder_instructions::StateType;
 use ladder_notation::comments;
 use ladder_syntax::ast::{AstNode, NodeView, StructHeader};
@@ -46,8 +46,7 @@ pub(super) fn number_of(value: Option<&Value>, scalar: Option<Scalar>) -> Result
         (Some(Value::Int(span)), Some(Scalar::Time)) => milliseconds(*span)?.to_string(),
         (Some(Value::Int(number)), Some(Scalar::Ulint | Scalar::Lword)) => (*number as u64).to_string(),
         (Some(Value::Int(number)), _) => number.to_string(),
-        (Some(Value::Real(number)), Some(Scalar::Real)) => format!("{:?}", *number as f32),
-        (Some(Value::Real(number)), _) => format!("{number:?}"),
+        (Some(Value::Real(number)), scalar) => real_text(*number, scalar.unwrap_or(Scalar::Lreal)),
         (_, Some(scalar)) if scalar.is_real() => "0.0".to_owned(),
         _ => "0".to_owned(),
     })

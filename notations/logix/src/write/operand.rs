@@ -5,7 +5,7 @@ use super::rung::{Piece, Series, branch, it};
 use super::{Result, Writer};
 use ladder_analysis::program::{BinaryOperator, Expr, ExprKind, Member, Place, SystemTag, UnaryOperator};
 use ladder_analysis::values::types::{Scalar, Type};
-use ladder_analysis::values::value::Value;
+use ladder_analysis::values::value::{Value, real_text};
 use ladder_instructions::{Op, StateType};
 use ladder_syntax::TextRange;
 
@@ -138,7 +138,7 @@ impl Writer<'_> {
             Value::Int(span) if expr.ty == Scalar::Time => milliseconds(*span)?.to_string(),
             Value::Int(_) if expr.ty.is_date() => return Err("there are no dates there".to_owned()),
             Value::Int(number) => number.to_string(),
-            Value::Real(number) => format!("{number:?}"),
+            Value::Real(number) => real_text(*number, expr.ty),
             Value::Text(_) => written.to_owned(),
         })
     }

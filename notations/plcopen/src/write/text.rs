@@ -6,7 +6,7 @@ use ladder_analysis::networks::facts::{Node, NodeKind, Operator};
 use ladder_analysis::program::{BinaryOperator, Expr, ExprKind, Member, Place, SystemTag, UnaryOperator};
 use ladder_analysis::values::compound::Compound;
 use ladder_analysis::values::types::{Scalar, Type};
-use ladder_analysis::values::value::Value;
+use ladder_analysis::values::value::{Value, real_text};
 use ladder_instructions::Op;
 use ladder_syntax::{TextRange, TextSize};
 
@@ -382,7 +382,7 @@ pub(super) fn value(value: &Value, ty: Scalar) -> Result<String, String> {
         }
         (Value::Int(number), Scalar::Lword | Scalar::Ulint) => (*number as u64).to_string(),
         (Value::Int(number), _) => number.to_string(),
-        (Value::Real(number), _) => format!("{number:?}"),
+        (Value::Real(number), _) => real_text(*number, ty),
         (Value::Text(bytes), _) => {
             let mut out = String::from("'");
             for c in String::from_utf8_lossy(bytes).chars() {
