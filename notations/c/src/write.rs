@@ -69,7 +69,8 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
             "{place}a C library does not have {what}; take this block out, or write the program in another notation"
         )));
     }
-    let file = program.files.first().map_or("program", String::as_str);
+    // The file that is written may be called otherwise than the program.
+    let file = &*analysis.context.name;
     let file = file.strip_suffix(".clad").unwrap_or(file);
     let stem = file.rsplit('/').next().unwrap_or(file);
     let name = names::library(stem);
