@@ -113,10 +113,10 @@ fn two_edits_of_one_network() {
 
         # <<<<<<< ours #
         # The second #
-        +--[ ]( one )------------------[TON]( t, 6s )--( )( two )--+
+        +--[ ]( one )--[TON]( t, 6s )--( )( two )--+
         # ======= #
         # The second #
-        +--[ ]( one )------------------[TON]( t, 7s )--( )( two )--+
+        +--[ ]( one )--[TON]( t, 7s )--( )( two )--+
         # >>>>>>> theirs #
 
         +--[ ]( halt )---------------------------------( )( off )--+
@@ -151,7 +151,7 @@ fn an_edit_of_what_the_other_side_removed() {
 
         # <<<<<<< ours: removed #
         # ======= #
-        +--[/]( stop )---------------------------------( )( off )--+
+        +--[/]( stop )--( )( off )--+
         # >>>>>>> theirs #
         conflict: ours removed, and theirs edited, the network that writes off
     "#]],
@@ -177,7 +177,7 @@ fn an_edit_of_what_the_other_side_removed() {
         +--[ ]( one )------------------[TON]( t, 5s )--( )( two )--+
 
         # <<<<<<< ours #
-        +--[/]( stop )---------------------------------( )( off )--+
+        +--[/]( stop )--( )( off )--+
         # ======= #
         # >>>>>>> theirs: removed #
         conflict: theirs removed, and ours edited, the network that writes off
@@ -200,11 +200,12 @@ fn two_edits_of_one_declaration() {
             start, stop : BOOL;
         END_VAR
         VAR
-            # <<<<<<< ours #
+
+        # <<<<<<< ours #
             t : TOF;
-            # ======= #
+        # ======= #
             t : TP;
-            # >>>>>>> theirs #
+        # >>>>>>> theirs #
         END_VAR
 
         # The first #
@@ -361,9 +362,9 @@ fn both_add_the_same_and_something_of_one_name() {
         +--[ ]( a )-----------------------------------( )( lamp )--+
 
         # <<<<<<< ours #
-        +--[ ]( b )-----------------------------------( )( horn )--+
+        +--[ ]( b )--( )( horn )--+
         # ======= #
-        +--[ ]( c )-----------------------------------( )( horn )--+
+        +--[ ]( c )--( )( horn )--+
         # >>>>>>> theirs #
         conflict: both sides added the network that writes horn
     "#]],
@@ -430,10 +431,10 @@ fn comments_that_both_changed() {
 
         # <<<<<<< ours #
         # Pump 1 #
-        +--[ ]( start )--------------------------------( )( one )--+
+        +--[ ]( start )--( )( one )--+
         # ======= #
         # P1 #
-        +--[ ]( start )--------------------------------( )( one )--+
+        +--[ ]( start )--( )( one )--+
         # >>>>>>> theirs #
 
         # The second #
