@@ -243,6 +243,9 @@ pub fn unread_operands(literal: &str) -> String {
     text
 }
 
+/// No name is made of more bytes: it is drawn wherever it is used.
+const LONGEST_NAME: usize = 100;
+
 /// A name as that of a block, with its `$`: letters and digits, a letter first. Words are told apart by capitals.
 fn block_name(name: &str) -> String {
     let words = name.split(|c: char| !c.is_ascii_alphanumeric());
@@ -256,6 +259,7 @@ fn block_name(name: &str) -> String {
         }
         word.push_str(rest);
     }
+    word.truncate(LONGEST_NAME);
     if !word.starts_with(|c: char| c.is_ascii_alphabetic()) {
         word.insert_str(0, "Part");
     }

@@ -114,6 +114,25 @@ impl<'a, 't: 'a> Element<'a, 't> for Node<'a, 't> {
     }
 }
 
+/// What an element is and all that is in it, in one line: `step name=Start initialStep=true`. Where it is drawn is left out.
+pub fn in_words(node: Node<'_, '_>) -> String {
+    let is_place = |inner: &Node<'_, '_>| ["position", "relPosition"].iter().any(|name| inner.is(name));
+    let mut words = Vec::new();
+    for inner in node.descendants() {
+        if inner.is_text() {
+            let text = inner.text().unwrap_or_default();
+            words.extend(text.split_whitespace().map(str::to_owned));
+        } else if inner.is_element() && !is_place(&inner) {
+            words.push(Element::name(&inner).to_owned());
+            let said = inner
+                .attributes()
+                .filter(|it| !matches!(it.name(), "width" | "height"));
+            words.extend(said.map(|it| format!("{}={}", it.name(), it.value())));
+        }
+    }
+    words.join(" ")
+}
+
 /// Appends what stands for a text in a text or an attribute. What XML cannot hold at all is left out.
 pub fn escape(out: &mut String, text: &str) {
     for c in text.chars() {

@@ -147,6 +147,22 @@ impl Node {
 }
 
 impl Graph {
+    /// The names of the blocks that stand in it.
+    pub(crate) fn blocks(&self) -> impl Iterator<Item = &str> {
+        self.nodes.iter().filter_map(|node| match &node.kind {
+            Kind::Block { name, .. } => Some(name.as_str()),
+            _ => None,
+        })
+    }
+
+    /// The texts in ST that stand in it.
+    pub(crate) fn codes(&self) -> impl Iterator<Item = &str> {
+        self.nodes.iter().filter_map(|node| match &node.kind {
+            Kind::Block { code, .. } => code.as_deref(),
+            _ => None,
+        })
+    }
+
     /// For each element the number of the part of the drawing that it is in. Rails join nothing.
     #[cfg(test)]
     pub(crate) fn parts(&self) -> Vec<usize> {

@@ -71,12 +71,15 @@ pub struct Unit {
     pub parts: Vec<Part>,
 }
 
-/// An action, a transition, or what is drawn between the steps of a chart.
+/// What a part is that goes on where the body ends.
+pub(crate) const WORKSHEET: &str = "worksheet";
+
+/// An action, a transition, or a further body.
 #[derive(Debug)]
 pub struct Part {
     /// Where.
     pub place: LineColumn,
-    /// What it is: `action`, `transition`.
+    /// What it is: `action`, `transition`, `worksheet`.
     pub what: &'static str,
     /// Its name.
     pub name: String,
@@ -211,6 +214,8 @@ pub struct Task {
     pub name: String,
     /// `T#20ms`
     pub interval: Option<String>,
+    /// The variable whose rise starts it.
+    pub event: Option<String>,
     /// The smallest runs first.
     pub priority: i64,
     /// The names of the programs that it runs, with the place of each.

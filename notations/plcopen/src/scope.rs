@@ -198,6 +198,13 @@ impl<'p> Shared<'p> {
         ty
     }
 
+    /// Whether a block of the project has this name, with its `$`.
+    pub(crate) fn has_block(&self, name: &str) -> bool {
+        self.blocks
+            .values()
+            .any(|block| block.name.eq_ignore_ascii_case(name))
+    }
+
     /// The unit that a type is an instance of.
     pub(crate) fn block_of(&self, ty: &Type) -> Option<&BlockOf<'p>> {
         let Type::Named(name) = ty else { return None };

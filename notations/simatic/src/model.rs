@@ -103,6 +103,8 @@ pub(crate) struct Network {
     /// Title and comment.
     pub(crate) said: Vec<String>,
     pub(crate) label: Option<(LineColumn, String)>,
+    /// As it is written.
+    pub(crate) text: String,
     pub(crate) body: Body,
 }
 
@@ -110,13 +112,23 @@ pub(crate) struct Network {
 #[derive(Debug)]
 pub(crate) enum Body {
     Ladder(Net),
-    /// What is not run here: why not, and its text.
+    /// What is not read: its language, and why not.
     Text(String, String),
 }
 
 impl Default for Body {
     fn default() -> Body {
         Body::Ladder(Net::default())
+    }
+}
+
+impl Body {
+    /// A network in a language that is not read.
+    pub(crate) fn in_language(language: &str) -> Body {
+        Body::Text(
+            language.to_owned(),
+            format!("a network in {language} is not read"),
+        )
     }
 }
 

@@ -2,10 +2,10 @@
 
 use crate::archive::Object;
 use crate::network;
-use ladder_notation::xml::{Element, Xml};
-use ladder_notation::{LineColumn, ReadError};
+use ladder_notation::ReadError;
+use ladder_notation::xml::{Element, Xml, in_words};
 use ladder_notation_plcopen::declarations;
-use ladder_notation_plcopen::model::{Body, Evaluation, Project};
+use ladder_notation_plcopen::model::{Body, Evaluation, Part, Project};
 use roxmltree::Node;
 
 /// The project that a file is: one unit.
@@ -59,19 +59,23 @@ pub(crate) fn project(text: &str) -> Result<Project, ReadError> {
         }
     };
     for part in node.elements() {
-        let what = Element::name(&part);
-        if matches!(
+        let kinds = ["action", "method", "property", "transition"];
+        let Some(what) = kinds.into_iter().find(|what| part.is(what)) else {
+            continue;
+        };
+        let language = part.child("Implementation").and_then(|it| it.elements().next());
+        let body = match language {
+            // What has variables of its own is not drawn as part of the unit.
+            Some(language) if part.child("Declaration").is_none() => body(&xml, language, &mut project),
+            Some(language) if !language.is("ST") => Body::Text("LD", in_words(part)),
+            _ => Body::Text("ST", part.words()),
+        };
+        unit.parts.push(Part {
+            place: xml.place(part),
             what,
-            "Action" | "Method" | "Property" | "Transition" | "Get" | "Set"
-        ) {
-            let shown = format!(
-                "{} {}",
-                what.to_lowercase(),
-                part.attribute("Name").unwrap_or_default()
-            );
-            let why = "only the body of the unit itself is read: draw it as a block or function of its own";
-            project.report.refused(xml.place(part), shown, why);
-        }
+            name: part.attribute("Name").unwrap_or_default().to_owned(),
+            body,
+        });
     }
     project.units.push(unit);
     Ok(project)
@@ -99,7 +103,6 @@ fn without_pragmas(text: &str) -> String {
 }
 
 fn body(xml: &Xml<'_>, language: Node<'_, '_>, project: &mut Project) -> Body {
-    let place: LineColumn = xml.place(language);
     match Element::name(&language) {
         "NWL" => {
             let mut all = language.descendants().filter(Node::is_element);
@@ -108,16 +111,14 @@ fn body(xml: &Xml<'_>, language: Node<'_, '_>, project: &mut Project) -> Body {
                 Some(archive) => Body::Graph(network::graph(xml, Object::of(archive), &mut project.report)),
                 None => {
                     let why = "the body has no networks in it";
-                    project.report.refused(place, "body", why);
+                    project.report.refused(xml.place(language), "body", why);
                     Body::Empty
                 }
             }
         }
         "ST" => Body::Text("ST", language.words()),
-        other => {
-            let why = format!("a body in {other} is not read: what the unit declares is");
-            project.report.refused(place, "body", why);
-            Body::Empty
-        }
+        "CFC" => Body::Text("CFC", in_words(language)),
+        "SFC" => Body::Text("SFC", in_words(language)),
+        _ => Body::Text("a language of its own", in_words(language)),
     }
 }

@@ -250,6 +250,21 @@ fn branches_wires_and_what_is_not_known() {
     check(
         &xml,
         expect![[r#"
+            # EXECUTE is not read: a scan runs past it, and what it may write is not known. #
+            FUNCTION_BLOCK [$EXECUTE]
+            # ladder: unread #
+            # x := 1; #
+            # y := 2; #
+            END_FUNCTION_BLOCK
+
+            # FB_Pump is not read: a scan runs past it, and what it may write is not known. #
+            FUNCTION_BLOCK [$FBPump]
+            VAR_INPUT
+                operands : STRING[254] := '';
+            END_VAR
+            # ladder: unread #
+            END_FUNCTION_BLOCK
+
             VAR
                 a : BOOL;
                 b : BOOL;
@@ -266,29 +281,28 @@ fn branches_wires_and_what_is_not_known() {
 
             # A network is not read: a box that acts stands in a branch, whose power is not known: x := branches(TON(b, T\x231s)) #
             # A network is not read: AND has flags at its inputs, which may invert them: x := AND(a, b) #
-            # In ST, which is not run here: #
-            # x := 1; #
-            # y := 2; #
-            +--[ ]( a )--# block EXECUTE: not translated #-----------------------( )( y )--+
+            +--[ ]( a )----------------------------------------------[$EXECUTE]--( )( y )--+
 
             # A network is not read: `y` has the flags 64, which are not known: y := wire #
             # A network is not read: a `BoxTreeWormhole` is not known: BoxTreeWormhole #
-            +--# FB_Pump pump: not translated #----------------------------------( )( y )--+
+            +---------------------------------------[$FBPump]( 'pump, go := a, on => y' )--+
 
             # Commented out: y := a #
             # A network is not read: it is written in IL, which is not read #
-            # input a: not translated #
+
+            # method Start: #
+
+            # action Stop: #
             refused network: a box that acts stands in a branch, whose power is not known: x := branches(TON(b, T#1s))
             refused network: AND has flags at its inputs, which may invert them: x := AND(a, b)
-            approximated block EXECUTE: text in ST is not run here: it is a comment
+            approximated block EXECUTE: ST is not read: a scan runs past it, and what it may write is not known
             refused network: `y` has the flags 64, which are not known: y := wire
             refused network: a `BoxTreeWormhole` is not known: BoxTreeWormhole
-            refused FB_Pump pump: neither the project nor ladder text has a block `FB_Pump`
-            refused input a: it is part of what is not translated
+            approximated FB_Pump pump: neither the project nor ladder text has a block `FB_Pump`: a scan runs past it, and what it may write is not known
             approximated network y := a: it is commented out there: a comment here
             refused network: it is written in IL, which is not read
-            refused method Start: only the body of the unit itself is read: draw it as a block or function of its own
-            refused action Stop: only the body of the unit itself is read: draw it as a block or function of its own
+            approximated method Start: nothing that is read runs it: it is a function that nothing calls
+            approximated action Stop: nothing that is read runs it: it is a function that nothing calls
         "#]],
     );
 }
@@ -303,26 +317,29 @@ fn other_bodies_and_files() {
     check(
         &body("<ST><![CDATA[x := a;]]></ST>"),
         expect![[r#"
+            # F (ST) is not read: a scan runs past it, and what it may write is not known. #
             FUNCTION_BLOCK [$F]
             VAR_INPUT
                 a : BOOL := FALSE;
             END_VAR
-
-            # In ST, which is not run here: #
+            # ladder: unread #
             # x := a; #
             END_FUNCTION_BLOCK
-            approximated body of F: a body in ST is not run here: its text is a comment
+            approximated body of F: ST is not read: a scan runs past it, and what it may write is not known
         "#]],
     );
     check(
         &body("<CFC><Data/></CFC>"),
         expect![[r#"
+            # F (CFC) is not read: a scan runs past it, and what it may write is not known. #
             FUNCTION_BLOCK [$F]
             VAR_INPUT
                 a : BOOL := FALSE;
             END_VAR
+            # ladder: unread #
+            # CFC Data #
             END_FUNCTION_BLOCK
-            refused body: a body in CFC is not read: what the unit declares is
+            approximated body of F: CFC is not read: a scan runs past it, and what it may write is not known
         "#]],
     );
     check(

@@ -2,9 +2,9 @@
 
 use super::Reader;
 use crate::graph::{Edge, End, Graph, Kind, Modifier, Node as Drawn, Output, Pin, Storage};
-use crate::model::{Body, Part};
+use crate::model::Body;
 use ladder_notation::LineColumn;
-use ladder_notation::xml::Element;
+use ladder_notation::xml::{Element, in_words};
 use roxmltree::Node;
 use std::collections::HashMap;
 
@@ -41,59 +41,12 @@ impl<'x> Reader<'x, '_> {
             "ST" => text("ST", &language.words()),
             "IL" => text("IL", &language.words()),
             "SFC" => {
-                let is_chart = |node: &Node<'_, '_>| kind_in_chart(*node).is_some();
-                let shown = language.elements().filter(is_chart);
-                let shown = shown.map(|node| (self.xml.place(node), Self::shown(node)));
+                let parts = language.elements().filter(|node| !node.is("addData"));
+                let shown = parts.map(|node| (self.xml.place(node), in_words(node)));
                 Body::Chart(shown.collect())
             }
-            other => {
-                let place = self.xml.place(language);
-                let why = "a body in this language is not read";
-                self.project.report.refused(place, other, why);
-                Body::Text("unknown", language.words())
-            }
+            _ => Body::Text("a language of its own", in_words(language)),
         }
-    }
-
-    /// What is drawn between the steps of a chart.
-    pub(super) fn drawn_in_chart(&mut self, unit: Node<'x, '_>) -> Option<Part> {
-        let chart = unit.child("body")?.child("SFC")?;
-        let drawn: Vec<Node<'_, '_>> = chart
-            .elements()
-            .filter(|node| kind_in_chart(*node).is_none())
-            .collect();
-        if drawn.is_empty() {
-            return None;
-        }
-        Some(Part {
-            place: self.xml.place(chart),
-            what: "drawing",
-            name: format!("{}_chart", unit.attribute("name").unwrap_or_default()),
-            body: Body::Graph(self.graph(drawn.into_iter())),
-        })
-    }
-
-    /// A part of a chart in words.
-    fn shown(node: Node<'x, '_>) -> String {
-        let mut said = Element::name(&node).to_owned();
-        for attribute in ["name", "targetName", "priority"] {
-            if let Some(value) = node.attribute(attribute) {
-                said.push_str(&format!(" {value}"));
-            }
-        }
-        if node.flag("initialStep") {
-            said.push_str(", the first");
-        }
-        for inner in node.descendants().filter(Node::is_element) {
-            if inner.is("reference") {
-                said.push_str(&format!(" {}", inner.attribute("name").unwrap_or_default()));
-            } else if inner.is("action") {
-                said.push_str(&format!("; {}", inner.attribute("qualifier").unwrap_or("N")));
-            } else if inner.is("ST") || inner.is("IL") {
-                said.push_str(&format!(": {}", inner.words()));
-            }
-        }
-        said
     }
 
     /// Joins continuations to the connectors of their names; `why` is what is wrong where there is none.
@@ -355,22 +308,6 @@ pub(super) fn text(language: &'static str, text: &str) -> Body {
     } else {
         Body::Text(language, text.to_owned())
     }
-}
-
-/// Whether an element is part of a chart, and not of what is drawn in it.
-fn kind_in_chart(node: Node<'_, '_>) -> Option<()> {
-    let chart = [
-        "step",
-        "macroStep",
-        "jumpStep",
-        "transition",
-        "actionBlock",
-        "selectionDivergence",
-        "selectionConvergence",
-        "simultaneousDivergence",
-        "simultaneousConvergence",
-    ];
-    chart.iter().any(|name| node.is(name)).then_some(())
 }
 
 fn pin(variable: Node<'_, '_>, in_out: bool) -> Pin {

@@ -4,7 +4,7 @@ mod body;
 mod interface;
 mod ten;
 
-use super::model::{Body, Evaluation, Part, Project, Role, Task, Unit, UnitKind};
+use super::model::{Body, Evaluation, Part, Project, Role, Task, Unit, UnitKind, WORKSHEET};
 use super::own;
 use ladder_notation::ReadError;
 use ladder_notation::xml::{Element, Xml};
@@ -184,33 +184,29 @@ impl<'x> Reader<'x, '_> {
         }
         let bodies: Vec<Node<'_, '_>> = node.children_of("body").collect();
         let mut body = self.first_body(node);
-        if let Body::Chart(_) = body
-            && let Some(drawn) = self.drawn_in_chart(node)
-        {
-            parts.insert(0, drawn);
-        }
+        let mut sheets = Vec::new();
         for more in bodies.iter().skip(1) {
             let place = self.xml.place(*more);
             let name = more.attribute("WorksheetName").unwrap_or_default().to_owned();
             let more = self.body(*more);
             body = match (body, more) {
                 (Body::Empty, more) => more,
-                (Body::Graph(mut graph), Body::Graph(more)) => {
+                (Body::Graph(mut graph), Body::Graph(more)) if sheets.is_empty() => {
                     graph.append(more);
                     Body::Graph(graph)
                 }
                 (body, more) => {
-                    let part = Part {
+                    sheets.push(Part {
                         place,
-                        what: "worksheet",
+                        what: WORKSHEET,
                         name,
                         body: more,
-                    };
-                    parts.push(part);
+                    });
                     body
                 }
             };
         }
+        parts.splice(0..0, sheets);
         self.project.units.push(Unit {
             place,
             name,
@@ -232,7 +228,6 @@ impl<'x> Reader<'x, '_> {
 
     fn task(&mut self, node: Node<'x, '_>) {
         let place = self.xml.place(node);
-        let interval = node.attribute("interval").map(str::to_owned);
         let programs = node
             .children_of("pouInstance")
             .map(|node| self.instance(node))
@@ -240,11 +235,12 @@ impl<'x> Reader<'x, '_> {
         self.project.tasks.push(Task {
             place,
             name: node.attribute("name").unwrap_or_default().to_owned(),
-            interval: interval.filter(|interval| !interval.is_empty()),
+            interval: named(node, "interval"),
             priority: node
                 .attribute("priority")
                 .and_then(|number| number.parse().ok())
                 .unwrap_or(0),
+            event: named(node, "single"),
             programs,
         });
     }
@@ -260,6 +256,7 @@ impl<'x> Reader<'x, '_> {
                 place: self.xml.place(node),
                 name: String::new(),
                 interval: None,
+                event: None,
                 priority: i64::MAX,
                 programs,
             });
@@ -277,6 +274,12 @@ impl<'x> Reader<'x, '_> {
         let more = self.variable_list(node, role, 0);
         self.project.globals.extend(more);
     }
+}
+
+/// An attribute that says something.
+pub(super) fn named(node: Node<'_, '_>, attribute: &str) -> Option<String> {
+    let value = node.attribute(attribute).map(str::trim);
+    value.filter(|value| !value.is_empty()).map(str::to_owned)
 }
 
 fn role(list: Node<'_, '_>) -> Option<Role> {

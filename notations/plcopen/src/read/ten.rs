@@ -1,14 +1,14 @@
 //! Projects in the form of IEC 61131-10: units and types in namespaces, drawings in rungs whose elements say what they are in
 //! `xsi:type`, and wires that name the output they begin at.
 
-use super::Reader;
 use super::body::storage;
 use super::interface::{comment, initial};
+use super::{Reader, named};
 use crate::graph::{Edge, End, Graph, Kind, Modifier, Node as Drawn, Output, Pin};
 use crate::model::{Body, Evaluation, Role, Task, Type, TypeDeclaration, Unit, UnitKind, Variable};
 use ladder_format::program::Qualifier;
 use ladder_notation::LineColumn;
-use ladder_notation::xml::Element;
+use ladder_notation::xml::{Element, in_words};
 use roxmltree::Node;
 use std::collections::HashMap;
 
@@ -77,10 +77,8 @@ impl<'x> Reader<'x, '_> {
             tasks.push(Task {
                 place: self.xml.place(node),
                 name: text(node, "name"),
-                interval: node
-                    .attribute("interval")
-                    .filter(|it| !it.is_empty())
-                    .map(str::to_owned),
+                interval: named(node, "interval"),
+                event: named(node, "single"),
                 priority: node
                     .attribute("priority")
                     .and_then(|it| it.parse().ok())
@@ -94,6 +92,7 @@ impl<'x> Reader<'x, '_> {
                 place: self.xml.place(resource),
                 name: String::new(),
                 interval: None,
+                event: None,
                 priority: i64::MAX,
                 programs: left,
             });
@@ -279,9 +278,7 @@ impl<'x> Reader<'x, '_> {
             "ST" => super::body::text("ST", &node.words()),
             "IL" => super::body::text("IL", &node.words()),
             "SFC" => {
-                let parts = node
-                    .elements()
-                    .map(|part| (self.xml.place(part), kind(part).to_owned()));
+                let parts = node.elements().map(|part| (self.xml.place(part), in_words(part)));
                 Body::Chart(parts.collect())
             }
             _ => {

@@ -25,7 +25,7 @@ pub(super) enum Class {
     Standard(StandardBlock),
     /// A unit of the project.
     Unit(UnitKind),
-    /// Text in ST, or what nobody knows.
+    /// Text in ST, or what neither the project nor ladder text has.
     Unknown,
 }
 
@@ -170,7 +170,7 @@ pub(super) fn power_output(body: &Body<'_>, node: usize) -> Option<usize> {
             is_only.then_some(0)
         }),
         Class::Gate(_) | Class::Compare(_) => result_output(&body.graph.nodes[node]),
-        Class::Unknown => named("ENO").or(Some(0)),
+        Class::Unknown => named("ENO").or_else(|| is_text(&body.graph.nodes[node]).then_some(0)),
         _ => named("ENO")
             .or_else(|| {
                 let mut outputs = outputs.iter();
@@ -186,6 +186,11 @@ pub(super) fn power_output(body: &Body<'_>, node: usize) -> Option<usize> {
                     .position(|output| brought::is_power(block.unit, &output.name))
             }),
     }
+}
+
+/// Whether a block is a text in ST.
+fn is_text(node: &Node) -> bool {
+    matches!(node.kind, Kind::Block { code: Some(_), .. })
 }
 
 /// The output that a function's result leaves.

@@ -3,14 +3,13 @@
 
 use super::blocks::{self, Class};
 use super::draw::{Drawn, Target};
-use super::units::not_run;
 use crate::expression::{self, Form, Meaning, Operand};
 use crate::graph::{End, Graph, Kind};
 use crate::model::{Evaluation, Type};
 use crate::scope::{Scope, Shared};
 use ladder_format::Circuit;
 use ladder_format::program::{Drawing, Element, Item, Network};
-use ladder_notation::{Outcome, Reading};
+use ladder_notation::{Outcome, Reading, UnreadParts};
 use std::collections::{HashMap, HashSet};
 
 /// What the networks of a unit are, and what they need.
@@ -21,6 +20,23 @@ pub(super) struct Made {
     pub(super) helpers: Vec<(String, String, String)>,
     /// The tags that are read by name, in small letters.
     pub(super) needed: HashSet<String>,
+    /// What is not read of this unit and those before it.
+    pub(super) unread: UnreadParts,
+    /// The texts of actions and methods that boxes call, by their names in small letters.
+    pub(super) actions: HashMap<String, String>,
+}
+
+impl Made {
+    pub(super) fn of(scope: Scope) -> Made {
+        Made {
+            scope,
+            items: Vec::new(),
+            helpers: Vec::new(),
+            needed: HashSet::new(),
+            unread: UnreadParts::default(),
+            actions: HashMap::new(),
+        }
+    }
 }
 
 /// What feeds all that is done in a drawing has no more elements, each counted for all that it feeds.
@@ -554,11 +570,6 @@ impl<'b> Body<'b> {
         }));
     }
 
-    /// What is said above the next network.
-    pub(super) fn say(&mut self, comment: String) {
-        self.comments.push(comment);
-    }
-
     /// An element stays as a comment.
     pub(super) fn refuse(&mut self, node: usize, why: impl Into<String>) {
         self.outcomes[node] = Some(Outcome::Refused(why.into()));
@@ -621,10 +632,6 @@ impl<'b> Body<'b> {
             match outcome {
                 None => report.translated(drawn.place, shown),
                 Some(Outcome::Approximated(why)) => report.approximated(drawn.place, shown, why),
-                // The program around a text runs.
-                Some(Outcome::Refused(why)) if matches!(&drawn.kind, Kind::Block { code: Some(_), .. }) => {
-                    not_run(self.reading, drawn.place, shown, &why);
-                }
                 Some(Outcome::Refused(why)) => report.refused(drawn.place, shown, why),
                 Some(Outcome::Translated) => {}
             }

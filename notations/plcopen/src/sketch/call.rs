@@ -52,7 +52,8 @@ impl Body<'_> {
                 let operands = self.values(node)?;
                 one(format!("[CALC]( {result}, {} )", formula(function, &operands)?))
             }
-            Class::Gate(_) | Class::Compare(_) | Class::Unknown => Err("it has no counterpart".to_owned()),
+            Class::Unknown => one(self.unread_text(node)),
+            Class::Gate(_) | Class::Compare(_) => Err("it has no counterpart".to_owned()),
         }
     }
 

@@ -3,7 +3,8 @@
 use super::initial::{initial_text, zero};
 use crate::along;
 use crate::expression::{Meaning, address_of, operand};
-use crate::model::{Project, Role, Type, Unit, UnitKind, Variable};
+use crate::graph::Kind;
+use crate::model::{Body, Project, Role, Type, Unit, UnitKind, Variable};
 use crate::own;
 use crate::scope::{Scope, Shared, local, member, trigger};
 use crate::standard::{self, StandardBlock};
@@ -62,6 +63,20 @@ pub(super) fn type_text(shared: &Shared<'_>, ty: &Type) -> Result<String, String
         }
         Type::Other(what) => return Err(format!("{what} has no counterpart")),
     })
+}
+
+/// Whether a variable is the instance of a block that neither the project nor ladder text has.
+fn is_state_of_unknown(shared: &Shared<'_>, unit: &Unit, variable: &Variable) -> bool {
+    let bodies = unit.parts.iter().map(|part| &part.body).chain([&unit.body]);
+    let mut nodes = bodies.flat_map(|body| match body {
+        Body::Graph(graph) => &graph.nodes[..],
+        _ => &[],
+    });
+    type_text(shared, &variable.ty).is_err()
+        && nodes.any(|node| {
+            let is_own = |name: &String| name.eq_ignore_ascii_case(&variable.name);
+            matches!(&node.kind, Kind::Block { instance, .. } if instance.as_ref().is_some_and(is_own))
+        })
 }
 
 fn bound(shared: &Shared<'_>, text: &str) -> Result<String, String> {
@@ -246,13 +261,18 @@ pub(super) fn variables(
             reading.report.translated(variable.place, shown);
             continue;
         }
+        let spelled = scope.get(&variable.name).map_or("", |known| &known.spelled);
         if trigger(&variable.ty).is_some() {
             reading.report.translated(variable.place, shown);
-            let spelled = scope.get(&variable.name).map_or("", |known| &known.spelled);
             if is_needed(spelled) {
                 let comment = format!("the output of {}", variable.name);
                 sections.helper(spelled, "BOOL", &comment, Some(reading.origin(variable.place)));
             }
+            continue;
+        }
+        if is_state_of_unknown(shared, unit, variable) && !is_needed(spelled) {
+            let why = "it holds the state of a block that is not read, and is left out with that";
+            reading.report.approximated(variable.place, shown, why);
             continue;
         }
         let kind = match variable.role {

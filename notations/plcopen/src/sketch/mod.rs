@@ -10,16 +10,19 @@ mod enabled;
 mod initial;
 mod power;
 mod prepare;
+mod tasks;
 mod turns;
 mod units;
+mod unknown;
 
 use super::graph::{End, Kind};
-use super::model::{Body, Project, Task, Unit, UnitKind};
+use super::model::{Body, Project, Unit, UnitKind};
 use super::scope::{Scope, Shared};
 use ladder_format::Circuit;
 use ladder_format::program::{Drawing, Element, Item, Network, ProgramSketch};
-use ladder_notation::{Content, Names, ProjectFile, Reading, Report, is_function};
+use ladder_notation::{Content, Names, ProjectFile, Reading, UnreadParts, is_function};
 use std::collections::HashSet;
+use tasks::{Run, When, at_times, order, shortest};
 use units::{Inside, Place, unit_items};
 
 /// The whole project.
@@ -36,8 +39,46 @@ pub fn reading(project: Project) -> Reading {
     let shared = Shared::of(project);
     let types = declare::types(&shared, project, &mut reading);
     let globals = declare::globals(&shared, project, &mut reading);
-    let blocks = blocks(&shared, project, &mut reading);
+    let mut unread = UnreadParts::default();
+    let mut blocks = blocks(&shared, project, &mut unread, &mut reading);
     let order = order(project, &mut reading.report);
+    let is_alone = matches!(&order[..], [run] if !matches!(run.when, When::Never));
+    let place = if is_alone { Place::Program } else { Place::Function };
+    let mut insides: Vec<Inside> = Vec::new();
+    let mut told_of = HashSet::new();
+    let mut scope = shared.globals.clone();
+    for run in &order {
+        let own = shared.program(run.unit, Some(&scope));
+        let told = (reading.report.entries.len(), reading.findings.len());
+        let place = (place, run.when);
+        let inside = unit_items(&shared, project, run.unit, own, place, &mut unread, &mut reading);
+        if !told_of.insert(std::ptr::from_ref(run.unit)) {
+            // What there is to say of another instance was said of the first.
+            reading.report.entries.truncate(told.0);
+            reading.findings.truncate(told.1);
+        }
+        scope = inside.scope.clone();
+        insides.push(inside);
+    }
+    // Of a folder each program is a file, and runs by itself.
+    let shared_blocks = blocks.iter().cloned().chain(unread.items()).collect();
+    let mut at_any_time = Vec::new();
+    for (run, inside) in order.iter().zip(&insides) {
+        at_any_time.extend(at_times(&shared, project, run, inside, &mut unread, &mut reading));
+    }
+    blocks.extend(unread.items());
+    let mut programs = Vec::new();
+    let mut sections = Vec::new();
+    for (run, inside) in order.iter().zip(insides) {
+        if !is_alone && !inside.sections.is_empty() {
+            if !sections.is_empty() {
+                sections.push(Item::Blank);
+            }
+            sections.push(Item::Comment(format!("of {}", run.unit.name)));
+        }
+        sections.extend(inside.sections);
+        programs.push((run.unit, inside.items));
+    }
     let mut items: Vec<Item> = project.comments.iter().cloned().map(Item::Comment).collect();
     if let Some(interval) = shortest(project).and_then(duration::interval) {
         items.push(Item::Directive(format!("cycle {interval}")));
@@ -45,34 +86,8 @@ pub fn reading(project: Project) -> Reading {
     for part in [&types, &globals, &blocks] {
         push_part(&mut items, part.clone());
     }
-    let is_alone = order.len() == 1 && !order[0].1;
-    let place = if is_alone { Place::Program } else { Place::Function };
-    let mut programs = Vec::new();
-    let mut scope = shared.globals.clone();
-    let mut sections = Vec::new();
-    for (unit, _) in &order {
-        let own = shared.program(unit, Some(&scope));
-        let is_again = programs
-            .iter()
-            .any(|(other, _): &(&Unit, _)| std::ptr::eq(*other, *unit));
-        let told = (reading.report.entries.len(), reading.findings.len());
-        let inside = unit_items(&shared, project, unit, own, place, &mut reading);
-        if is_again {
-            // What there is to say of another instance was said of the first.
-            reading.report.entries.truncate(told.0);
-            reading.findings.truncate(told.1);
-        }
-        scope = inside.scope;
-        if !is_alone && !inside.sections.is_empty() {
-            if !sections.is_empty() {
-                sections.push(Item::Blank);
-            }
-            sections.push(Item::Comment(format!("of {}", unit.name)));
-        }
-        sections.extend(inside.sections);
-        programs.push((*unit, inside.items));
-    }
     push_part(&mut items, sections);
+    items.extend(at_any_time.into_iter().flat_map(|network| [Item::Blank, network]));
     if is_alone {
         items.extend(programs.into_iter().flat_map(|(_, items)| items));
     } else {
@@ -81,12 +96,8 @@ pub fn reading(project: Project) -> Reading {
     reading.program = ProgramSketch { items };
     let is_project = order.len() > 1 || !types.is_empty() || !blocks.is_empty() || !globals.is_empty();
     if is_project {
-        reading.files = files(
-            &shared,
-            project,
-            &order,
-            [("types", types), ("globals", globals), ("blocks", blocks)],
-        );
+        let parts = [("types", types), ("globals", globals), ("blocks", shared_blocks)];
+        reading.files = files(&shared, project, &order, &mut unread, parts);
     }
     reading.report.entries.sort_by_key(|entry| entry.place);
     reading.findings.sort_by_key(|finding| finding.place);
@@ -104,7 +115,12 @@ fn push_part(items: &mut Vec<Item>, part: Vec<Item>) {
 }
 
 /// The function blocks and functions.
-fn blocks(shared: &Shared<'_>, project: &Project, reading: &mut Reading) -> Vec<Item> {
+fn blocks(
+    shared: &Shared<'_>,
+    project: &Project,
+    unread: &mut UnreadParts,
+    reading: &mut Reading,
+) -> Vec<Item> {
     let mut items = Vec::new();
     let enabled = enabled(project);
     for unit in &project.units {
@@ -132,8 +148,17 @@ fn blocks(shared: &Shared<'_>, project: &Project, reading: &mut Reading) -> Vec<
         let Inside {
             sections,
             items: body,
+            about,
             ..
-        } = unit_items(shared, project, unit, scope, Place::Block, reading);
+        } = unit_items(
+            shared,
+            project,
+            unit,
+            scope,
+            (Place::Block, When::EachScan),
+            unread,
+            reading,
+        );
         if !items.is_empty() {
             items.push(Item::Blank);
         }
@@ -141,7 +166,10 @@ fn blocks(shared: &Shared<'_>, project: &Project, reading: &mut Reading) -> Vec<
             items.push(Item::Comment(format!("{} in the project", unit.name)));
         }
         items.extend(unit.comment.iter().cloned().map(Item::Comment));
-        let is_enabled = unit.kind == UnitKind::FunctionBlock && enabled.contains(&unit.name.to_lowercase());
+        let is_enabled = unit.kind == UnitKind::FunctionBlock
+            && about.is_none()
+            && enabled.contains(&unit.name.to_lowercase());
+        items.extend(about.map(Item::Comment));
         let guard = is_enabled.then(|| guard(reading.origin(unit.place)));
         items.push(Item::Block {
             header: format!("[{}]", block.name),
@@ -194,81 +222,15 @@ fn guard(origin: u32) -> [Item; 2] {
     [Item::Blank, Item::Network(network)]
 }
 
-/// The programs in the order in which their tasks run them, and whether something is special about how each runs: it
-/// needs a room of its own. Programs without a task come last.
-fn order<'p>(project: &'p Project, report: &mut Report) -> Vec<(&'p Unit, bool)> {
-    let mut order: Vec<(&Unit, bool)> = Vec::new();
-    let programs = || project.units.iter().filter(|unit| unit.kind == UnitKind::Program);
-    let mut tasks: Vec<&Task> = project.tasks.iter().collect();
-    tasks.sort_by_key(|task| task.priority);
-    let shortest = shortest(project);
-    for task in tasks {
-        let shown = format!("task {}", task.name);
-        match task.interval.as_deref() {
-            Some(interval) if duration::nanoseconds(interval) != shortest => {
-                let why = format!("it runs every {interval} there, and in every scan here");
-                report.approximated(task.place, shown, why);
-            }
-            _ => report.translated(task.place, shown),
-        }
-        for (place, name) in &task.programs {
-            let shown = format!("instance of {name}");
-            let Some(unit) = programs().find(|unit| unit.name.eq_ignore_ascii_case(name)) else {
-                report.refused(*place, shown, "there is no such program");
-                continue;
-            };
-            let again = order
-                .iter()
-                .filter(|(other, _)| std::ptr::eq(*other, unit))
-                .count();
-            if again >= MOST_INSTANCES || (again > 0 && order.len() > MOST_PROGRAMS) {
-                let why = format!(
-                    "a program runs {MOST_INSTANCES} times at most here, each with its own variables"
-                );
-                report.refused(*place, shown, why);
-                continue;
-            }
-            report.translated(*place, shown);
-            order.push((unit, false));
-        }
-    }
-    let has_tasks = !order.is_empty();
-    for unit in programs() {
-        if !order.iter().any(|(other, _)| std::ptr::eq(*other, unit)) {
-            if has_tasks {
-                let why = "no task runs it: it is a function that nothing calls";
-                report.approximated(unit.place, format!("program {}", unit.name), why);
-            }
-            order.push((unit, has_tasks));
-        }
-    }
-    order
-}
-
-/// A program has no more instances.
-const MOST_INSTANCES: usize = 8;
-
-/// Programs have no second instances where there are more than these.
-const MOST_PROGRAMS: usize = 100;
-
-/// The length of a scan: the shortest interval of a task, in nanoseconds.
-fn shortest(project: &Project) -> Option<u64> {
-    let intervals = project.tasks.iter().filter_map(|task| task.interval.as_deref());
-    intervals
-        .filter_map(duration::nanoseconds)
-        .filter(|interval| *interval > 0)
-        .min()
-}
-
 /// Several programs in one: functions that are called in their order.
 fn together(
     items: &mut Vec<Item>,
-    order: &[(&Unit, bool)],
+    order: &[Run<'_>],
     programs: Vec<(&Unit, Vec<Item>)>,
     reading: &mut Reading,
 ) {
     let mut names = Names::default();
-    let names: Vec<String> = order.iter().map(|(unit, _)| names.fresh(&unit.name)).collect();
+    let names: Vec<String> = order.iter().map(|run| names.fresh(&run.unit.name)).collect();
     let mut block = |keyword: &str, name: &str, unit: &Unit| {
         let origin = reading.origin(unit.place);
         Item::Network(Network {
@@ -279,9 +241,9 @@ fn together(
             ))),
         })
     };
-    for ((unit, is_idle), name) in order.iter().zip(&names) {
-        if !is_idle {
-            items.extend([Item::Blank, block("CALL", name, unit)]);
+    for (run, name) in order.iter().zip(&names) {
+        if !matches!(run.when, When::Never) {
+            items.extend([Item::Blank, block("CALL", name, run.unit)]);
         }
     }
     for ((unit, body), name) in programs.into_iter().zip(&names) {
@@ -294,7 +256,8 @@ fn together(
 fn files(
     shared: &Shared<'_>,
     project: &Project,
-    order: &[(&Unit, bool)],
+    order: &[Run<'_>],
+    unread: &mut UnreadParts,
     parts: [(&str, Vec<Item>); 3],
 ) -> Vec<ProjectFile> {
     let mut names = Names::default();
@@ -314,9 +277,11 @@ fn files(
             files.push(file(name, Content::Program(ProgramSketch { items })));
         }
     }
-    for (unit, _) in order {
+    for run in order {
+        let unit = run.unit;
         let scope: Scope = shared.program(unit, None);
-        let inside = unit_items(shared, project, unit, scope, Place::Program, &mut again);
+        let place = (Place::Program, run.when);
+        let inside = unit_items(shared, project, unit, scope, place, unread, &mut again);
         let mut items: Vec<Item> = unit.comment.iter().cloned().map(Item::Comment).collect();
         push_part(&mut items, inside.sections);
         items.extend(inside.items);

@@ -189,19 +189,8 @@ impl Body<'_> {
     }
 
     fn try_prepare_block(&mut self, node: usize, class: Class, seen: &mut Seen) -> Result<(), String> {
-        if let Class::Unknown = class {
-            let Kind::Block { name, code, .. } = &self.graph.nodes[node].kind else {
-                return Ok(());
-            };
-            return Err(match code {
-                Some(code) => {
-                    let text = format!("In ST, which is not run here:\n{code}");
-                    self.flush();
-                    self.say(text);
-                    "text in ST is not run here: it is a comment".to_owned()
-                }
-                None => format!("neither the project nor ladder text has a block `{name}`"),
-            });
+        if class == Class::Unknown {
+            self.note_unread(node);
         }
         for pin in operand_pins(self, node) {
             let is_wired = !self.graph.nodes[node].inputs[pin].from.is_empty();
@@ -216,7 +205,11 @@ impl Body<'_> {
     fn results_of(&mut self, node: usize, class: Class) -> Result<(), String> {
         let is_function = matches!(
             class,
-            Class::Value(_) | Class::Convert | Class::Logic(_) | Class::Unit(UnitKind::Function)
+            Class::Value(_)
+                | Class::Convert
+                | Class::Logic(_)
+                | Class::Unknown
+                | Class::Unit(UnitKind::Function)
         );
         if !is_function {
             return Ok(());
@@ -231,7 +224,7 @@ impl Body<'_> {
                 continue;
             }
             let uses = self.uses.get(&end).cloned().unwrap_or_default();
-            if output != first && uses.is_empty() {
+            if (output != first || class == Class::Unknown) && uses.is_empty() {
                 continue;
             }
             let is_negated = self.graph.nodes[node].outputs[output].negated;
@@ -269,6 +262,7 @@ impl Body<'_> {
                 operand.text.clone()
             } else {
                 let ty = self.out_type(end).or(taken).or_else(|| self.type_taken(end));
+                let ty = ty.or_else(|| self.type_asked_of_unknown(end));
                 let ty = ty.ok_or("the type of its result is not known")?;
                 let ty = self.type_text(&ty)?;
                 let Kind::Block { name, .. } = &self.graph.nodes[node].kind else {

@@ -2,13 +2,13 @@
 
 use super::body::{Body as Networks, Made};
 use super::declare;
-use crate::model::{Body, Part, Project, Type, Unit, UnitKind};
+use super::tasks::When;
+use crate::model::{Body, Part, Project, Type, Unit, UnitKind, WORKSHEET};
 use crate::scope::{Scope, Shared};
-use ladder_analysis::Severity;
-use ladder_format::Circuit;
-use ladder_format::program::{Drawing, Element, Item, Network};
-use ladder_notation::{Finding, LineColumn, Reading};
-use std::collections::HashSet;
+use ladder_format::program::{Drawing, Element, Item, Network, ProgramSketch};
+use ladder_format::{Circuit, Options};
+use ladder_notation::{Outcome, Power, Reading, Unread, UnreadParts, unread_body};
+use std::collections::{HashMap, HashSet};
 
 /// Where a unit's networks stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,7 +27,12 @@ pub(super) struct Inside {
     pub(super) items: Vec<Item>,
     /// With the names that its networks took.
     pub(super) scope: Scope,
+    /// What is said of it, where nothing of its body is read.
+    pub(super) about: Option<String>,
 }
+
+/// What becomes of something that is not read.
+pub(super) const UNREAD: &str = "a scan runs past it, and what it may write is not known";
 
 /// A unit as it is written at a place.
 pub(super) fn unit_items(
@@ -35,7 +40,8 @@ pub(super) fn unit_items(
     project: &Project,
     unit: &Unit,
     scope: Scope,
-    place: Place,
+    (place, when): (Place, When<'_>),
+    unread: &mut UnreadParts,
     reading: &mut Reading,
 ) -> Inside {
     let what = match unit.kind {
@@ -47,26 +53,52 @@ pub(super) fn unit_items(
         .report
         .translated(unit.place, format!("{what} {}", unit.name));
     let mut made = Made {
-        scope,
-        items: Vec::new(),
-        helpers: Vec::new(),
-        needed: HashSet::new(),
+        unread: std::mem::take(unread),
+        ..Made::of(scope)
     };
     if unit.kind == UnitKind::Program {
         made.items.extend(unit.comment.iter().cloned().map(Item::Comment));
     }
-    body(
-        shared, project, &unit.body, unit.place, &unit.name, &mut made, reading,
-    );
-    for part in &unit.parts {
-        part_items(shared, project, part, place, &mut made, reading);
+    let whole = whole(shared, project, unit, &made.scope, reading);
+    let about = whole.as_ref().map(|(language, _)| {
+        let what = format!("{} ({language})", unit.name);
+        (format!("{what} is not read: {UNREAD}."), what)
+    });
+    if let (Some((_, text)), Some((about, name))) = (&whole, &about) {
+        match (place, when) {
+            (Place::Block, _) => made.items.extend(unread_body(text, None)),
+            (_, When::Never) => made.items.extend([Item::Blank, Item::Comment(text.clone())]),
+            _ => {
+                let part = Unread {
+                    name,
+                    about,
+                    text,
+                    writes: None,
+                    power: Power::Passes,
+                    turn: when.turn(),
+                };
+                let block = made.unread.body(part, |name| shared.has_block(name));
+                made.items.extend(network(block, unit.place, reading));
+            }
+        }
+    } else {
+        made.actions = actions(shared, project, unit, reading);
+        if let Body::Graph(graph) = &unit.body {
+            Networks::draw(shared, project.evaluation, graph, &mut made, reading);
+        }
+        for part in &unit.parts {
+            part_items(shared, project, (unit, part), (place, when), &mut made, reading);
+        }
     }
     let Made {
         scope,
         items,
         helpers,
         needed,
+        unread: parts,
+        actions: _,
     } = made;
+    *unread = parts;
     let is_needed = |name: &str| needed.contains(&name.to_lowercase());
     let mut sections = declare::variables(shared, project, unit, &scope, is_needed, reading);
     for (name, ty, comment) in helpers {
@@ -76,103 +108,194 @@ pub(super) fn unit_items(
         sections: sections.items(),
         items,
         scope,
+        about: about.map(|(about, _)| about),
     }
 }
 
-/// What a body becomes.
-fn body(
+/// A network with a block alone.
+fn network(block: String, place: ladder_notation::LineColumn, reading: &mut Reading) -> [Item; 2] {
+    let origin = reading.origin(place);
+    let network = Network {
+        comments: Vec::new(),
+        drawing: Drawing::Circuit(Circuit::Element(Element::block(block, Some(origin)))),
+    };
+    [Item::Blank, Item::Network(network)]
+}
+
+/// The language and the text of a unit of which nothing is read: its body is a text or a chart, or a text in it may end its run, and
+/// with that what comes after it.
+fn whole(
+    shared: &Shared<'_>,
+    project: &Project,
+    unit: &Unit,
+    scope: &Scope,
+    reading: &mut Reading,
+) -> Option<(&'static str, String)> {
+    let sheets = unit.parts.iter().filter(|part| part.what == WORKSHEET);
+    let mut bodies = sheets.map(|part| &part.body).chain([&unit.body]);
+    let (language, text) = match &unit.body {
+        Body::Text(language, text) => (*language, text.clone()),
+        Body::Chart(shown) => {
+            let lines: Vec<&str> = shown.iter().map(|(_, said)| said.as_str()).collect();
+            ("SFC", lines.join("\n"))
+        }
+        body if bodies.any(may_leave) => ("LD", text_of(shared, project, body, scope, reading)),
+        _ => return None,
+    };
+    let shown = format!("body of {}", unit.name);
+    reading
+        .report
+        .approximated(unit.place, shown, format!("{language} is not read: {UNREAD}"));
+    let mut all = text;
+    for part in &unit.parts {
+        let mut scope = scope.clone();
+        if part.what == "transition" {
+            scope.declare(&part.name, &Type::Named("BOOL".to_owned()), "");
+        }
+        let shown = format!("{} {}", part.what, part.name);
+        let text = text_of(shared, project, &part.body, &scope, reading);
+        all.push_str(&format!("\n\n{shown}:\n{text}"));
+        let why = format!("it is part of what is not read: {UNREAD}");
+        reading.report.approximated(part.place, shown, why);
+    }
+    Some((language, all))
+}
+
+/// The texts of the actions and methods that boxes of a unit call, whatever unit has them.
+fn actions(
+    shared: &Shared<'_>,
+    project: &Project,
+    unit: &Unit,
+    reading: &mut Reading,
+) -> HashMap<String, String> {
+    let bodies = unit.parts.iter().map(|part| &part.body).chain([&unit.body]);
+    let names = bodies.filter_map(|body| match body {
+        Body::Graph(graph) => Some(graph.blocks()),
+        _ => None,
+    });
+    let names: HashSet<String> = names.flatten().map(action_name).collect();
+    let mut actions: HashMap<String, String> = HashMap::new();
+    for owner in &project.units {
+        let is_called = |part: &&Part| part.what != WORKSHEET && names.contains(&action_name(&part.name));
+        let mut parts = owner.parts.iter().filter(is_called).peekable();
+        if parts.peek().is_none() {
+            continue;
+        }
+        let block = shared.blocks.get(&owner.name.to_lowercase());
+        let scope = block.map_or_else(|| shared.program(owner, None), |block| block.scope.clone());
+        for part in parts {
+            let text = text_of(shared, project, &part.body, &scope, reading);
+            let all = actions.entry(action_name(&part.name)).or_default();
+            all.push_str(&format!("{} of {}:\n{text}\n", part.name, owner.name));
+        }
+    }
+    actions
+}
+
+/// What a box calls, by the name of the action alone, in small letters.
+pub(super) fn action_name(name: &str) -> String {
+    name.rsplit('.').next().unwrap_or_default().to_lowercase()
+}
+
+/// Whether a text in a body may end the run of the unit that it is in.
+fn may_leave(body: &Body) -> bool {
+    let leaves = |text: &str| {
+        let mut words = text.split(|c: char| !c.is_alphanumeric() && c != '_');
+        let ends = ["RETURN", "RET", "RETC", "RETCN", "JMP", "JMPC", "JMPCN"];
+        words.any(|word| ends.iter().any(|end| word.eq_ignore_ascii_case(end)))
+    };
+    match body {
+        Body::Text(_, text) => leaves(text),
+        Body::Graph(graph) => graph.codes().any(leaves),
+        _ => false,
+    }
+}
+
+/// What is in a body, as a text: of what is drawn the ladder that it is here.
+fn text_of(
     shared: &Shared<'_>,
     project: &Project,
     body: &Body,
-    place: LineColumn,
-    name: &str,
-    made: &mut Made,
+    scope: &Scope,
     reading: &mut Reading,
-) {
+) -> String {
     match body {
-        Body::Graph(graph) => Networks::draw(shared, project.evaluation, graph, made, reading),
-        Body::Empty | Body::Ladder(_) => {}
-        Body::Text(language, text) => {
-            let why = format!("a body in {language} is not run here: its text is a comment");
-            not_run(reading, place, format!("body of {name}"), &why);
-            made.items.push(Item::Blank);
-            made.items.push(Item::Comment(format!(
-                "In {language}, which is not run here:\n{text}"
-            )));
-        }
+        Body::Empty => String::new(),
+        Body::Text(_, text) | Body::Ladder(text) => text.clone(),
         Body::Chart(shown) => {
-            made.items.push(Item::Blank);
-            let said: Vec<&str> = shown.iter().map(|(_, said)| said.as_str()).collect();
-            made.items.push(Item::Comment(format!(
-                "A chart of steps, which is not run here:\n{}",
-                said.join("\n")
-            )));
-            let why = "a chart of steps is not run here: it is a comment";
-            not_run(reading, place, format!("body of {name}"), why);
-            for (place, said) in shown {
-                reading.report.approximated(*place, said, why);
-            }
+            let lines: Vec<&str> = shown.iter().map(|(_, said)| said.as_str()).collect();
+            lines.join("\n")
+        }
+        Body::Graph(graph) => {
+            let mut aside = Reading::default();
+            let mut made = Made::of(scope.clone());
+            Networks::draw(shared, project.evaluation, graph, &mut made, &mut aside);
+            // What cannot be drawn is in no text either.
+            let mut entries = aside.report.entries;
+            entries.retain(|entry| matches!(entry.outcome, Outcome::Refused(_)));
+            reading.report.entries.extend(entries);
+            let items = made.unread.items().chain(made.items).collect();
+            let written = ProgramSketch { items }.write(&Options::default());
+            written.text.trim().to_owned()
         }
     }
 }
 
-/// An action, a transition, or what is drawn in a chart: a function that nothing calls, or in a block a comment.
+/// A further body, or an action, which is a function that nothing calls, and in a block stands after its end.
 fn part_items(
     shared: &Shared<'_>,
     project: &Project,
-    part: &Part,
-    place: Place,
+    (unit, part): (&Unit, &Part),
+    (place, when): (Place, When<'_>),
     made: &mut Made,
     reading: &mut Reading,
 ) {
     let shown = format!("{} {}", part.what, part.name);
-    if part.what == "transition" && made.scope.get(&part.name).is_none() {
-        made.scope
-            .declare(&part.name, &Type::Named("BOOL".to_owned()), "");
-        let tag = made
-            .scope
-            .get(&part.name)
-            .map_or(String::new(), |known| known.spelled.clone());
-        made.helpers
-            .push((tag, "BOOL".to_owned(), format!("what {shown} says")));
+    if part.what == WORKSHEET {
+        match &part.body {
+            Body::Graph(graph) => Networks::draw(shared, project.evaluation, graph, made, reading),
+            Body::Empty => {}
+            body => {
+                let text = text_of(shared, project, body, &made.scope, reading);
+                let name = format!("{shown} of {}", unit.name);
+                let part_of = Unread {
+                    name: &name,
+                    about: &format!("{name} is not read: {UNREAD}."),
+                    text: &text,
+                    writes: None,
+                    power: Power::Passes,
+                    turn: when.turn(),
+                };
+                let block = made.unread.body(part_of, |name| shared.has_block(name));
+                made.items.extend(network(block, part.place, reading));
+                let why = format!("a text is not read: {UNREAD}");
+                reading.report.approximated(part.place, shown, why);
+            }
+        }
+        return;
     }
     if matches!(part.body, Body::Empty) {
         reading.report.translated(part.place, shown);
         return;
     }
-    if let Body::Graph(_) = part.body {
-        let why = match place {
-            Place::Block => "the chart that runs it is not run here: it stands after the end of the block",
-            _ => "the chart that runs it is not run here: it is a function that nothing calls",
-        };
-        reading.report.approximated(part.place, shown.clone(), why);
-        let origin = reading.origin(part.place);
-        // A block has no functions of its own.
-        let block = match place {
-            Place::Block => "<RET>".to_owned(),
-            _ => format!("<FUN>( {} )", made.scope.fresh(&part.name)),
-        };
-        made.items.extend([
-            Item::Blank,
-            Item::Comment(format!("{shown}: the chart that runs it is not run here")),
-            Item::Network(Network {
-                comments: Vec::new(),
-                drawing: Drawing::Circuit(Circuit::Element(Element::block(block, Some(origin)))),
-            }),
-        ]);
-    } else {
-        made.items.extend([Item::Blank, Item::Comment(shown.clone())]);
-    }
-    body(shared, project, &part.body, part.place, &shown, made, reading);
-}
-
-/// What stays as a text, and the program around it runs.
-pub(super) fn not_run(reading: &mut Reading, place: LineColumn, shown: String, why: &str) {
-    reading.findings.push(Finding {
-        place,
-        severity: Severity::Warning,
-        check: "plcopen-not-run",
-        message: why.to_owned(),
-    });
-    reading.report.approximated(place, shown, why);
+    let why = match place {
+        Place::Block => "nothing that is read runs it: it stands after the end of the block",
+        _ => "nothing that is read runs it: it is a function that nothing calls",
+    };
+    reading.report.approximated(part.place, shown.clone(), why);
+    let Body::Graph(graph) = &part.body else {
+        let text = text_of(shared, project, &part.body, &made.scope, reading);
+        made.items
+            .extend([Item::Blank, Item::Comment(format!("{shown}:\n{text}"))]);
+        return;
+    };
+    // A block has no functions of its own.
+    let block = match place {
+        Place::Block => "<RET>".to_owned(),
+        _ => format!("<FUN>( {} )", made.scope.fresh(&part.name)),
+    };
+    made.items.extend([Item::Blank, Item::Comment(shown)]);
+    let [_, begin] = network(block, part.place, reading);
+    made.items.push(begin);
+    Networks::draw(shared, project.evaluation, graph, made, reading);
 }

@@ -135,6 +135,7 @@ fn project(analysis: &Analysis, unwritable: &Unwritable) -> Result<(Project, Rep
         place: LineColumn::START,
         name: "scan".to_owned(),
         interval: Some(text::time(context.cycle.unwrap_or(CYCLE))),
+        event: None,
         priority: 0,
         programs: vec![(LineColumn::START, name)],
     });

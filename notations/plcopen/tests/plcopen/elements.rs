@@ -296,6 +296,14 @@ fn functions() {
          block 19 MYSTERY IN=3 / OUT
          outVariable 20 from=19 n",
         expect![[r#"
+            # MYSTERY is not read: a scan runs past it, and what it may write is not known. #
+            FUNCTION_BLOCK [$MYSTERY]
+            VAR_INPUT
+                operands : STRING[254] := '';
+            END_VAR
+            # ladder: unread #
+            END_FUNCTION_BLOCK
+
             VAR
                 a     : BOOL;
                 n     : INT;
@@ -326,11 +334,8 @@ fn functions() {
 
             +-------------------------------------------------------------[MOV]( n, sel )--+
 
-            +--# block MYSTERY: not translated #-------------------------------------------+
-
-            +--# block MYSTERY: not translated #--# output n: not translated #-------------+
-            refused block MYSTERY: neither the project nor ladder text has a block `MYSTERY`
-            refused output n: nothing holds what `MYSTERY` has at `OUT`
+            +-------------------------------------------[$MYSTERY]( 'IN := n, OUT => n' )--+
+            approximated block MYSTERY: neither the project nor ladder text has a block `MYSTERY`: a scan runs past it, and what it may write is not known
         "#]],
     );
 }
@@ -551,6 +556,7 @@ fn blocks_of_the_project() {
         &project("", &(motor + &average + &main), ""),
         expect![[r#"
             # Motor_2 in the project #
+            # Motor_2 (ST) is not read: a scan runs past it, and what it may write is not known. #
             FUNCTION_BLOCK [$Motor2]
             VAR_INPUT
                 start : BOOL := FALSE;
@@ -564,8 +570,7 @@ fn blocks_of_the_project() {
             VAR
                 delay : TON;
             END_VAR
-
-            # In ST, which is not run here: #
+            # ladder: unread #
             # run := start; #
             END_FUNCTION_BLOCK
 
@@ -603,7 +608,7 @@ fn blocks_of_the_project() {
             +--[P]( a )---------------------------------------------------( )( M2_start )--+
 
             +--# Motor_2 M2: not translated #----------------------------------------------+
-            approximated body of Motor_2: a body in ST is not run here: its text is a comment
+            approximated body of Motor_2: ST is not read: a scan runs past it, and what it may write is not known
             refused Motor_2 M2: nothing is wired to `count`, which is read and written
         "#]],
     );

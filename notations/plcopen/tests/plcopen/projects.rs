@@ -89,6 +89,12 @@ fn several_programs_in_one() {
                 level : INT;
             END_VAR
 
+            # First in task slow: it runs every 1s there, between any two networks of the other tasks. #
+            FUNCTION_BLOCK [$FirstInTaskSlow]
+            # ladder: unread, at any time, writes total, First_out, deep, phase, motor, mix, text, share, First_hold, level #
+            # every 1s #
+            END_FUNCTION_BLOCK
+
             # of Second #
             VAR
                 out  : BOOL;
@@ -124,6 +130,8 @@ fn several_programs_in_one() {
                 x : INT;
             END_VAR
 
+            +----------------------------------------------------------[$FirstInTaskSlow]--+
+
             +------------------------------------------------------------<CALL>( Second )--+
 
             +----------------------------------------------------------<CALL>( Second_2 )--+
@@ -151,7 +159,6 @@ fn several_programs_in_one() {
 
             +--<FUN>( Idle )---------------------------------------------------------------+
 
-            # In ST, which is not run here: #
             # x := x + 1; #
             refused type Far: a pointer has no counterpart
             approximated variable out: it is spelled `First_out` here
@@ -162,8 +169,8 @@ fn several_programs_in_one() {
             refused variable gone: the project has no global of this name
             approximated input motor.speed: nothing is wired to it: it is a comment
             approximated program Idle: no task runs it: it is a function that nothing calls
-            approximated body of Idle: a body in ST is not run here: its text is a comment
-            approximated task slow: it runs every T#1s there, and in every scan here
+            approximated body of Idle: ST is not read: a scan runs past it, and what it may write is not known
+            approximated task slow: it runs every 1s there, and in every scan here
             refused instance of Nothing: there is no such program
         "#]],
     );
@@ -245,7 +252,6 @@ fn several_programs_as_files() {
             x : INT;
         END_VAR
 
-        # In ST, which is not run here: #
         # x := x + 1; #
         == ladder.toml
         # A project
@@ -266,37 +272,32 @@ fn charts() {
     check(
         &project("", main, ""),
         expect![[r#"
+            # Main (SFC) is not read: a scan runs past it, and what it may write is not known. #
+            FUNCTION_BLOCK [$MainSFC]
+            # ladder: unread #
+            # step localId=1 name=Start initialStep=true #
+            # transition localId=2 condition reference name=Go #
+            # jumpStep localId=3 targetName=Start #
+            #  #
+            # action Blink: #
+            # +--------------------------------------------------------------------( )( a )--+ #
+            #  #
+            # action Think: #
+            # a := FALSE; #
+            #  #
+            # transition Go: #
+            # +--[ ]( a )---------------------------------------------------------( )( Go )--+ #
+            END_FUNCTION_BLOCK
+
             VAR
-                a  : BOOL;
-                Go : BOOL;  # what transition Go says #
+                a : BOOL;
             END_VAR
 
-            # A chart of steps, which is not run here: #
-            # step Start, the first #
-            # transition Go #
-            # jumpStep Start #
-
-            # action Blink: the chart that runs it is not run here #
-            +--<FUN>( Blink )--------------------------------------------------------------+
-
-            +--------------------------------------------------------------------( )( a )--+
-
-            # action Think #
-
-            # In ST, which is not run here: #
-            # a := FALSE; #
-
-            # transition Go: the chart that runs it is not run here #
-            +--<FUN>( Go_2 )---------------------------------------------------------------+
-
-            +--[ ]( a )---------------------------------------------------------( )( Go )--+
-            approximated body of Main: a chart of steps is not run here: it is a comment
-            approximated action Blink: the chart that runs it is not run here: it is a function that nothing calls
-            approximated body of action Think: a body in ST is not run here: its text is a comment
-            approximated transition Go: the chart that runs it is not run here: it is a function that nothing calls
-            approximated step Start, the first: a chart of steps is not run here: it is a comment
-            approximated transition Go: a chart of steps is not run here: it is a comment
-            approximated jumpStep Start: a chart of steps is not run here: it is a comment
+            +------------------------------------------------------------------[$MainSFC]--+
+            approximated body of Main: SFC is not read: a scan runs past it, and what it may write is not known
+            approximated action Blink: it is part of what is not read: a scan runs past it, and what it may write is not known
+            approximated action Think: it is part of what is not read: a scan runs past it, and what it may write is not known
+            approximated transition Go: it is part of what is not read: a scan runs past it, and what it may write is not known
         "#]],
     );
 }

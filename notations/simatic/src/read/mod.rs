@@ -90,8 +90,6 @@ fn body(cursor: &mut Cursor<'_>, unit: &mut Unit, texts: &Texts) -> Result<()> {
     Ok(())
 }
 
-pub(crate) use networks::part_text;
-
 /// The pragma of something.
 pub(crate) fn pragma_of(cursor: &mut Cursor<'_>) -> Result<Pragma> {
     pragma::pragma(cursor)

@@ -20,10 +20,10 @@ pub(super) fn network(cursor: &mut Cursor<'_>, pragma: &Pragma, texts: &Texts) -
         said: texts.said(pragma, ["S7_NetworkTitle", "S7_NetworkComment"]),
         ..Network::default()
     };
-    let text = inside.rest().trim().to_owned();
+    network.text = unindented(inside.rest());
     let language = pragma.get("S7_Language").unwrap_or("LAD");
     if !language.eq_ignore_ascii_case("LAD") {
-        network.body = Body::Text(format!("a network in {language} is not run here"), text);
+        network.body = Body::in_language(language);
         return Ok(network);
     }
     let mut reader = Reader {
@@ -39,10 +39,32 @@ pub(super) fn network(cursor: &mut Cursor<'_>, pragma: &Pragma, texts: &Texts) -
         Err(error) => {
             network.place = error.place.unwrap_or(place);
             let why = format!("the network cannot be read: {}", error.message);
-            network.body = Body::Text(why, text);
+            network.body = Body::Text("LAD".to_owned(), why);
         }
     }
     Ok(network)
+}
+
+/// A text without blank lines around it, and without the blanks that all of its lines begin with.
+fn unindented(text: &str) -> String {
+    let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
+    let first = lines
+        .iter()
+        .position(|line| !line.is_empty())
+        .unwrap_or(lines.len());
+    let last = lines
+        .iter()
+        .rposition(|line| !line.is_empty())
+        .map_or(0, |last| last + 1);
+    let lines = &lines[first.min(last)..last];
+    let blanks = |line: &&str| line.len() - line.trim_start_matches([' ', '\t']).len();
+    let own = lines.iter().filter(|line| !line.is_empty());
+    let shared = own.map(blanks).min().unwrap_or(0);
+    let lines: Vec<&str> = lines
+        .iter()
+        .map(|line| line.get(shared..).unwrap_or_default())
+        .collect();
+    lines.join("\n")
 }
 
 struct Reader {
@@ -219,7 +241,7 @@ fn is_instruction(word: &str) -> bool {
 }
 
 /// A part in one line.
-pub(crate) fn part_text(text: &str) -> String {
+fn part_text(text: &str) -> String {
     let words: Vec<&str> = text.split_whitespace().collect();
     words.join(" ")
 }

@@ -10,7 +10,7 @@ pub(super) fn of(unit: &Unit) -> HashSet<String> {
     let mut others = HashSet::new();
     for network in &unit.networks {
         match &network.body {
-            Body::Text(_, text) => words(text, &mut others),
+            Body::Text(..) => words(&network.text, &mut others),
             Body::Ladder(net) => {
                 for part in net.wires.iter().flat_map(|wire| &wire.parts) {
                     of_part(part, &mut memory, &mut others);

@@ -3,22 +3,20 @@
 
 mod call;
 mod declare;
-mod idle;
 mod memory;
 mod network;
 pub(crate) mod rungs;
 mod translate;
+mod unread;
 pub(crate) mod wiring;
 
 use crate::model::{Kind, Type, Unit};
 use crate::scope::{Library, Scope, block_name};
 use call::Labels;
 use declare::Sections;
-use idle::Idle;
-use ladder_analysis::Severity;
 use ladder_format::Circuit;
 use ladder_format::program::{Drawing, Element, Item, Network, ProgramSketch, Section, SectionKind};
-use ladder_notation::{Content, Finding, LineColumn, Names, ProjectFile, Reading, is_function};
+use ladder_notation::{Content, LineColumn, Names, ProjectFile, Reading, UnreadParts, is_function};
 use std::collections::{HashMap, HashSet};
 use translate::Translator;
 
@@ -35,14 +33,25 @@ struct Sketcher<'l> {
     types: HashMap<String, Option<String>>,
     type_names: Names,
     type_section: Section,
-    idle: Idle,
+    unread: UnreadParts,
+}
+
+/// As what a block is sketched.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Form {
+    /// A program that runs.
+    Program,
+    /// A program that runs at an event, next to another.
+    Event,
+    /// A block that others use.
+    Block,
 }
 
 /// The sketch of a block, with what it uses of the blocks next to it.
 pub(crate) fn reading(unit: &Unit, library: &Library<'_>) -> Reading {
-    let mut reading = sketch(unit, library, false);
+    let mut reading = sketch(unit, library, Form::Program);
     if matches!(unit.kind, Kind::FunctionBlock | Kind::Function) {
-        let content = Content::Program(sketch(unit, library, true).program);
+        let content = Content::Program(sketch(unit, library, Form::Block).program);
         let name = format!("{}.clad", &block_name(&unit.name)[1..]);
         reading.files.push(ProjectFile { name, content });
     }
@@ -51,7 +60,7 @@ pub(crate) fn reading(unit: &Unit, library: &Library<'_>) -> Reading {
     reading
 }
 
-fn sketch(unit: &Unit, library: &Library<'_>, is_block: bool) -> Reading {
+fn sketch(unit: &Unit, library: &Library<'_>, form: Form) -> Reading {
     let mut sketcher = Sketcher {
         library,
         reading: Reading {
@@ -62,14 +71,15 @@ fn sketch(unit: &Unit, library: &Library<'_>, is_block: bool) -> Reading {
         types: HashMap::new(),
         type_names: Names::default(),
         type_section: Section::new(SectionKind::Type),
-        idle: Idle::default(),
+        unread: UnreadParts::default(),
     };
-    sketcher.program(unit, is_block);
+    sketcher.program(unit, form);
     sketcher.reading
 }
 
 impl Sketcher<'_> {
-    fn program(&mut self, unit: &Unit, is_block: bool) {
+    fn program(&mut self, unit: &Unit, form: Form) {
+        let is_block = form == Form::Block;
         let shown = format!("{} {}", unit.kind.keyword(), unit.name);
         if unit.kind == Kind::Organization {
             let why = "it is the program here, and runs in every scan: what starts it is not in the file";
@@ -77,7 +87,7 @@ impl Sketcher<'_> {
         } else {
             self.reading.report.translated(unit.place, shown);
         }
-        let body = match unit.kind {
+        let mut body = match unit.kind {
             Kind::Type => {
                 let ty = Type::Structure(unit.variables.clone());
                 let known = self.structure_alone(unit, &ty);
@@ -120,11 +130,18 @@ impl Sketcher<'_> {
                 blocks.push(block(unit, body));
             }
         }
+        if unit.kind == Kind::Organization && form == Form::Program {
+            let own: Vec<Item> = body.iter().chain(&blocks).cloned().collect();
+            let events = self.at_events(unit, &own);
+            let first = body.iter().position(|item| !matches!(item, Item::Section(_)));
+            let first = first.unwrap_or(body.len());
+            body.splice(first..first, events);
+        }
         let mut items: Vec<Item> = unit.said.iter().cloned().map(Item::Comment).collect();
         if !self.type_section.declarations.is_empty() {
             items.extend([Item::Blank, Item::Section(self.type_section.clone())]);
         }
-        items.extend(self.idle.items());
+        items.extend(self.unread.items());
         items.extend(blocks);
         if !items.is_empty() {
             items.push(Item::Blank);
@@ -150,6 +167,9 @@ impl Sketcher<'_> {
 
     /// Declarations and networks of a block.
     fn unit(&mut self, unit: &Unit, is_block: bool) -> Vec<Item> {
+        if unread::leads_elsewhere(unit) {
+            return self.unread_unit(unit, is_block);
+        }
         let mut scope = Scope::of(unit, self.library);
         let memory = memory::of(unit);
         let mut translator = Translator {
@@ -168,8 +188,8 @@ impl Sketcher<'_> {
                 }),
             ]);
         }
-        for network in &unit.networks {
-            networks.extend(self.network(&mut translator, network));
+        for (number, network) in unit.networks.iter().enumerate() {
+            networks.extend(self.network(&mut translator, (unit, number), network));
         }
         let mut sections = self.variables(unit, &scope, is_block, |name| {
             memory.contains(&name.to_lowercase())
@@ -178,29 +198,6 @@ impl Sketcher<'_> {
         let mut items = sections.items();
         items.extend(networks);
         items
-    }
-
-    /// What is not run here, and the program around it is.
-    fn inert(&mut self, place: LineColumn, what: &str, why: &str) {
-        self.reading.report.approximated(place, what, why);
-        self.reading.findings.push(Finding {
-            place,
-            severity: Severity::Warning,
-            check: "simatic-not-run",
-            message: why.to_owned(),
-        });
-    }
-
-    /// A block that does nothing, as it is on a rung.
-    fn idle_block(&mut self, name: &str, shown: &str) -> String {
-        let library = self.library;
-        let is_taken = |word: &str| {
-            library
-                .values()
-                .filter_map(|unit| unit.as_ref().ok())
-                .any(|unit| block_name(&unit.name).eq_ignore_ascii_case(word))
-        };
-        self.idle.block(name, shown, is_taken)
     }
 }
 

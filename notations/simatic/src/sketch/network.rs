@@ -3,33 +3,26 @@
 use super::Sketcher;
 use super::call::Call;
 use super::translate::{Translated, Translator};
+use super::unread::jumps;
 use super::wiring::{Drawn, Strand, drawn};
-use crate::model::{Body, Net, Network, Part, RAIL, Value, Wire};
+use crate::model::{Body, Net, Network, Part, RAIL, Unit, Value, Wire};
 use crate::standard::{Form, of_document};
 use ladder_format::Circuit;
 use ladder_format::program::{self, Drawing, Element, Item};
 
-/// A comment is no longer.
-const MOST_SAID: usize = 20_000;
-
 impl Sketcher<'_> {
-    /// A network of a block, with what is said of it.
-    pub(super) fn network(&mut self, translator: &mut Translator<'_, '_>, network: &Network) -> Vec<Item> {
+    /// A network of a block, which is the one of this number, with what is said of it.
+    pub(super) fn network(
+        &mut self,
+        translator: &mut Translator<'_, '_>,
+        at: (&Unit, usize),
+        network: &Network,
+    ) -> Vec<Item> {
         let mut comments = network.said.clone();
-        let mut drawings = Vec::new();
-        match &network.body {
-            Body::Text(why, text) => {
-                self.inert(network.place, "network", why);
-                let text: String = text.chars().take(MOST_SAID).collect();
-                comments.push(text.clone());
-                let origin = self.reading.origin(network.place);
-                let shown = crate::read::part_text(&text);
-                let block = self.idle_block("SCL", &shown);
-                let circuit = Circuit::Element(Element::block(block, Some(origin)));
-                drawings.push(Drawing::Circuit(circuit));
-            }
-            Body::Ladder(net) => drawings = self.ladder(translator, network, net),
-        }
+        let mut drawings = match &network.body {
+            Body::Text(language, why) => vec![self.unread_network(at, network, (language, why))],
+            Body::Ladder(net) => self.ladder(translator, at, network, net),
+        };
         if let Some((place, label)) = &network.label {
             self.reading.report.translated(*place, format!("label {label}"));
             let origin = self.reading.origin(*place);
@@ -50,7 +43,13 @@ impl Sketcher<'_> {
         networks.collect()
     }
 
-    fn ladder(&mut self, translator: &mut Translator<'_, '_>, network: &Network, net: &Net) -> Vec<Drawing> {
+    fn ladder(
+        &mut self,
+        translator: &mut Translator<'_, '_>,
+        at: (&Unit, usize),
+        network: &Network,
+        net: &Net,
+    ) -> Vec<Drawing> {
         let mut strands: Vec<Strand> = Vec::new();
         let mut after = Vec::new();
         let merged = self.merged(net);
@@ -149,17 +148,11 @@ impl Sketcher<'_> {
                 self.reading.report.approximated(network.place, "network", why);
                 pieces
             }
-            Err(why) => {
-                self.inert(network.place, "network", &why);
-                let origin = self.reading.origin(network.place);
-                let parts = net.wires.iter().flat_map(|wire| &wire.parts);
-                let parts: Vec<&str> = parts.map(|part| part.text.as_str()).collect();
-                let block = self.idle_block("Network", &parts.join(" "));
-                vec![Drawing::Circuit(Circuit::Element(Element::block(
-                    block,
-                    Some(origin),
-                )))]
+            Err(why) if jumps(network) => {
+                self.reading.report.refused(network.place, "network", why);
+                Vec::new()
             }
+            Err(why) => vec![self.unread_network(at, network, ("LAD", &why))],
         };
         drawings.extend(after);
         drawings
@@ -184,7 +177,7 @@ impl Sketcher<'_> {
         merged
     }
 
-    /// A part; one without a counterpart is a block that does nothing.
+    /// A part; one without a counterpart is not read.
     fn part(&mut self, translator: &mut Translator<'_, '_>, part: &Part) -> Translated {
         let done = match of_document(&part.name) {
             Some(row) => translator.instruction(row, part),
@@ -211,14 +204,10 @@ impl Sketcher<'_> {
                 }
                 done
             }
-            Err(why) => {
-                let why = format!("{why}: it is a block that does nothing");
-                self.inert(part.place, &part.text, &why);
-                Translated {
-                    texts: vec![self.idle_block(&part.name, &part.text)],
-                    ..Translated::default()
-                }
-            }
+            Err(why) => Translated {
+                texts: vec![self.unread_part(part, &why)],
+                ..Translated::default()
+            },
         }
     }
 

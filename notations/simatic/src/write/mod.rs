@@ -7,6 +7,7 @@ mod operand;
 mod power;
 mod strands;
 mod unit;
+mod unread;
 
 use declare::{TypeForm, Types};
 use ladder_analysis::Analysis;
@@ -42,6 +43,8 @@ struct Writer<'a> {
     networks: HashMap<TextSize, &'a Network>,
     /// How each block of the program comes by its power.
     powers: Vec<Power>,
+    /// Unread parts by their names in small letters: the text of each in SCL, or why it is not written.
+    unread: HashMap<String, Result<String, String>>,
 }
 
 /// Writes a program.
@@ -80,6 +83,7 @@ fn documents(analysis: &Analysis, unwritable: &Unwritable) -> Result<Writing, Wr
         parameters: unit::parameters(&units),
         networks: HashMap::new(),
         powers: power::powers(program),
+        unread: unread::parts(&units),
     };
     for network in &program.networks {
         writer.networks.insert(network.location.range.start(), network);
@@ -95,7 +99,7 @@ fn documents(analysis: &Analysis, unwritable: &Unwritable) -> Result<Writing, Wr
     while names.contains(&name.to_lowercase()) {
         name.push_str("_program");
     }
-    for unit in units.iter().skip(1) {
+    for unit in units.iter().skip(1).filter(|unit| unit.unread.is_none()) {
         let used = program
             .blocks
             .iter()

@@ -23,6 +23,8 @@ pub(super) struct Unit {
     pub(super) sections: Vec<Declarations>,
     /// Networks by their number in the structure, each with what is said above it.
     pub(super) networks: Vec<(usize, Vec<String>)>,
+    /// Of an unread part: its text in SCL, or why it is not written.
+    pub(super) unread: Option<Result<String, String>>,
 }
 
 /// The program, and then its blocks.
@@ -73,17 +75,19 @@ pub(super) fn units(parse: &Parse) -> Vec<Unit> {
                     .push(declare::section(parse, &structure.sections[number]));
             }
             Item::BlockHeader(number) => {
-                let line = structure.blocks[number].lines.start;
-                let text = parse.lines()[line].text();
+                let lines = structure.blocks[number].lines.clone();
+                let text = parse.lines()[lines.start].text();
                 let name: String = text
                     .split_once('$')
                     .map(|(_, rest)| rest.chars().take_while(|c| c.is_alphanumeric()).collect())
                     .unwrap_or_default();
+                let said: Vec<String> = std::mem::take(&mut groups).into_iter().flatten().collect();
                 units.push(Unit {
                     name,
                     is_block: true,
                     leads_out: text.contains('<'),
-                    said: std::mem::take(&mut groups).into_iter().flatten().collect(),
+                    unread: super::unread::text_of(parse, lines, &said),
+                    said,
                     ..Unit::default()
                 });
                 groups.push(Vec::new());
@@ -156,7 +160,15 @@ impl Writer<'_> {
             };
             let title = self.titled(said);
             let place = self.place(network.location.range.start().into());
-            let parts = self.network(network, &tags);
+            let parts = match self.in_scl(network, &tags) {
+                Some(Ok(text)) => {
+                    self.report.translated(place, "network");
+                    networks.push_str(&drawn("SCL", &title, "", &text));
+                    continue;
+                }
+                Some(Err(why)) => Err(why),
+                None => self.network(network, &tags),
+            };
             let parts = match parts {
                 Ok(parts) => {
                     self.report.translated(place, "network");
@@ -176,8 +188,8 @@ impl Writer<'_> {
                 .unwrap_or_default();
             for (number, rungs) in parts.iter().enumerate() {
                 match number {
-                    0 => networks.push_str(&drawn(&title, &label, rungs)),
-                    _ => networks.push_str(&drawn("", "", rungs)),
+                    0 => networks.push_str(&drawn("LAD", &title, &label, rungs)),
+                    _ => networks.push_str(&drawn("LAD", "", "", rungs)),
                 }
             }
         }
@@ -361,13 +373,13 @@ fn powered(power: Option<Power>, tags: &mut Tags, out: &mut Vec<(String, Vec<Str
     let rung = format!(
         "        RUNG wire#powerrail\r\n            Contact( #\"{POWER_IN}\" )\r\n            Coil( #\"{POWER_OUT}\" )\r\n        END_RUNG\r\n"
     );
-    drawn("", "", &rung)
+    drawn("LAD", "", "", &rung)
 }
 
 /// A network.
-fn drawn(title: &str, label: &str, rungs: &str) -> String {
+fn drawn(language: &str, title: &str, label: &str, rungs: &str) -> String {
     format!(
-        "    {{\r\n        S7_Language := \"LAD\"{title}\r\n    }}\r\n    NETWORK\r\n{label}{rungs}    END_NETWORK\r\n"
+        "    {{\r\n        S7_Language := \"{language}\"{title}\r\n    }}\r\n    NETWORK\r\n{label}{rungs}    END_NETWORK\r\n"
     )
 }
 

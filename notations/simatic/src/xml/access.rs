@@ -1,6 +1,6 @@
 //! What is read and written in a network, as source documents write it.
 
-use ladder_notation::xml::Element;
+use ladder_notation::xml::{Element, in_words};
 use roxmltree::Node;
 
 /// Indices nest no deeper.
@@ -29,6 +29,42 @@ pub(super) fn operand(node: Node<'_, '_>, depth: usize) -> String {
         return label.attribute("Name").unwrap_or_default().to_owned();
     }
     node.child("Address").map_or_else(|| "?".to_owned(), address)
+}
+
+/// The text of a network: of one in SCL as it is shown there, of any other all that is in it, in words.
+pub(super) fn text(source: Node<'_, '_>) -> String {
+    let Some(structured) = source.child("StructuredText") else {
+        return in_words(source);
+    };
+    let mut out = String::new();
+    words(structured, &mut out, 0);
+    out.trim().to_owned()
+}
+
+/// The words of a text in SCL.
+fn words(node: Node<'_, '_>, out: &mut String, depth: usize) {
+    let attribute = |name: &str| node.attribute(name).unwrap_or_default();
+    let count = || attribute("Num").parse().unwrap_or(1_usize).min(200);
+    let is_call = attribute("Scope") == "Call" || node.child("CallInfo").is_some();
+    match Element::name(&node) {
+        "Token" => out.push_str(attribute("Text")),
+        "Blank" => out.push_str(&" ".repeat(count())),
+        "NewLine" => out.push_str(&"\n".repeat(count())),
+        "LineComment" | "Comment" => out.push_str(&format!("(* {} *)", node.words())),
+        "Text" => out.push_str(&node.words()),
+        "Access" if !is_call && (node.child("Symbol").is_some() || node.child("Constant").is_some()) => {
+            out.push_str(&operand(node, 0));
+        }
+        "StructuredText" | "Access" | "CallInfo" | "Instruction" | "Instance" | "Component" | "Parameter"
+            if depth < DEEPEST =>
+        {
+            out.push_str(attribute("Name"));
+            for inner in node.elements() {
+                words(inner, out, depth + 1);
+            }
+        }
+        _ => out.push_str(&in_words(node)),
+    }
 }
 
 /// The components of a symbol, or of an instance.

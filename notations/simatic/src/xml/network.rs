@@ -22,22 +22,19 @@ pub(super) fn network(xml: &Xml<'_>, node: Node<'_, '_>, unit: &mut Unit) -> Net
     let language = child("ProgrammingLanguage").map(|node| node.words());
     let language = language.unwrap_or_else(|| "LAD".to_owned());
     let source = child("NetworkSource");
-    let Some(drawn) = source.and_then(|source| source.child("FlgNet")) else {
-        let text = source.map(|node| node.words()).unwrap_or_default();
-        if !text.is_empty() || !language.ends_with("LAD") {
-            network.body = Body::Text(format!("a network in {language} is not run here"), text);
-        }
+    let Some(source) = source.filter(|source| source.elements().next().is_some()) else {
+        return network;
+    };
+    network.text = access::text(source);
+    let drawn = source.child("FlgNet").filter(|_| language.ends_with("LAD"));
+    let Some(drawn) = drawn else {
+        network.body = Body::in_language(&language);
         return network;
     };
     let count = drawn.child("Parts").map_or(0, |parts| parts.elements().count());
-    if !language.ends_with("LAD") || count > MOST_PARTS {
-        let why = if count > MOST_PARTS {
-            format!("a network has no more than {MOST_PARTS} parts")
-        } else {
-            format!("a network in {language} is not run here")
-        };
-        let parts = drawn.descendants().filter_map(|node| node.attribute("Name"));
-        network.body = Body::Text(why, parts.collect::<Vec<_>>().join(" "));
+    if count > MOST_PARTS {
+        let why = format!("a network has no more than {MOST_PARTS} parts");
+        network.body = Body::Text(language, why);
         return network;
     }
     let labels = drawn.child("Labels");

@@ -137,11 +137,12 @@ fn values_and_conversions() {
             S_BitfieldCoil( operand := #w, n := 3 )
         END_RUNG",
         expect![[r#"
-            # S_BitfieldCoil is not run here: the block does nothing, and power passes. #
+            # S_BitfieldCoil is not read: a scan runs past it, and what it may write is not known. #
             FUNCTION_BLOCK [$SBitfieldCoil]
             VAR_INPUT
-                shown : STRING[254] := '';
+                operands : STRING[254] := '';
             END_VAR
+            # ladder: unread #
             END_FUNCTION_BLOCK
 
             VAR
@@ -153,7 +154,7 @@ fn values_and_conversions() {
             END_VAR
 
             +--[ADD]( result, long, DINT#5, n )--[TYP]( n, result )--[TYP]( n, r )--[MOV]( r, r )--[TYP]( r, n )--[CALC]( r, (r + 1.5) ^ 2.0 )--[CALC]( outside, n < 1 OR n > 9 )--[ ]( outside )---------------[CALC]( y, n > 3 )--[$SBitfieldCoil]( 'S_BitfieldCoil( operand := #w, n := 3 )' )--+
-            19:13: approximated: S_BitfieldCoil( operand := #w, n := 3 ): only bits of an array, from a constant index on, can be set together here: it is a block that does nothing
+            19:13: approximated: S_BitfieldCoil( operand := #w, n := 3 ): only bits of an array, from a constant index on, can be set together here: a scan runs past it, and what it may write is not known
         "#]],
     );
 }
@@ -165,18 +166,20 @@ fn what_is_unknown_does_nothing_and_says_so() {
         "RUNG wire#powerrail Contact( #a ) #pid( Setpoint := 5.0, Output => #y ) wire#w1 \"Other\"( x := #n ) END_RUNG
          RUNG wire#w1 Contact( \"Plant\".pumps[3].run ) Coil( %Q0.5 ) END_RUNG",
         expect![[r##"
-            # "Other" is not run here: the block does nothing, and power passes. #
-            FUNCTION_BLOCK [$Other]
-            VAR_INPUT
-                shown : STRING[254] := '';
-            END_VAR
-            END_FUNCTION_BLOCK
-
-            # pid is not run here: the block does nothing, and power passes. #
+            # pid is not read: a scan runs past it, and what it may write is not known. #
             FUNCTION_BLOCK [$pid]
             VAR_INPUT
-                shown : STRING[254] := '';
+                operands : STRING[254] := '';
             END_VAR
+            # ladder: unread #
+            END_FUNCTION_BLOCK
+
+            # Other is not read: a scan runs past it, and what it may write is not known. #
+            FUNCTION_BLOCK [$Other]
+            VAR_INPUT
+                operands : STRING[254] := '';
+            END_VAR
+            # ladder: unread #
             END_FUNCTION_BLOCK
 
             VAR_GLOBAL
@@ -187,8 +190,8 @@ fn what_is_unknown_does_nothing_and_says_so() {
             |                                                               /--[ ]( Plant_pumps_3_run )----------( )( %QX0.5 )--/  |
             1:1: approximated: tag Plant.pumps.3.run: another file of the project declares it: its type is the one that its place asks for
             9:5: approximated: variable pid: it is not declared here: the type `PID_Compact` is declared in another file, which does not stand next to this one
-            12:35: approximated: #pid( Setpoint := 5.0, Output => #y ): the block `PID_Compact` is in no file next to this one: it is a block that does nothing
-            12:81: approximated: "Other"( x := #n ): `Other` is no instruction that is known here, and no block whose file stands next to this one: it is a block that does nothing
+            12:35: approximated: #pid( Setpoint := 5.0, Output => #y ): the block `PID_Compact` is in no file next to this one: a scan runs past it, and what it may write is not known
+            12:81: approximated: "Other"( x := #n ): `Other` is no instruction that is known here, and no block whose file stands next to this one: a scan runs past it, and what it may write is not known
         "##]],
     );
 }
@@ -274,11 +277,12 @@ fn blocks_types_and_data_of_files_next_to_it() {
             END_STRUCT;  # Plant in the project #
         END_TYPE
 
-        # "Broken" is not run here: the block does nothing, and power passes. #
+        # Broken is not read: a scan runs past it, and what it may write is not known. #
         FUNCTION_BLOCK [$Broken]
         VAR_INPUT
-            shown : STRING[254] := '';
+            operands : STRING[254] := '';
         END_VAR
+        # ladder: unread #
         END_FUNCTION_BLOCK
 
         FUNCTION_BLOCK [$Motor]
@@ -317,7 +321,7 @@ fn blocks_types_and_data_of_files_next_to_it() {
 
         +--[ ]( a )----[$Motor]( pump, go := Plant.pumps[2], limit := Plant.limits, running => y )--[$Broken]( '"Broken"()' )--+
 
-        12:107: approximated: "Broken"(): the file of `Broken` cannot be read: 1:11: a quote `"` is not closed on its line: it is a block that does nothing
+        12:107: approximated: "Broken"(): the file of `Broken` cannot be read: 1:11: a quote `"` is not closed on its line: a scan runs past it, and what it may write is not known
     "#]].assert_eq(&format!("{ladder}\n{}", remarks(&converted)));
 }
 
@@ -382,7 +386,7 @@ fn broken_frames_are_refused_and_broken_networks_stay() {
         Vec::new(),
     );
     expect![[r#"
-        12:35: approximated: network: the network cannot be read: one of `({` is missing after `Coil`
+        12:35: approximated: network: the network cannot be read: one of `({` is missing after `Coil`: a scan runs past it, and what it may write is not known
     "#]]
     .assert_eq(&remarks(&converted));
 }
@@ -395,15 +399,16 @@ fn power_in_a_circle_does_not_run() {
          RUNG wire#q Contact( #b ) END_RUNG wire#p
          RUNG wire#powerrail Contact( #c ) END_RUNG wire#p",
         expect![[r#"
-            # Network is not run here: the block does nothing, and power passes. #
-            FUNCTION_BLOCK [$Network]
-            VAR_INPUT
-                shown : STRING[254] := '';
-            END_VAR
+            # network 1 of Test block (LAD) is not read: a scan runs past it, and what it may write is not known. #
+            FUNCTION_BLOCK [$network1OfTestBlockLAD]
+            # ladder: unread #
+            # RUNG wire\hp Contact( \ha ) wire\hq Coil( \hy ) END_RUNG #
+            #          RUNG wire\hq Contact( \hb ) END_RUNG wire\hp #
+            #          RUNG wire\hpowerrail Contact( \hc ) END_RUNG wire\hp #
             END_FUNCTION_BLOCK
 
-            +--------[$Network]( 'Contact( #a ) Coil( #y ) Contact( #b ) Contact( #c )' )--+
-            11:8: approximated: network: power would run in a circle
+            +---------------------------------------------------[$network1OfTestBlockLAD]--+
+            11:8: approximated: network: power would run in a circle: a scan runs past it, and what it may write is not known
         "#]],
     );
 }
