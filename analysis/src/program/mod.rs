@@ -13,7 +13,7 @@ use crate::values::value::Value;
 use ladder_instructions::{Instruction, Operand, Profile, Semantics, Shape};
 use ladder_syntax::{Name, TextRange};
 pub use operand::{
-    Argument, BinaryOperator, Chosen, Expr, ExprKind, Member, Place, RangeRef, Subscript, UnaryOperator,
+    Argument, BinaryOperator, Chosen, Expr, ExprKind, Member, Place, RangeRef, Row, Subscript, UnaryOperator,
 };
 use std::ops::Range;
 use std::sync::Arc;

@@ -104,6 +104,20 @@ pub struct RangeRef {
     pub first: Box<Expr>,
     /// Index of the last; absent where an index alone says where the range starts.
     pub last: Option<Box<Expr>>,
+    /// The array within its tag, where `first` counts over more than this array: over the elements that hold it, or over the
+    /// dimensions before its last.
+    pub row: Option<Row>,
+    /// How many elements of the tag one index means: 1, and more for an array within the structures of an array.
+    pub per_index: i64,
+}
+
+/// An array within the elements of its tag.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// What this array calls the first element of a range.
+    pub index: Box<Expr>,
+    /// Its own bounds.
+    pub bounds: (i64, i64),
 }
 
 /// A typed expression.

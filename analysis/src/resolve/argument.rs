@@ -330,6 +330,8 @@ impl<'c> Resolver<'c, '_> {
                                 element,
                                 first,
                                 last,
+                                row: None,
+                                per_index: 1,
                             }));
                         }
                         Type::Scalar(_) | Type::Compound(_) => {}

@@ -4,7 +4,7 @@ use super::Resolver;
 use crate::findings::article::with_article;
 use crate::names::path_type::{InScope, path_type};
 use crate::networks::facts::{Node, NodeKind, Word};
-use crate::program::{Argument, Chosen, Expr, ExprKind, Place, Subscript, TagId};
+use crate::program::{Argument, Chosen, Expr, ExprKind, Place, Row, Subscript, TagId};
 use crate::rules::{bad_operand, type_mismatch, unknown_member};
 use crate::values::compound::Compound;
 use crate::values::types::{Scalar, Type};
@@ -290,6 +290,22 @@ pub(super) fn linear(part: &Part, more: &[(Expr, (i64, i64))], range: TextRange)
         return index.clone();
     }
     offset(&all, range)
+}
+
+/// The array that the last indices are in, where others choose it. Several dimensions are counted from 0, row by row.
+pub(super) fn own_row(part: &Part, more: &[(Expr, (i64, i64))], range: TextRange) -> Option<Row> {
+    if part.indices.is_empty() {
+        return None;
+    }
+    let (index, bounds) = match more {
+        [(index, bounds)] => (index.clone(), *bounds),
+        _ => {
+            let count: i64 = more.iter().map(|(_, (first, last))| last - first + 1).product();
+            (offset(&more.iter().collect::<Vec<_>>(), range), (0, count - 1))
+        }
+    };
+    let index = Box::new(index);
+    Some(Row { index, bounds })
 }
 
 /// The n-th of so many states that a part has, as its tag: those of its elements follow each other.

@@ -1,7 +1,7 @@
 //! Ranges of a path: rows, whole arrays, and all that a part holds, as they are copied and passed.
 
 use super::Resolver;
-use super::path::{Part, element_state, linear, no_array};
+use super::path::{Part, element_state, linear, no_array, own_row};
 use crate::networks::facts::{Node, NodeKind};
 use crate::program::{Argument, Expr, Place, RangeRef, TagId};
 use crate::rules::{bad_operand, type_mismatch};
@@ -27,6 +27,7 @@ impl Resolver<'_, '_> {
                     self.report(bad_operand::wrong(range, message));
                     return None;
                 }
+                let row = own_row(&part, &[(first_expr.clone(), bounds)], range);
                 let at = |index: Expr| Box::new(linear(&part, &[(index, bounds)], range));
                 let (first, last) = (at(first_expr), at(last_expr));
                 Some(RangeRef {
@@ -34,6 +35,8 @@ impl Resolver<'_, '_> {
                     element,
                     first,
                     last: Some(last),
+                    row,
+                    per_index: 1,
                 })
             }
             NodeKind::Index(base, index) if open => {
@@ -43,15 +46,14 @@ impl Resolver<'_, '_> {
                 }
                 let (bounds, element) = self.row(base, &part)?;
                 let index = self.subscript(base, index, bounds)?;
-                let rest = self.constant_expr(Value::Int(bounds.1), Scalar::Lint, node.range);
-                let is_whole_column = part.indices.is_empty();
-                let at = |index: Expr| Box::new(linear(&part, &[(index, bounds)], range));
+                let more = [(index, bounds)];
                 Some(RangeRef {
                     tag: self.column_id(part.tag, part.column),
                     element,
-                    first: at(index),
-                    // The elements from there on are those of its own row.
-                    last: (!is_whole_column).then(|| at(rest)),
+                    first: Box::new(linear(&part, &more, range)),
+                    last: None,
+                    row: own_row(&part, &more, range),
+                    per_index: 1,
                 })
             }
             NodeKind::Missing => None,
@@ -97,22 +99,24 @@ impl Resolver<'_, '_> {
             self.report(bad_operand::wrong(range, message));
             return None;
         };
-        let end = |pick: fn(&(i64, i64)) -> i64| {
-            let indices: Vec<(Expr, (i64, i64))> = open
-                .iter()
-                .map(|bounds| {
-                    let index = self.constant_expr(Value::Int(pick(bounds)), Scalar::Lint, node.range);
-                    (index, *bounds)
-                })
-                .collect();
-            Box::new(linear(&part, &indices, range))
+        let end = |pick: fn(&(i64, i64)) -> i64| -> Vec<(Expr, (i64, i64))> {
+            let index = |bounds: &(i64, i64)| {
+                let index = self.constant_expr(Value::Int(pick(bounds)), Scalar::Lint, node.range);
+                (index, *bounds)
+            };
+            open.iter().map(index).collect()
         };
         let (first, last) = (end(|bounds| bounds.0), end(|bounds| bounds.1));
+        let row = own_row(&part, &first, range);
+        let at = |indices: &[(Expr, (i64, i64))]| Box::new(linear(&part, indices, range));
+        let (first, last) = (at(&first), at(&last));
         Some(RangeRef {
             tag: self.column_id(part.tag, part.column),
             element,
             first,
             last: Some(last),
+            row,
+            per_index: 1,
         })
     }
 
@@ -150,28 +154,33 @@ impl Resolver<'_, '_> {
         let first = self.subscript(base, first, bounds)?;
         let last = match last {
             Some(last) => Some(self.subscript(base, last, bounds)?),
-            // The elements from there on are those of its own row.
-            None if !part.indices.is_empty() => {
-                Some(self.constant_expr(Value::Int(bounds.1), Scalar::Lint, node.range))
-            }
             None => None,
         };
         let mut ranges = Vec::new();
         for (number, column) in (0..).zip(element.column_list()) {
             let Type::Scalar(scalar) = column.ty else { continue };
-            let end = |index: &Expr, pick: fn(&(i64, i64)) -> i64| {
+            let end = |index: &Expr, pick: fn(&(i64, i64)) -> i64| -> Vec<(Expr, (i64, i64))> {
                 let mut indices = vec![(index.clone(), bounds)];
                 indices.extend(column.dimensions.iter().map(|bounds| {
                     let index = self.constant_expr(Value::Int(pick(bounds)), Scalar::Lint, node.range);
                     (index, *bounds)
                 }));
-                Box::new(linear(&part, &indices, range))
+                indices
             };
+            let first = end(&first, |bounds| bounds.0);
+            let last = last.as_ref().map(|last| end(last, |bounds| bounds.1));
+            let at = |indices: &[(Expr, (i64, i64))]| Box::new(linear(&part, indices, range));
             ranges.push(Argument::Range(RangeRef {
                 tag: TagId(0),
                 element: scalar,
-                first: end(&first, |bounds| bounds.0),
-                last: last.as_ref().map(|last| end(last, |bounds| bounds.1)),
+                first: at(&first),
+                last: last.as_deref().map(at),
+                row: own_row(&part, &first, range),
+                per_index: column
+                    .dimensions
+                    .iter()
+                    .map(|(first, last)| last - first + 1)
+                    .product(),
             }));
             if let Some(Argument::Range(range)) = ranges.last_mut() {
                 range.tag = self.column_id(part.tag, part.column + number);
@@ -216,6 +225,8 @@ impl Resolver<'_, '_> {
                     element: scalar,
                     first: end(|bounds| bounds.0),
                     last: Some(end(|bounds| bounds.1)),
+                    row: None,
+                    per_index: 1,
                 })
             } else if part.indices.is_empty() {
                 Argument::Place(Place::Tag(id), scalar)

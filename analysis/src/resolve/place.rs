@@ -248,6 +248,8 @@ impl Resolver<'_, '_> {
                     element,
                     first: Box::new(first_expr),
                     last,
+                    row: None,
+                    per_index: 1,
                 })
             }
             NodeKind::Index(base, index) if open => {
@@ -258,6 +260,8 @@ impl Resolver<'_, '_> {
                     element,
                     first,
                     last: None,
+                    row: None,
+                    per_index: 1,
                 })
             }
             NodeKind::Missing => None,
@@ -269,6 +273,8 @@ impl Resolver<'_, '_> {
                     element,
                     first: index(first),
                     last: Some(index(last)),
+                    row: None,
+                    per_index: 1,
                 })
             }
             _ => {

@@ -5,7 +5,6 @@ use crate::networks::BlockAt;
 use crate::networks::facts::NodeKind;
 use crate::networks::network::Formal;
 use crate::rules::bad_operand;
-use crate::values::types::Type;
 
 impl Resolver<'_, '_> {
     /// Says where NEXT is given for an array that begins below 0.
@@ -14,17 +13,24 @@ impl Resolver<'_, '_> {
         let next = operands()
             .find(|(_, formal)| matches!(formal, Formal::Operand(operand) if operand.name == "NEXT"));
         let Some((next, _)) = next else { return };
-        let array = operands().find_map(|(written, _)| match &written.value.kind {
-            NodeKind::Range(base, ..) => Some(base),
-            _ => None,
-        });
-        if let Some(NodeKind::Name(name)) = array.map(|base| &base.kind)
-            && let Some(tag) = array.and_then(|base| self.named_tag(base))
-            && let Type::Array { first, .. } = self.tag_type(tag)
+        let Some((searched, _)) = operands().nth(3) else {
+            return;
+        };
+        let array = match &searched.value.kind {
+            NodeKind::Range(base, ..) => base,
+            _ => &searched.value,
+        };
+        let Some((ty, given)) = self.part_type(array) else {
+            return;
+        };
+        let Some((dimensions, _)) = ty.array() else { return };
+        // Several dimensions without an index are counted from 0.
+        if let [(first, _)] = dimensions[given..]
             && first < 0
         {
+            let name = self.text_of(array);
             self.report(bad_operand::next_below_zero(
-                name,
+                &name,
                 first,
                 bound.absolute(next.range),
             ));

@@ -89,6 +89,8 @@ impl<'c> Resolver<'c, '_> {
                         element,
                         first,
                         last,
+                        row: None,
+                        per_index: 1,
                     }))
                 }
                 (Some(tag), _) => Some(Argument::State(self.tag_id(tag))),

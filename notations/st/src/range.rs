@@ -13,16 +13,20 @@ use ladder_instructions::Op;
 use ladder_syntax::TextRange;
 use std::collections::BTreeSet;
 
+/// The value of an index that is written as a number.
+fn number(index: &Expr) -> Option<i64> {
+    match index.kind {
+        ExprKind::Constant(Value::Int(number)) => Some(number),
+        _ => None,
+    }
+}
+
 /// Longer ranges are not written element by element.
 const LONGEST: i64 = 256;
 
 impl Unit<'_, '_> {
     /// The first and last index of a range, where they are numbers.
     fn ends(&self, range: &RangeRef) -> Result<(i64, i64)> {
-        let number = |expr: &Expr| match expr.kind {
-            ExprKind::Constant(Value::Int(number)) => Some(number),
-            _ => None,
-        };
         let tag = &self.project.program.tags[range.tag.0 as usize];
         let end = match tag.ty {
             Type::Array { last, .. } => last,
@@ -181,26 +185,28 @@ impl Unit<'_, '_> {
             }
             return Ok((targets, sources.iter().map(term_of).collect()));
         }
-        let ends = |unit: &Self, one: &RangeRef, other: &RangeRef| {
-            let number = |expr: &Expr| match expr.kind {
-                ExprKind::Constant(Value::Int(number)) => Some(number),
-                _ => None,
-            };
-            match (&one.last, &other.last, number(&one.first)) {
-                (Some(_), ..) => unit.ends(one),
-                (None, Some(_), Some(first)) => {
-                    let (low, high) = unit.ends(other)?;
-                    Ok((first, first + high - low))
-                }
-                (None, None, Some(first)) => Ok((first, first)),
-                _ => unit.stop("a range whose ends are computed: use a loop"),
+        let ends = |unit: &Self, one: &RangeRef, other: &RangeRef| match (
+            &one.last,
+            &other.last,
+            number(&one.first),
+        ) {
+            (Some(_), ..) => unit.ends(one),
+            (None, Some(_), Some(first)) => {
+                let (low, high) = unit.ends(other)?;
+                Ok((first, first + high - low))
             }
+            (None, None, Some(first)) => Ok((first, first + one.per_index - 1)),
+            _ => unit.stop("a range whose ends are computed: use a loop"),
         };
         let (to_ends, from_ends) = (ends(self, to, from)?, ends(self, from, to)?);
         if to_ends.1 - to_ends.0 != from_ends.1 - from_ends.0 {
             return self.stop("ranges of different lengths");
         }
         let beyond = |range: &RangeRef, (first, last): (i64, i64)| {
+            if let Some(row) = &range.row {
+                let own = number(&row.index).map(|own| own + last - first);
+                return own.is_none_or(|own| own > row.bounds.1);
+            }
             let tag = &self.project.program.tags[range.tag.0 as usize];
             matches!(tag.ty, Type::Array { first: low, last: high, .. } if first < low || last > high)
         };

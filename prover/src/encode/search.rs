@@ -29,7 +29,7 @@ impl Scan<'_, '_> {
         else {
             return None;
         };
-        let (first, test) = (self.word(Word(first)).known()?, Test::of_operand(test));
+        let (first, test) = (self.word(Word(first)), Test::of_operand(test));
         let is_text = type_of(element).is_string();
         // A whole number next to a real would have to become one.
         if is_text || type_of(element).is_real() != type_of(a_type).is_real() {
@@ -45,14 +45,15 @@ impl Scan<'_, '_> {
         let before = before.seen_as(width);
         let (mut value, mut hit) = (nothing, Lit::FALSE);
         for slot in span.slots.clone().rev() {
-            let index = first + i64::from(slot) - i64::from(base);
             let mut is_it = self.compare_element(test, (slot, element), (a, a_type));
             let is_in = self.is_in(&span, slot);
             let graph = &mut self.world.graph;
-            let is_after = graph.less(&before, &Number::constant(index));
+            let place = Number::constant(i64::from(slot) - i64::from(base));
+            let index = graph.add(&first, &place).as_word();
+            let is_after = graph.less(&before, &index);
             let is_asked = graph.or(!next, is_after);
             is_it = graph.all([is_it, is_in, is_asked, !is_over]);
-            value = graph.choose_number(is_it, &Number::constant(width.wrap(index)), &value);
+            value = graph.choose_number(is_it, &index.wrapped(width), &value);
             hit = graph.or(hit, is_it);
         }
         self.write_word(Word(y), value);

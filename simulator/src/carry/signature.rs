@@ -165,6 +165,10 @@ impl<'p> Signatures<'p> {
         if let Some(last) = &range.last {
             self.hash_expr(last, hasher);
         }
+        if let Some(row) = &range.row {
+            row.bounds.hash(hasher);
+            self.hash_expr(&row.index, hasher);
+        }
     }
 
     fn hash_expr(&self, expr: &Expr, hasher: &mut DefaultHasher) {

@@ -67,18 +67,28 @@ impl Compiler<'_> {
     /// A range that begins at an index and has this many elements.
     pub(super) fn range_from(&mut self, range: &RangeRef, count: Word) -> Result<Span> {
         let (base, first, last) = self.bounds(range);
-        let from = self.count(&range.first)?;
+        let start = self.found_from(&range.first, count, (base, first, last))?;
+        if let Some(row) = &range.row {
+            // It ends with its own array.
+            self.found_from(&row.index, count, (0, row.bounds.0, row.bounds.1))?;
+        }
+        let start = match self.borrowed(range) {
+            Some(at) => self.integer(IntegerOp::Add, Scalar::Lint, start, at),
+            None => start,
+        };
+        Ok(Span { start, count })
+    }
+
+    /// The slot of an element after which there are as many as a range has, of an array with a first slot and bounds.
+    fn found_from(&mut self, from: &Expr, count: Word, (base, first, last): (u32, i64, i64)) -> Result<Word> {
+        let from = self.count(from)?;
         let start = self.layout.word();
         let (first, last) = (self.constant(first), self.constant(last));
         self.routine(
             Routine::RangeFrom,
             &[from.0, count.0, base, first.0, last.0, start.0],
         );
-        let start = match self.borrowed(range) {
-            Some(at) => self.integer(IntegerOp::Add, Scalar::Lint, start, at),
-            None => start,
-        };
-        Ok(Span { start, count })
+        Ok(start)
     }
 
     /// The word that holds the slot of an array's first element, where an in-out stands for the array.

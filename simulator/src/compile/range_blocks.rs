@@ -2,7 +2,7 @@
 
 use super::arguments::Arguments;
 use super::place::Slot;
-use super::range::Span;
+use super::range::{Span, constant};
 use super::{Compiler, Result};
 use crate::code::Instr;
 use crate::memory::{Bit, Word};
@@ -49,7 +49,7 @@ impl Compiler<'_> {
                 (self.range_from(to, span.count)?, span)
             }
             (None, None) => {
-                let one = self.constant(1);
+                let one = self.constant(to.per_index);
                 (self.range_from(to, one)?, self.range_from(from, one)?)
             }
         })
@@ -193,13 +193,10 @@ impl Compiler<'_> {
         };
         let wanted_type = type_operand(wanted.ty);
         let wanted = self.wanted(wanted, range.element)?.number();
-        let [first, count] = self.range(range)?.operands();
-        let (base, first_index, _) = self.bounds(range);
-        let (mut first_index, found) = (self.constant(first_index), self.layout.bit());
-        if let Some(at) = self.borrowed(range) {
-            // The index of what would be in slot 0.
-            first_index = self.integer(IntegerOp::Sub, Scalar::Lint, first_index, at);
-        }
+        let span = self.range(range)?;
+        let (first_index, base) = self.index_at_slot(range, span)?;
+        let [first, count] = span.operands();
+        let found = self.layout.bit();
         self.routine(
             Routine::Search,
             &[
@@ -223,6 +220,24 @@ impl Compiler<'_> {
         }
         self.end_powered(start);
         Ok(out)
+    }
+
+    /// What an array calls the element that is, or would be, in a slot: its index, and the slot.
+    fn index_at_slot(&mut self, range: &RangeRef, span: Span) -> Result<(Word, u32)> {
+        let (base, first_index, _) = self.bounds(range);
+        let borrowed = self.borrowed(range);
+        if let Some(row) = &range.row {
+            if let (None, Some(own), Some(first)) = (borrowed, constant(&row.index), constant(&range.first)) {
+                return Ok((self.constant(own - (first - first_index)), base));
+            }
+            let own = self.count(&row.index)?;
+            return Ok((self.integer(IntegerOp::Sub, Scalar::Lint, own, span.start), 0));
+        }
+        let first_index = self.constant(first_index);
+        Ok(match borrowed {
+            Some(at) => (self.integer(IntegerOp::Sub, Scalar::Lint, first_index, at), 0),
+            None => (first_index, base),
+        })
     }
 
     /// What is searched for. A literal takes the elements' precision: 0.1 is found among REALs.

@@ -407,3 +407,35 @@ fn scan_time() {
     );
     assert_eq!(simulation.take_serial(), b"10\r\n10\r\n");
 }
+
+/// The index is the array's own, wherever the array lies in its tag.
+#[test]
+fn searching_an_array_in_another() {
+    check(
+        "TYPE\n R : STRUCT\n t : ARRAY[1..4] OF INT := [0, 3, 2, 3];\n s : ARRAY[-3..0] OF STRING := ['a', 'b', 'c', 'd'];\n f : ARRAY[5..8] OF BOOL := [FALSE, FALSE, TRUE, FALSE];\n END_STRUCT;\nEND_TYPE\n\
+         FUNCTION_BLOCK [$Find]\nVAR_IN_OUT unit : R; list : ARRAY[1..4] OF INT; END_VAR\nVAR_OUTPUT i, j : INT; END_VAR\n\
+         +--[SEARCH]( i, EQ, 3, unit.t[2..4] )--[SEARCH]( j, EQ, 3, list )--+\nEND_FUNCTION_BLOCK\n\
+         VAR_INPUT n : INT; from : INT := 1; next : BOOL; END_VAR\n\
+         VAR b : ARRAY[0..1] OF R; g : ARRAY[0..1, 1..4] OF INT := [4(0), 0, 0, 0, 3]; p, q, r, v, w, i, j : INT; found : BOOL; END_VAR\n\
+         +--[SEARCH]( p, EQ, 3, b[n].t[from..4], NEXT := next, FOUND => found )--[SEARCH]( q, EQ, 3, b[1].t )--[SEARCH]( r, EQ, 3, g[n, from..4] )--+\n\
+         +--[SEARCH]( v, EQ, 'c', b[n].s[-3..0] )--[SEARCH]( w, EQ, TRUE, b[1].f[5..8] )--[$Find]( b[n], b[1].t, i, j )--+\n",
+        "n 1 1 1 0 1\nnext _--__\nfrom 1 1 1 1 4",
+        "p found q r v w i j",
+        expect![[""]],
+    );
+}
+
+/// An index alone is where a range begins, and its array is the end of it.
+#[test]
+fn moving_from_an_index_on_in_an_array_in_another() {
+    check(
+        "TYPE\n R : STRUCT\n t : ARRAY[1..4] OF INT := [1, 2, 3, 4];\n x : INT := 9;\n END_STRUCT;\nEND_TYPE\n\
+         VAR b : ARRAY[0..3] OF R; g : ARRAY[0..1, 1..4] OF INT; n : INT := 1; END_VAR\n\
+         +--[MOV]( b[1].t[4], 7 )--[MOV]( b[1].x, 8 )--[BMOV]( b[2], b[1] )--( )( one )--+\n\
+         +--[BMOV]( g[n, 3], b[2].t[3..4] )--( )( inside )--+\n\
+         +--[BMOV]( g[0, 3], b[n].t[2..4] )--( )( beyond )--+\n",
+        "1",
+        "one inside beyond b[2].t[4] b[2].x g[1,3] g[1,4] g[0,3]",
+        expect![[""]],
+    );
+}
