@@ -12,8 +12,8 @@ mod watch;
 
 use crate::code::ElementPlace;
 use crate::simulation::Simulation;
-use ladder_analysis::program::{BlockKind, ElementKind, Location, Step};
-use ladder_instructions::{Group, Power};
+use ladder_analysis::program::{BlockKind, ElementKind, Location, Network, Step};
+use ladder_instructions::{Group, Op, Power};
 use std::collections::HashMap;
 use watch::Watch;
 
@@ -37,7 +37,7 @@ pub struct CoverageItem {
     pub location: Location,
     /// It was seen closed; a coil with power.
     pub on: bool,
-    /// It was seen open; a coil without power.
+    /// It was seen open; a coil without power, or it is one that can never be without.
     pub off: bool,
     /// The element whose power comes to it, and the one that carries what leaves it.
     input: Option<u32>,
@@ -106,16 +106,27 @@ impl Coverage {
                 .entry((element.network, element.step))
                 .or_insert(index as u32);
         }
+        let has_mcr = (program.networks.iter())
+            .flat_map(|network| &network.blocks)
+            .any(|block| matches!(block.kind, BlockKind::Instruction(row) if row.op == Op::Mcr));
+        let always: Vec<Vec<bool>> = match has_mcr {
+            true => Vec::new(),
+            false => program.networks.iter().map(always_powered).collect(),
+        };
         let part = |(index, element): (usize, &ElementPlace)| {
             let network = &program.networks[element.network as usize];
             let Step::Block { block, en } = network.steps[element.step as usize] else {
                 return None;
             };
+            let kind = kind(network.blocks[block].kind)?;
+            let is_on = always
+                .get(element.network as usize)
+                .is_some_and(|steps| steps[en]);
             Some(CoverageItem {
-                kind: kind(network.blocks[block].kind)?,
+                kind,
                 location: element.location,
                 on: false,
-                off: false,
+                off: is_on && kind == CoverageItemKind::Coil,
                 input: carriers.get(&(element.network, en as u32)).copied(),
                 output: index as u32,
             })
@@ -218,6 +229,22 @@ fn see(part: &mut CoverageItem, simulation: &Simulation) -> bool {
     part.on |= on == Some(true);
     part.off |= on == Some(false);
     part.is_exercised()
+}
+
+/// For each step of a network whether it has power in each scan that reaches it: nothing but coils is between it and the left rail.
+/// Of a program that no master control switches.
+fn always_powered(network: &Network) -> Vec<bool> {
+    let mut always: Vec<bool> = Vec::with_capacity(network.steps.len());
+    for step in &network.steps {
+        always.push(match *step {
+            Step::Start { rail } => rail,
+            Step::Join { upper, lower } => always[upper] || always[lower],
+            Step::Block { block, en } => {
+                always[en] && kind(network.blocks[block].kind) == Some(CoverageItemKind::Coil)
+            }
+        });
+    }
+    always
 }
 
 fn kind(block: BlockKind) -> Option<CoverageItemKind> {

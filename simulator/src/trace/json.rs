@@ -21,7 +21,12 @@ impl Write for Json {
             out.push_str(if index == 0 { "\n" } else { ",\n" });
             out.push_str("    { \"name\": ");
             push_string(&tag.name, out);
-            out.push_str(&format!(", \"type\": \"{}\" }}", tag.ty().name()));
+            out.push_str(", \"type\": ");
+            match tag.ty() {
+                Scalar::Enum(id) => push_string(&id.get().name, out),
+                ty => push_string(ty.name(), out),
+            }
+            out.push_str(" }");
         }
         out.push_str(if header.tags.is_empty() { "]" } else { "\n  ]" });
         out.push_str(",\n  \"scans\": [");
@@ -50,13 +55,14 @@ impl Write for Json {
 /// The largest whole number that every reader of JSON holds exactly.
 const EXACT: u64 = 1 << 53;
 
-/// BOOL as true or false, numbers as numbers, TIME in milliseconds; texts, dates and integers past 2^53 as strings.
+/// BOOL as true or false, numbers as numbers, TIME in milliseconds; texts, dates, values of enumerations and integers past 2^53 as
+/// strings.
 fn push_value(value: &Value, ty: Scalar, out: &mut String) {
     let cell = value_text::cell(value, ty);
     match value {
         Value::Bool(high) => out.push_str(if *high { "true" } else { "false" }),
         Value::Text(_) => push_string(&cell, out),
-        Value::Int(_) if ty.is_date() => push_string(&cell, out),
+        Value::Int(_) if ty.is_date() || matches!(ty, Scalar::Enum(_)) => push_string(&cell, out),
         Value::Int(number) if is_exact(*number, ty) => out.push_str(&cell),
         Value::Int(_) => push_string(&cell, out),
         Value::Real(real) if real.is_finite() => out.push_str(&cell),

@@ -1,8 +1,8 @@
 //! A value change dump (IEEE 1364, §18), which waveform viewers such as GTKWave read.
 //!
 //! BOOL is a wire, integers and bit strings are vectors of their width, reals are reals, and TIME is a real number
-//! of milliseconds, so that a viewer can draw a timer as a ramp. Texts and dates are strings, a kind that GTKWave
-//! added. Members are in a scope of their tag's name: `warmup.ET` is `ET` in `warmup`.
+//! of milliseconds, so that a viewer can draw a timer as a ramp. Texts, dates and values of enumerations are strings, a
+//! kind that GTKWave added. Members are in a scope of their tag's name: `warmup.ET` is `ET` in `warmup`.
 
 use super::{Header, Write};
 use crate::value_text;
@@ -116,7 +116,7 @@ fn kind(ty: Scalar) -> (&'static str, u32) {
     match ty {
         Scalar::Bool => ("wire", 1),
         Scalar::Time => ("real", 64),
-        Scalar::Date | Scalar::Tod | Scalar::Dt | Scalar::String(_) => ("string", 1),
+        Scalar::Date | Scalar::Tod | Scalar::Dt | Scalar::String(_) | Scalar::Enum(_) => ("string", 1),
         _ if ty.is_real() => ("real", 64),
         _ if ty.is_signed() => ("integer", ty.width()),
         _ => ("reg", ty.width()),
@@ -146,7 +146,9 @@ fn push_change(value: &Value, ty: Scalar, identifier: &str, out: &mut String) {
                 value_text::milliseconds(*nanoseconds)
             ));
         }
-        Value::Int(_) if ty.is_date() => push_text(&value_text::cell(value, ty), identifier, out),
+        Value::Int(_) if ty.is_date() || matches!(ty, Scalar::Enum(_)) => {
+            push_text(&value_text::cell(value, ty), identifier, out);
+        }
         Value::Int(number) => {
             let mask = u64::MAX >> (64 - ty.width());
             out.push_str(&format!("b{:b} {identifier}\n", *number as u64 & mask));
