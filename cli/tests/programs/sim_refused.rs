@@ -108,8 +108,8 @@ fn a_broken_csv_is_refused_with_row_and_column() {
         ),
         ("go,GO\n1,2\n", "in.csv: the header has `GO` in columns 1 and 2"),
         (
-            "go;speed\n1;2\n",
-            "in.csv: header, column 1 (`go;speed`): columns are separated by commas",
+            "go;speed\n1;2,5\n",
+            "in.csv: row 0 (line 2), column `speed`: `2,5` is not a value for an INT: write a whole number as in 42 or 16#FF",
         ),
         (
             "go,limit\n1,2\n",

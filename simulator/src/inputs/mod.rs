@@ -1,13 +1,17 @@
 //! What the world outside gives to the program, scan by scan, as a table in CSV says it.
 
+mod cells;
 mod table;
 
 use crate::simulation::Simulation;
 use crate::tags::Point;
 use crate::value_text;
+use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use std::fmt;
 use table::Table;
+
+pub use cells::{table_cells, with_point};
 
 /// Why a table of inputs cannot be used: its file, the row and the column, and what is wrong there.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -45,7 +49,7 @@ impl Inputs {
                     Err(table.column_failure(column, "this tag can only be read"))
                 }
                 Ok(point) => Ok(point),
-                Err(unknown) => Err(table.column_failure(column, &hint(name, unknown.to_string()))),
+                Err(unknown) => Err(table.column_failure(column, &unknown.to_string())),
             })
             .collect::<Result<Vec<Point>, InputsError>>()?;
         let inputs = Inputs { table, points };
@@ -58,7 +62,7 @@ impl Inputs {
         for row in 0..self.table.rows.len() {
             for (column, (cell, point)) in self.table.cells(row).zip(&self.points).enumerate() {
                 if !cell.is_empty()
-                    && let Err(problem) = value_text::parse(cell, point.ty)
+                    && let Err(problem) = self.value(cell, point)
                 {
                     return Err(self.table.cell_failure(row, column, &problem));
                 }
@@ -94,14 +98,13 @@ impl Inputs {
         row.into_iter()
             .flat_map(|row| self.table.cells(row).zip(&self.points))
             .filter(|(cell, _)| !cell.is_empty())
-            .filter_map(|(cell, point)| Some((point, value_text::parse(cell, point.ty).ok()?)))
+            .filter_map(|(cell, point)| Some((point, self.value(cell, point).ok()?)))
     }
-}
 
-/// Spreadsheets of many countries put semicolons between the cells.
-fn hint(name: &str, problem: String) -> String {
-    if name.contains([';', '\t']) {
-        return "columns are separated by commas".to_owned();
+    fn value(&self, cell: &str, point: &Point) -> Result<Value, String> {
+        if self.table.has_decimal_commas && (point.ty.is_real() || point.ty == Scalar::Time) {
+            return value_text::parse(&with_point(cell), point.ty);
+        }
+        value_text::parse(cell, point.ty)
     }
-    problem
 }

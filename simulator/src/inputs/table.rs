@@ -1,7 +1,8 @@
 //! A CSV file with a header: names, and rows of cells below them.
 
 use super::InputsError;
-use csv::{ErrorKind, ReaderBuilder, StringRecord, Trim};
+use super::cells::{separator, table_cells};
+use csv::{ErrorKind, StringRecord};
 use ladder_syntax::{LineIndex, Name, TextSize};
 
 /// The file's content. Every row has as many cells as the header; rows count from 0.
@@ -9,6 +10,8 @@ use ladder_syntax::{LineIndex, Name, TextSize};
 pub(super) struct Table {
     /// The file as it was named, for messages.
     pub(super) file: String,
+    /// A comma in a number is its point.
+    pub(super) has_decimal_commas: bool,
     /// The header.
     pub(super) names: Vec<String>,
     /// The rows below it. A blank line is a row of empty cells.
@@ -30,14 +33,11 @@ impl Table {
     /// It has no header, a name appears twice in the header, or a row has another number of cells.
     pub(super) fn parse(file: &str, text: &str) -> Result<Table, InputsError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let mut reader = ReaderBuilder::new()
-            .has_headers(false)
-            // Counted here, so that a blank line can be distinguished from a short row.
-            .flexible(true)
-            .trim(Trim::All)
-            .from_reader(text.as_bytes());
+        // Cells are counted here, so that a blank line can be distinguished from a short row.
+        let mut reader = table_cells(text);
         let mut table = Table {
             file: file.to_owned(),
+            has_decimal_commas: separator(text) == ';',
             ..Table::default()
         };
         let lines = LineIndex::new(text);

@@ -98,11 +98,9 @@ fn value_of(text: &str, ty: Scalar) -> Result<Value, String> {
     } else {
         text
     };
-    let has_comma = ty.is_real() && !number.contains('.');
-    let number = if has_comma {
-        number.replace(',', ".")
-    } else {
-        number.to_owned()
+    let number = match ty.is_real() {
+        true => ladder_simulator::with_point(number),
+        false => number.to_owned(),
     };
     value_text::parse(&number, ty).map_err(|_| wrong)
 }

@@ -1,6 +1,6 @@
 //! A table of tag values, as the tools of a controller write it: a name and a value a row.
 
-use csv::{ReaderBuilder, StringRecord, Trim};
+use csv::StringRecord;
 
 /// A longer table is none of a controller.
 const MOST_ROWS: usize = 200_000;
@@ -39,19 +39,7 @@ pub(super) struct Broken {
 /// # Errors
 /// A row has no second cell, the header has no column of values, or it is no table.
 pub(super) fn parse(text: &str) -> Result<Vec<Row>, Broken> {
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let first = text
-        .lines()
-        .find(|line| !line.trim().is_empty())
-        .unwrap_or_default();
-    let delimiter = [';', '\t', ','].into_iter().find(|mark| first.contains(*mark));
-    let delimiter = delimiter.unwrap_or(',');
-    let mut reader = ReaderBuilder::new()
-        .has_headers(false)
-        .flexible(true)
-        .delimiter(delimiter as u8)
-        .trim(Trim::All)
-        .from_reader(text.as_bytes());
+    let mut reader = ladder_simulator::table_cells(text);
     let mut columns = None;
     let mut rows = Vec::new();
     let mut record = StringRecord::new();
