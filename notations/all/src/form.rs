@@ -27,12 +27,13 @@ impl Form {
         std::iter::once(LADDER).chain(NOTATIONS.iter().map(|notation| notation.name()))
     }
 
-    /// What a file is written in: what [`recognise`] says; else ladder text, if its name says so.
+    /// What a file is written in: ladder text, if its name says so, whatever its content looks like; else what [`recognise`]
+    /// says.
     pub fn of(path: &Path, bytes: &[u8], is_called_ladder: bool) -> Option<Form> {
-        match recognise(path, bytes) {
-            Some(notation) => Some(Form::Foreign(notation)),
-            None => is_called_ladder.then_some(Form::Ladder),
+        if is_called_ladder {
+            return Some(Form::Ladder);
         }
+        recognise(path, bytes).map(Form::Foreign)
     }
 
     /// What a command line calls it.

@@ -66,17 +66,18 @@ pub fn by_name(name: &str) -> Option<&'static dyn Notation> {
     NOTATIONS.iter().copied().find(|notation| notation.name() == name)
 }
 
-/// The notation that a file is in: by its content, since other systems share their file names; else by the end of its
-/// name, if no other system's files are called so.
+/// The notation that a file is in: by the end of its name, if no other system's files are called so; else by its content, since
+/// other systems share their file names.
 pub fn recognise(path: &Path, bytes: &[u8]) -> Option<&'static dyn Notation> {
     let mut all = NOTATIONS.iter().copied();
-    let bytes = in_utf8(bytes);
-    all.clone()
-        .find(|notation| notation.recognises(&bytes))
-        .or_else(|| {
-            let extension = path.extension()?.to_str()?;
-            all.find(|notation| notation.owns_extension() && has_extension(*notation, extension))
-        })
+    let extension = path.extension().and_then(|extension| extension.to_str());
+    let is_named = |notation: &&dyn Notation| {
+        notation.owns_extension() && extension.is_some_and(|extension| has_extension(*notation, extension))
+    };
+    all.clone().find(is_named).or_else(|| {
+        let bytes = in_utf8(bytes);
+        all.find(|notation| notation.recognises(&bytes))
+    })
 }
 
 /// The notation that a file's name asks for when it is written: the only one, or the first, whose names end so.

@@ -50,6 +50,10 @@ impl Notation for Iot {
         &["iot"]
     }
 
+    fn owns_extension(&self) -> bool {
+        true
+    }
+
     fn recognises(&self, bytes: &[u8]) -> bool {
         bytes.starts_with(JAVA_OBJECTS) || parse::begins(bytes)
     }
