@@ -6,7 +6,7 @@ use super::super::model::{
     Bits, Comparison, Condition, Constant, Contact, ContactKind, Operand, Pointer, Relation,
 };
 use super::problems::{Problems, Unread, expression};
-use ruff_python_ast::{CmpOp, Expr, ExprCall, ExprSubscript, Number, Operator, UnaryOp};
+use ruff_python_ast::{CmpOp, Expr, ExprCall, ExprSubscript, Keyword, Number, Operator, UnaryOp};
 
 /// A range of timers or counters has a contact each, so it may have no more than this many.
 const MOST_IN_RANGE: usize = 32;
@@ -111,14 +111,27 @@ fn called(problems: &mut Problems<'_>, expr: &Expr, call: &ExprCall) -> Result<C
             return Err(problems.note(expr, message));
         }
     };
-    if let Some(keyword) = call.arguments.keywords.first() {
-        return Err(problems.note(keyword, format!("`{word}` has no named arguments")));
-    }
-    match (kind, &call.arguments.args[..]) {
-        (Some(kind), [address]) => contact(problems, expr, address, kind),
-        (Some(_), _) => Err(problems.note(expr, format!("`{word}` takes one address"))),
-        (None, []) => Err(problems.note(expr, format!("`{word}` takes one condition or more"))),
-        (None, arguments) => {
+    let is_address = |keyword: &Keyword| keyword.arg.as_ref().is_some_and(|name| name == "address");
+    let named = match (kind, &call.arguments.keywords[..]) {
+        (_, []) => None,
+        (Some(_), [keyword]) if is_address(keyword) => Some(&keyword.value),
+        (Some(_), [keyword, ..]) => {
+            return Err(problems.note(
+                keyword,
+                format!("the one argument of `{word}` is called `address`"),
+            ));
+        }
+        (None, [keyword, ..]) => {
+            return Err(problems.note(keyword, format!("`{word}` has no named arguments")));
+        }
+    };
+    match (kind, &call.arguments.args[..], named) {
+        (Some(kind), [], Some(address)) | (Some(kind), [address], None) => {
+            contact(problems, expr, address, kind)
+        }
+        (Some(_), ..) => Err(problems.note(expr, format!("`{word}` takes one address"))),
+        (None, [], _) => Err(problems.note(expr, format!("`{word}` takes one condition or more"))),
+        (None, arguments, _) => {
             // Each error in it is reported.
             let parts: Vec<_> = arguments
                 .iter()
