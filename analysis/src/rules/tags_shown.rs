@@ -10,7 +10,7 @@ use crate::networks::user_block::Parameter;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::values::types::Scalar;
 use ladder_instructions::Profile;
-use ladder_syntax::TextRange;
+use ladder_syntax::{TextRange, TextSize};
 
 /// The tags that a network names.
 #[derive(Clone, Copy)]
@@ -56,6 +56,12 @@ impl<'c> TagsShown<'c> {
     /// Where a part of a rung of the network is.
     pub(super) fn part_range(&self, rung: usize, part: usize) -> TextRange {
         self.network.part_range(&self.context.parse, rung, part)
+    }
+
+    /// Where the line of a rung of the network begins, and its text.
+    pub(super) fn line_of(&self, rung: usize) -> (TextSize, &'c str) {
+        let (parse, line) = (&self.context.parse, self.network.line(rung));
+        (parse.line_start(line), parse.lines()[line].text())
     }
 
     pub(super) fn profile(&self) -> Profile {

@@ -97,9 +97,12 @@ fn inputs() {
                 at 6:30 `a`: `a` is written here as well
                 at 2:5 `a`: `a` is declared as an input here
             > +--[ ]( a )--( )( b )--(S)( a )--( )( I1 )--( )( %IX0.1 )--+
-                                               ^^^^^^^^^ info[latched-power]: ( )( I1 ) is after (S): its power is `a`, and stays on when the rung before goes off
-                help: if that is meant, keep it; else draw a branch before the set coil
+                                               ^^^^^^^^^ warning[latched-power]: ( )( I1 ) is after (S): its power is `a`, and stays on when the rung before goes off
+                help: draw a branch before the set coil; if the latched power is meant, put a contact of the tag on a rung of its own
                 at 5:24 `(S)( a )`: the set coil
+                fix: Draw a branch before (S)( a )
+                  +--[ ]( a )-----------------------------( )( b )--\------------------(S)( a )--+
+                  |                                                 /--( )( I1 )--( )( %IX0.1 )--+
             > +--[ ]( a )--( )( b )--(S)( a )--( )( I1 )--( )( %IX0.1 )--+
                                                     ^^ warning[input-written]: `I1` is an input, and is written here: the next reading of the inputs overwrites it
                 help: write a tag of its own, and read that instead of the input where it is needed
@@ -307,8 +310,8 @@ fn names_of_one_address_are_one_tag() {
                 help: draw a branch before the coil: the coil on one line, this contact and what it leads to on the other
                 at 6:17 `(S)( mark )`: this is the coil
             > +--[/]( flag )--(S)( mark )--\--[/]( flag )--( )( Q2 )--+
-                                              ^^^^^^^^^^^ info[latched-power]: [/]( flag ) is after (S): its power is `mark`, and stays on when the rung before goes off
-                help: if that is meant, keep it; else draw a branch before the set coil
+                                              ^^^^^^^^^^^ warning[latched-power]: [/]( flag ) is after (S): its power is `mark`, and stays on when the rung before goes off
+                help: draw a branch before the set coil; if the latched power is meant, put a contact of the tag on a rung of its own
                 at 6:17 `(S)( mark )`: the set coil
             > +--[/]( flag )--(S)( mark )--\--[/]( flag )--( )( Q2 )--+
                                                            ^^^^^^^^^ info[order-sensitive]: the order of this network matters: with flag = 0: `Q2` becomes 0, but 1 if all contacts were read first

@@ -144,9 +144,12 @@ fn after_coils() {
         "+--[ ]( a )--(S)( y )--[TON]( t, T#5s )--( )( z )--+\n",
         expect![[r#"
             > +--[ ]( a )--(S)( y )--[TON]( t, T#5s )--( )( z )--+
-                                     ^^^^^^^^^^^^^^^^ info[latched-power]: [TON]( t, T#5s ) is after (S): its power is `y`, and stays on when the rung before goes off
-                help: if that is meant, keep it; else draw a branch before the set coil
+                                     ^^^^^^^^^^^^^^^^ warning[latched-power]: [TON]( t, T#5s ) is after (S): its power is `y`, and stays on when the rung before goes off
+                help: draw a branch before the set coil; if the latched power is meant, put a contact of the tag on a rung of its own
                 at 1:14 `(S)( y )`: the set coil
+                fix: Draw a branch before (S)( y )
+                  +--[ ]( a )--\-------------------------------------------------------(S)( y )--+
+                  |            /-------------------------------------[TON]( t, T#5s )--( )( z )--+
         "#]],
     );
     // However the operator is written, the sentence is the same.
@@ -154,9 +157,12 @@ fn after_coils() {
         "VAR i : INT; t : ARRAY[1..3] OF INT; END_VAR\n+--(S)( Q1 )--[search]( i, eq, 5, t[1..3], FOUND => Q2 )--+\n",
         expect![[r#"
             > +--(S)( Q1 )--[search]( i, eq, 5, t[1..3], FOUND => Q2 )--+
-                            ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ info[latched-power]: [SEARCH]( i, EQ, 5, t[1..3], Q2 ) is after (S): its power is `Q1`, and stays on when the rung before goes off
-                help: if that is meant, keep it; else draw a branch before the set coil
+                            ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ warning[latched-power]: [SEARCH]( i, EQ, 5, t[1..3], Q2 ) is after (S): its power is `Q1`, and stays on when the rung before goes off
+                help: draw a branch before the set coil; if the latched power is meant, put a contact of the tag on a rung of its own
                 at 2:4 `(S)( Q1 )`: the set coil
+                fix: Draw a branch before (S)( Q1 )
+                  +--\----------------------------------------------------------------(S)( Q1 )--+
+                  |  /-------------------------------[SEARCH]( i, EQ, 5, t[1..3], FOUND => Q2 )--+
         "#]],
     );
     clean("+--[ ]( a )--( )( y )--[TON]( t, T#5s )--( )( z )--+\n");

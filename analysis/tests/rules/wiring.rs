@@ -280,3 +280,76 @@ fn columns_that_mislead() {
         "#]],
     );
 }
+
+/// What comes after a set coil and acts is a warning, with a fix that draws a branch; what does not act is an info.
+#[test]
+fn latched_power_and_its_branch() {
+    check(
+        "+--[ ]( go )--[ ]( this )--(S)( next )--(R)( this )--+\n",
+        expect![[r#"
+            > +--[ ]( go )--[ ]( this )--(S)( next )--(R)( this )--+
+                                                      ^^^^^^^^^^^ warning[latched-power]: (R)( this ) is after (S): its power is `next`, and stays on when the rung before goes off
+                help: draw a branch before the set coil; if the latched power is meant, put a contact of the tag on a rung of its own
+                at 1:28 `(S)( next )`: the set coil
+                fix: Draw a branch before (S)( next )
+                  +--[ ]( go )--[ ]( this )--\--------------------------------------(S)( next )--+
+                  |                          /--------------------------------------(R)( this )--+
+        "#]],
+    );
+    check(
+        "+--\\--[ ]( go )--\\--(S)( next )--(R)( this )--[TON]( t, T#5s )--( )( late )--+\n|  /--[ ]( go2 )--/  |\n\n+--[ ]( next )--(S)( this )--+\n",
+        expect![[r#"
+            > +--\--[ ]( go )--\--(S)( next )--(R)( this )--[TON]( t, T#5s )--( )( late )--+
+                                               ^^^^^^^^^^^ warning[latched-power]: (R)( this ) is after (S): its power is `next`, and stays on when the rung before goes off
+                help: draw a branch before the set coil; if the latched power is meant, put a contact of the tag on a rung of its own
+                at 1:21 `(S)( next )`: the set coil
+                fix: Draw a branch before (S)( next )
+                  +--\--[ ]( go )---------\--\--------------------------------------(S)( next )--+
+                  |  /--\              \--/  /-------(R)( this )--[TON]( t, T#5s )--( )( late )--+
+                  |     /--[ ]( go2 )--/                                                         |
+        "#]],
+    );
+    // One of the branches goes down, the other comes up; the last line may have what is latched, too.
+    check(
+        "+--[ ]( a )--\\--[ ]( b )--\\--(S)( x )--( )( y )--+\n             /--[ ]( c )--/\n\n+--\\--( )( z )--+\n|  /--[ ]( a )--(S)( x )--( )( v )--+\n",
+        expect![[r#"
+            > +--[ ]( a )--\--[ ]( b )--\--(S)( x )--( )( y )--+
+                                                     ^^^^^^^^ warning[latched-power]: ( )( y ) is after (S): its power is `x`, and stays on when the rung before goes off
+                help: draw a branch before the set coil; if the latched power is meant, put a contact of the tag on a rung of its own
+                at 1:30 `(S)( x )`: the set coil
+                fix: Draw a branch before (S)( x )
+                  +--[ ]( a )--\--[ ]( b )--------\--\---------------------------------(S)( x )--+
+                  |            /--\            \--/  /---------------------------------( )( y )--+
+                  |               /--[ ]( c )--/                                                 |
+            > |  /--[ ]( a )--(S)( x )--( )( v )--+
+                                        ^^^^^^^^ warning[latched-power]: ( )( v ) is after (S): its power is `x`, and stays on when the rung before goes off
+                help: draw a branch before the set coil; if the latched power is meant, put a contact of the tag on a rung of its own
+                at 5:17 `(S)( x )`: the set coil
+                fix: Draw a branch before (S)( x )
+                  +--\-----------------------------------------------------------------( )( z )--+
+                  |  /--[ ]( a )--\----------------------------------------------------(S)( x )--+
+                  |               /----------------------------------------------------( )( v )--+
+        "#]],
+    );
+    // Nothing acts, or what is after it is connected further.
+    check(
+        "+--[ ]( a )--(S)( x )--[ ]( b )--+\n\n+--[ ]( a )--(S)( x )--\\--( )( y )--+\n|  /--( )( z )--+\n",
+        expect![[r#"
+            > +--[ ]( a )--(S)( x )--[ ]( b )--+
+                                     ^^^^^^^^ warning[dead-end]: the power of [ ]( b ) goes nowhere: nothing that acts is after it
+                help: put a coil or another block after it, join the line to another with \ and /, or remove it
+            > +--[ ]( a )--(S)( x )--[ ]( b )--+
+                                     ^^^^^^^^ info[latched-power]: [ ]( b ) is after (S): its power is `x`, and stays on when the rung before goes off
+                help: draw a branch before the set coil; if the latched power is meant, put a contact of the tag on a rung of its own
+                at 1:14 `(S)( x )`: the set coil
+                fix: Draw a branch before (S)( x )
+                  +--[ ]( a )--\-------------------------------------------------------(S)( x )--+
+                  |            /--[ ]( b )-------------------------------------------------------+
+            > +--[ ]( a )--(S)( x )--\--( )( y )--+
+                                        ^^^^^^^^ warning[latched-power]: ( )( y ) is after (S): its power is `x`, and stays on when the rung before goes off
+                help: draw a branch before the set coil; if the latched power is meant, put a contact of the tag on a rung of its own
+                at 3:14 `(S)( x )`: the set coil
+        "#]],
+    );
+    clean("+--[ ]( a )--(S)( x )--+\n");
+}
