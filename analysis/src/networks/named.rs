@@ -123,12 +123,12 @@ impl Names<'_> {
             }
             NodeKind::Index(base, index) => {
                 self.walk_indexed(base, access);
-                self.walk(index, Access::Read, true);
+                self.walk_subscript(index);
             }
             NodeKind::Range(base, first, last) => {
                 self.walk_indexed(base, access);
-                self.walk(first, Access::Read, true);
-                self.walk(last, Access::Read, true);
+                self.walk_subscript(first);
+                self.walk_subscript(last);
             }
             NodeKind::Unary(_, inner) | NodeKind::Paren(inner) => self.walk(inner, Access::Read, whole),
             NodeKind::Binary(_, left, right) => {
@@ -142,6 +142,13 @@ impl Names<'_> {
             }
             NodeKind::Members(_) | NodeKind::Literal(_) | NodeKind::NoFunction | NodeKind::Missing => {}
         }
+    }
+
+    /// An index, or an end of a range: it is read, whatever the block does with the operand.
+    fn walk_subscript(&mut self, index: &Node) {
+        let effect = std::mem::replace(&mut self.effect, Effect::Other);
+        self.walk(index, Access::Read, true);
+        self.effect = effect;
     }
 
     /// The base of an index.

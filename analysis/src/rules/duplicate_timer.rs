@@ -30,9 +30,6 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
     let Some(Type::State(state)) = tag.ty else {
         return;
     };
-    if context.profile.semantics().states == States::Shared {
-        return;
-    }
     let rule = if state.is_timer() {
         RULE
     } else if state.is_counter() {
@@ -49,9 +46,21 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
     let mut owners = owners.map(|place| context.networks.use_of(*place));
     let Some(first) = owners.next() else { return };
     if is_shared {
-        out.extend(in_another_file(context, rule, tag, state, &first));
+        let found = in_another_file(context, rule, tag, state, &first);
+        out.extend(found.map(|found| graded(context, found)));
     }
-    out.extend(owners.map(|second| second_block(rule, &tag.name, state, &first, &second)));
+    out.extend(owners.map(|second| {
+        let found = second_block(rule, &tag.name, state, &first, &second);
+        graded(context, found)
+    }));
+}
+
+/// Where a system runs both blocks on one state, that is what the program does there.
+fn graded(context: &Context, mut found: Diagnostic) -> Diagnostic {
+    if context.profile.semantics().states == States::Shared {
+        found.severity = Severity::Warning;
+    }
+    found
 }
 
 /// Looks at the blocks of the timers and counters in a structure or array: the same path is the same one.
@@ -84,7 +93,10 @@ fn in_parts(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) {
             Entry::Vacant(free) => {
                 free.insert(second);
             }
-            Entry::Occupied(first) => out.push(second_block(rule, &path, state, first.get(), &second)),
+            Entry::Occupied(first) => {
+                let found = second_block(rule, &path, state, first.get(), &second);
+                out.push(graded(context, found));
+            }
         }
     }
 }

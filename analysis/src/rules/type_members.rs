@@ -33,7 +33,7 @@ pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
     if structures().next().is_none() || (context.networks.is_empty() && !context.others.have_files()) {
         return;
     }
-    let used = Members::used(context);
+    let (used, kept) = (Members::used(context), Members::kept(context));
     let has_outputs = context.networks.is_empty()
         || context
             .scopes
@@ -44,12 +44,18 @@ pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
         let key = &ty.declaration.key;
         let is_used = context.types.mentioned.contains(key) || context.others.mentions_type(key);
         if is_used && !context.others.may_copy(key) {
-            in_type(context, ty, &used, has_outputs, out);
+            in_type(context, ty, (&used, &kept), has_outputs, out);
         }
     }
 }
 
-fn in_type(context: &Context, ty: &NamedType, used: &Members, has_outputs: bool, out: &mut Vec<Diagnostic>) {
+fn in_type(
+    context: &Context,
+    ty: &NamedType,
+    (used, kept): (&Members, &Members),
+    has_outputs: bool,
+    out: &mut Vec<Diagnostic>,
+) {
     let SpecKind::Structure(specs) = &ty.declaration.declared.spec.kind else {
         return;
     };
@@ -58,6 +64,7 @@ fn in_type(context: &Context, ty: &NamedType, used: &Members, has_outputs: bool,
     for spec in specs {
         let key = Name::new(&spec.name);
         let own = used.0.get(&(id, key.clone())).copied().unwrap_or_default();
+        let is_kept = kept.0.contains_key(&(id, key.clone()));
         let used = own.with(context.others.member_use(&key));
         let name = &spec.name;
         // Of a structure in it the members say what is not done.
@@ -68,6 +75,7 @@ fn in_type(context: &Context, ty: &NamedType, used: &Members, has_outputs: bool,
             _ => false,
         });
         let (rule, message, help) = match (used.read, used.written) {
+            (false, _) if is_kept => continue,
             (false, false) => (
                 never_read::RULE,
                 format!("the member `{name}` of {structure} is declared and never used"),
@@ -104,6 +112,20 @@ impl Members {
             for place in context.uses(tag) {
                 members.at(context, &place);
             }
+        }
+        members
+    }
+
+    /// The members of retentive tags. A panel may read them; that is no reason to expect that something writes them.
+    fn kept(context: &Context) -> Members {
+        let mut members = Members::default();
+        let tags = context.scopes.iter().flat_map(|scope| &scope.tags);
+        for tag in tags.filter(|tag| tag.retain) {
+            let by_a_panel = TagUse {
+                read: true,
+                written: false,
+            };
+            members.whole(tag.ty, by_a_panel);
         }
         members
     }
@@ -168,8 +190,7 @@ impl Members {
 fn from_outside(tag: &TagFacts) -> TagUse {
     let is_input = tag.constant || tag.origin == Origin::Declared(SectionKind::Input);
     TagUse {
-        // What is retained may be read by a panel.
-        read: tag.retain || tag.origin == Origin::Declared(SectionKind::Output),
+        read: tag.origin == Origin::Declared(SectionKind::Output),
         written: is_input || !tag.cold.initial.is_empty(),
     }
 }

@@ -1,6 +1,7 @@
 //! `unhandled-value`: a chain of networks handles an enumeration value by value, and leaves some of them out.
 //!
-//! It is such a chain if it asks for two values at least, and nowhere for all others: with `[NE]`, or with `[NOT]` after `[EQ]`.
+//! It is such a chain if it asks for two values at least. A value is left out if no network of the program or body asks for it,
+//! next to the chain or elsewhere, and none asks for all others: with `[NE]`, or with `[NOT]` after `[EQ]`.
 
 use crate::boolean::written::written;
 use crate::context::{Body, Context};
@@ -12,7 +13,9 @@ use crate::values::compound::EnumId;
 use crate::values::types::{Scalar, Type};
 use ladder_instructions::Op;
 use ladder_syntax::{Name, TextRange};
+use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
+use std::collections::hash_map::Entry;
 
 pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
     RuleGroup::Program,
@@ -24,6 +27,7 @@ pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
 const SHORTEST: usize = 2;
 
 /// Networks one after the other that compare one tag.
+#[derive(Clone)]
 struct Chain {
     path: Name,
     shown: String,
@@ -38,6 +42,10 @@ struct Chain {
 }
 
 impl Chain {
+    fn is_long(&self) -> bool {
+        self.networks >= SHORTEST && self.values.len() >= SHORTEST
+    }
+
     fn add(&mut self, values: impl IntoIterator<Item = SmolStr>, has_else: bool) {
         self.has_else |= has_else;
         for value in values {
@@ -53,23 +61,39 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if !context.types.have_values() {
         return;
     }
-    let mut open: Option<Chain> = None;
+    let mut chains: Vec<Chain> = Vec::new();
+    let mut is_open = false;
     for network in &context.networks {
         let body = context.bodies[network.index];
         let compared = compared(context, network);
-        let goes_on = |chain: &Chain, path: &Name| chain.body == body && chain.path == *path;
-        match (&mut open, compared) {
-            (Some(chain), Some(found)) if goes_on(chain, &found.path) => {
+        let goes_on = |chain: &&mut Chain, path: &Name| is_open && chain.body == body && chain.path == *path;
+        let Some(found) = compared else {
+            is_open = false;
+            continue;
+        };
+        match chains.last_mut().filter(|chain| goes_on(chain, &found.path)) {
+            Some(chain) => {
                 chain.networks += 1;
                 chain.add(found.values, found.has_else);
             }
-            (_, found) => {
-                out.extend(open.take().and_then(unhandled));
-                open = found;
+            None => chains.push(found),
+        }
+        is_open = true;
+    }
+    let mut asked: FxHashMap<(Body, Name), Chain> = FxHashMap::default();
+    for chain in &chains {
+        match asked.entry((chain.body, chain.path.clone())) {
+            Entry::Vacant(free) => {
+                free.insert(chain.clone());
             }
+            Entry::Occupied(mut all) => all.get_mut().add(chain.values.iter().cloned(), chain.has_else),
         }
     }
-    out.extend(open.and_then(unhandled));
+    // Each path is reported once, at its first chain.
+    for chain in chains.iter().filter(|chain| chain.is_long()) {
+        let all = asked.remove(&(chain.body, chain.path.clone()));
+        out.extend(all.and_then(|all| unhandled(chain, &all)));
+    }
 }
 
 /// What a network compares with values of an enumeration.
@@ -137,14 +161,15 @@ fn in_expression<'n>(node: &'n Node, found: &mut Vec<(&'n Node, &'n Node, bool)>
     }
 }
 
-fn unhandled(chain: Chain) -> Option<Diagnostic> {
-    if chain.networks < SHORTEST || chain.values.len() < SHORTEST || chain.has_else {
+/// What a chain leaves out of all that its program or body asks for.
+fn unhandled(chain: &Chain, all: &Chain) -> Option<Diagnostic> {
+    if all.has_else {
         return None;
     }
     let enumeration = chain.id.get();
     let is_missing = |name: &&SmolStr| {
         let key = Name::new(name);
-        !chain.values.iter().any(|value| Name::new(value) == key)
+        !all.values.iter().any(|value| Name::new(value) == key)
     };
     let missing: Vec<&str> = enumeration
         .values

@@ -1,6 +1,6 @@
 //! Types of one's own: structures, enumerations, arrays of anything.
 
-use crate::check::{check, check_files, check_program, clean, clean_program};
+use crate::check::{check, check_files, check_program, clean, clean_program, found};
 use expect_test::expect;
 
 const MOTOR: &str = "TYPE\n    Phase : (IDLE, FILLING, MIXING := 10);\n    Motor : STRUCT\n        speed   : REAL := 50.0;\n        running : BOOL;\n        delay   : TON;\n        status  : WORD;\n    END_STRUCT;\nEND_TYPE\n";
@@ -609,5 +609,58 @@ fn a_tag_with_the_name_of_a_value() {
                                                                                                     ^^^^^^^^^^^^^ error[type-mismatch]: Phase and BOOL cannot be compared
                 help: convert one of them with [TYP] first
         "#]],
+    );
+}
+
+/// What is asked for elsewhere in the program is not left out.
+#[test]
+fn another_network_between_those_that_ask() {
+    let text = |rungs: &str| {
+        format!("TYPE\n    P : (ONE, TWO, THREE, FOUR);\nEND_TYPE\nVAR_INPUT\n    p : P;\nEND_VAR\n{rungs}")
+    };
+    let ask = |value: &str, coil: u8| format!("+--[EQ]( p, {value} )--( )( Q{coil} )--+\n");
+    let (one, two, three) = (ask("ONE", 1), ask("TWO", 2), ask("THREE", 3));
+    let other = "+--[ ]( I1 )--( )( Q5 )--+\n";
+    clean_program(&text(&format!("{one}{two}{other}{three}{}", ask("FOUR", 4))));
+    let again = format!("{}{}", ask("ONE", 6), ask("TWO", 7));
+    check_program(
+        &text(&format!("{one}{two}{other}{three}{again}")),
+        expect![[r#"
+            > +--[EQ]( p, ONE )--( )( Q1 )--+
+                 ^^^^^^^^^^^^^^ info[unhandled-value]: these 2 networks ask for values of `p`, and none for FOUR
+                help: add a network for each, if something is to happen then
+        "#]],
+    );
+}
+
+/// The index of an operand is read, whatever the block does with the operand.
+#[test]
+fn a_tag_in_its_own_index() {
+    let unit = "TYPE\n    Unit : STRUCT\n        tt : ARRAY[1..2] OF TON;\n        ct : ARRAY[1..2] OF CTU;\n        b  : ARRAY[1..2] OF $B;\n        m  : ARRAY[0..1, 1..2] OF INT := [4(1)];\n        on : ARRAY[1..2] OF BOOL;\n    END_STRUCT;\nEND_TYPE\nVAR\n    u : Unit;\n    k : INT;\n    f : ARRAY[1..4] OF BOOL;\nEND_VAR\nVAR_INPUT\n    a, clear : BOOL;\nEND_VAR\n";
+    let body = "FUNCTION_BLOCK [$B]\nVAR_OUTPUT\n    q : BOOL;\nEND_VAR\n+--[ ]( EN )--( )( q )--+\nEND_FUNCTION_BLOCK\n";
+    for rung in [
+        "+--[ ]( a )--[TON]( u.tt[u.m[1, 2]], T#30ms )--( )( Q1 )--+\n",
+        "+--[ ]( a )--[CTU]( u.ct[u.m[1, 2]], 3; R := clear )--( )( Q1 )--+\n",
+        "+--[ ]( a )--[$B]( u.b[u.m[1, 2]] )--( )( Q1 )--+\n",
+        "+--[ ]( a )--[ADD]( u.m[1, u.m[0, 1]], 1, 1 )--( )( u.on[u.m[0, 2]] )--[ ]( u.on[1] )--( )( Q1 )--+\n",
+        "+--[MOV]( k, 2 )--[ ]( a )--(S)( f[k] )--+\n\n+--[ ]( clear )--(R)( f[1..4] )--+\n\n+--[ ]( f[2] )--( )( Q1 )--+\n",
+    ] {
+        let text = format!("{unit}{body}{rung}");
+        for rule in [
+            "duplicate-timer",
+            "duplicate-counter",
+            "duplicate-instance",
+            "set-without-reset",
+            "double-coil",
+        ] {
+            assert_eq!(found(&text, rule), [""; 0], "{rung}");
+        }
+    }
+}
+
+#[test]
+fn members_of_what_is_kept_that_nothing_uses() {
+    clean_program(
+        "TYPE\n    Kept : STRUCT\n        hours, spare : INT;\n    END_STRUCT;\nEND_TYPE\nVAR RETAIN\n    all : ARRAY[1..3] OF Kept;\nEND_VAR\n+--[ADD]( all[1].hours, all[1].hours, 1 )--+\n",
     );
 }
