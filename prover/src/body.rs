@@ -30,7 +30,7 @@ pub(crate) fn program(whole: &Program, block: usize) -> Result<Program, String> 
     for tag in &mut program.tags {
         if is_own(tag) {
             tag.block = None;
-            tag.role = Role::Internal;
+            (tag.role, tag.is_input) = (Role::Internal, false);
         } else if tag.block.is_none() && names.contains(&tag.name.to_ascii_lowercase()) {
             // The body does not see it.
             tag.name = format!("{} of the program", tag.name);

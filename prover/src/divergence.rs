@@ -4,7 +4,6 @@ use crate::decide::Run;
 use crate::encode::Input;
 use crate::replay::value;
 use crate::shown_tags::{Shared, Watched};
-use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use ladder_simulator::scenario::Watched as Assumed;
@@ -113,7 +112,7 @@ impl Stage<'_> {
             let sides = [(&*self.old, name), (&*self.new, self.shared.renamed.now(name))];
             let points = sides.map(|(simulation, name)| {
                 let point = simulation.resolve(name).ok()?;
-                (point.role == Role::Input && !point.read_only).then_some(point)
+                point.is_input.then_some(point)
             });
             let held = sides.iter().zip(&points);
             let held = held.filter_map(|((simulation, _), point)| Some(simulation.value(point.as_ref()?)));

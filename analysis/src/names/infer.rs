@@ -28,16 +28,21 @@ pub(crate) fn infer(context: &mut Context, wanted: &StillWanted<'_>) -> Option<(
     for (scope, tag) in untyped {
         context.scopes[scope].tags[tag].ty.get_or_insert(integer);
     }
-    internal_unless_bool(context);
+    internal_unless_value(context);
     Some(())
 }
 
-/// Only a BOOL without a declaration is an input or output.
-fn internal_unless_bool(context: &mut Context) {
+/// Of tags without a declaration only an elementary one is an input, and only a BOOL an output.
+fn internal_unless_value(context: &mut Context) {
     for scope in &mut context.scopes {
-        for tag in scope.declared..scope.tags.len() {
-            if scope.tags[tag].origin == Origin::Undeclared && scope.tags[tag].ty != Some(Type::BOOL) {
-                scope.tags[tag].role = Role::Internal;
+        for tag in &mut scope.tags[scope.declared..] {
+            let may_be = match tag.role {
+                Role::Input => matches!(tag.ty, Some(Type::Scalar(_))),
+                Role::Output => tag.ty == Some(Type::BOOL),
+                Role::Internal => true,
+            };
+            if tag.origin == Origin::Undeclared && !may_be {
+                tag.role = Role::Internal;
             }
         }
     }

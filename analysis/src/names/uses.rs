@@ -92,9 +92,9 @@ pub(crate) fn undeclared(name: &str, semantics: &Semantics) -> TagFacts {
     }
 }
 
-/// An undeclared BOOL that is read and never written is an input; one that coils write and nothing reads is an
-/// output (LANGUAGE §4). Types are not known yet: only BOOL places make a tag either, and infer checks.
-/// So is a declared tag where other devices write tags, too.
+/// An undeclared tag that is read and never written is an input; a BOOL that coils write and nothing reads is an
+/// output (LANGUAGE §4). Types are not known yet: infer checks them.
+/// A declared tag is an input, too, where other devices write tags.
 fn roles(scope: &mut Scope, writers: Writers) {
     for tag in &mut scope.tags[scope.declared..] {
         if tag.origin == Origin::Undeclared {

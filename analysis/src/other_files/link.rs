@@ -51,9 +51,12 @@ struct Reached {
 
 /// What a body calls, or holds.
 #[derive(Debug, Clone)]
-enum Target {
+pub(crate) enum Target {
+    /// A body of its own file.
     Own(Body),
+    /// A function of another file.
     Function(Import),
+    /// A block of another file.
     Block(Import),
 }
 
@@ -197,7 +200,7 @@ impl Reached {
 }
 
 /// What each body of a file uses.
-fn targets(context: &Context) -> FxHashMap<Body, Vec<Target>> {
+pub(crate) fn targets(context: &Context) -> FxHashMap<Body, Vec<Target>> {
     let mut targets: FxHashMap<Body, Vec<Target>> = FxHashMap::default();
     for (network, &body) in context.networks.iter().zip(context.bodies.iter()) {
         for bound in network.blocks() {

@@ -80,10 +80,13 @@ impl Exported {
     pub fn concerns(&self, before: &Exports, after: &Exports) -> bool {
         let (old, new) = (&before.outward, &after.outward);
         let is_called = |name: &Name| self.functions.contains_key(name);
+        let is_block = |name: &Name| self.blocks.contains_key(name);
         let is_global = |name: &Name| self.globals.contains_key(name);
         !before.offers_the_same(after)
             || old.calls.symmetric_difference(&new.calls).any(is_called)
+            || old.blocks.symmetric_difference(&new.blocks).any(is_block)
             || (!self.globals.is_empty() && old.differing_tags(new).any(is_global))
+            || old.has_unread != new.has_unread
             || (self.have_types() && !old.uses_parts_like(new))
     }
 
@@ -281,7 +284,8 @@ impl Others {
         files.flat_map(|file| file.blocks.iter().map(move |block| (file, block)))
     }
 
-    fn files(&self) -> impl Iterator<Item = &Exports> {
+    /// The files but this one.
+    pub(crate) fn files(&self) -> impl Iterator<Item = &Exports> {
         let files = self.exported.iter().flat_map(|exported| &exported.files);
         files
             .enumerate()

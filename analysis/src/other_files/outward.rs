@@ -46,6 +46,10 @@ pub(crate) struct Outward {
     pub(crate) tags: FxHashMap<Name, TagUse>,
     /// Functions that it calls and does not hold.
     pub(crate) calls: FxHashSet<Name>,
+    /// It defines an unread part that may write whatever it sees.
+    pub(crate) has_unread: bool,
+    /// User-defined blocks that it uses and does not hold.
+    pub(crate) blocks: FxHashSet<Name>,
     /// Members of whatever structures, and the words on lines that cannot be read.
     pub(crate) members: FxHashMap<Name, TagUse>,
     /// Tags that may be structures and are used as a whole, or an element of them.

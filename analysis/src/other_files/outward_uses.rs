@@ -11,6 +11,7 @@ use crate::networks::named::Named;
 use crate::networks::network::Meaning;
 use crate::networks::unread_line::identifiers;
 use crate::networks::use_kind::Extent;
+use crate::program::root_of;
 use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Name, Part};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -23,10 +24,22 @@ pub(super) fn of(context: &Context) -> Outward {
         if network.control_flow.has(ControlFlow::CALL) {
             calls(context, network, &mut outward.calls);
         }
+        blocks(context, network, &mut outward.blocks);
+    }
+    let parts = context.user_blocks[..context.own_blocks].iter();
+    for part in parts.filter_map(|block| block.unread.as_deref()) {
+        match &part.directive.writes {
+            None => outward.has_unread = true,
+            Some(paths) => {
+                let names = paths.iter().map(|path| Name::new(root_of(path)));
+                outward.tags.extend(names.map(|name| (name, TagUse::BOTH)));
+            }
+        }
     }
     for word in unread_words(context) {
         outward.members.insert(word.clone(), TagUse::BOTH);
         outward.tags.insert(word.clone(), TagUse::BOTH);
+        outward.blocks.insert(word.clone());
         outward.calls.insert(word);
     }
     outward
@@ -103,6 +116,13 @@ fn calls(context: &Context, network: NetworkAt<'_>, calls: &mut FxHashSet<Name>)
             }
         }
     }
+}
+
+/// The user-defined blocks on a network that the file does not hold.
+fn blocks(context: &Context, network: NetworkAt<'_>, blocks: &mut FxHashSet<Name>) {
+    let is_own = |meaning: Meaning| matches!(meaning, Meaning::User(block) if context.user_blocks[block].import.is_none());
+    let others = network.blocks().filter(|bound| !is_own(bound.meaning));
+    blocks.extend(others.filter_map(|bound| bound.user_name().map(Name::new)));
 }
 
 /// The words on lines that cannot be read.

@@ -157,8 +157,11 @@ pub struct Tag {
     pub name: String,
     /// Its type.
     pub ty: Type,
-    /// Input, output or neither.
+    /// Input, output or neither, by its declaration, its name, or how its file uses it.
     pub role: Role,
+    /// It is an input of the program: what is outside gives it any value of its type before each scan. Whatever runs, tests, proves,
+    /// compares or translates a program asks this and nothing else (see `resolve/inputs.rs`).
+    pub is_input: bool,
     /// Keeps its value over a warm restart.
     pub retain: bool,
     /// Never written by the program.

@@ -182,7 +182,7 @@ impl Adding {
             let key = Name::new(&own.name);
             tag.name = format!("{}.{}", instance.name, own.name);
             tag.retain |= instance.retain;
-            tag.role = crate::program::Role::Internal;
+            (tag.role, tag.is_input) = (crate::program::Role::Internal, false);
             tag.block = outer;
             tag.column = Some(std::sync::Arc::new(column_inside(instance, own)));
             if matches!(own.ty, Type::Array { .. }) && !own.name.contains("[]") {

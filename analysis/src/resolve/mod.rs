@@ -10,6 +10,7 @@ mod compared;
 mod enumeration;
 mod expression;
 mod formula_type;
+mod inputs;
 mod instance;
 pub(crate) mod numbers;
 mod parts;
@@ -131,6 +132,7 @@ pub(crate) fn program(units: &[Unit<'_>]) -> Resolved {
         unresolved = unresolved.or(found);
     }
     bodies(units, &numbers, &ids, &mut program);
+    inputs::mark(units, &ids, &mut program);
     Resolved {
         program,
         unresolved,

@@ -82,6 +82,7 @@ fn tag(named: &Named<'_>, name: String, ty: Type) -> Tag {
         name,
         ty,
         role: named.tag.role,
+        is_input: false,
         retain: named.tag.retain,
         constant: named.tag.constant,
         shared: named.is_shared(),

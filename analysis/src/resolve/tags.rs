@@ -11,7 +11,7 @@ use ladder_syntax::Name;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The id of a tag that no reached body names: it is never asked for.
-const NOWHERE: TagId = TagId(u32::MAX);
+pub(super) const NOWHERE: TagId = TagId(u32::MAX);
 
 /// What the tags of a scope are in the program.
 pub(super) struct Ids {
@@ -306,7 +306,7 @@ fn stored<'t>(
 }
 
 /// Whether it is a VAR_GLOBAL tag, of its file or another one.
-fn is_global(tag: &TagFacts) -> bool {
+pub(super) fn is_global(tag: &TagFacts) -> bool {
     tag.cold.foreign.is_some() || tag.origin == Origin::Declared(SectionKind::Global)
 }
 
@@ -349,6 +349,7 @@ fn add(program: &mut Program, named: &Named<'_>, name: String, block: Option<usi
         name,
         ty,
         role: tag.role,
+        is_input: false,
         retain: tag.retain,
         constant: tag.constant,
         shared: named.is_shared(),

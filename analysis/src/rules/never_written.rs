@@ -56,7 +56,7 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
             "write it; or give it a value and declare it CONSTANT",
         ),
         (Origin::Form, _) if tag.cold.address.is_none() => (
-            format!("`{name}` is read, and nothing writes it: it stays {stays}"),
+            format!("`{name}` is read, and nothing writes it: it is {stays} unless it is given from outside"),
             "write it, or use an input (I and a number) if it comes from outside",
         ),
         _ => return,

@@ -39,7 +39,7 @@ fn read_and_written() {
         "+--[ ]( M1 )--( )( Q1 )--( )( M2 )--+\n",
         expect![[r#"
         > +--[ ]( M1 )--( )( Q1 )--( )( M2 )--+
-                  ^^ info[never-written]: `M1` is read, and nothing writes it: it stays off
+                  ^^ info[never-written]: `M1` is read, and nothing writes it: it is off unless it is given from outside
             help: write it, or use an input (I and a number) if it comes from outside
         > +--[ ]( M1 )--( )( Q1 )--( )( M2 )--+
                                         ^^ info[never-read]: `M2` is an internal tag: it is written, and nothing reads it

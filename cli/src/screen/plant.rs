@@ -5,7 +5,7 @@ use super::sheet::{Block, Operand, Sheet};
 use crate::findings::Source;
 use crate::outcome::Failure;
 use crate::run::Retention;
-use ladder_analysis::program::{Program, Role};
+use ladder_analysis::program::Program;
 use ladder_analysis::values::value::Value;
 use ladder_simulator::Inputs;
 use ladder_simulator::chart::{Recorder, Track};
@@ -379,7 +379,7 @@ impl Plant {
 
     /// Whether a point is fed from outside.
     pub(super) fn is_input(point: &Point) -> bool {
-        point.role == Role::Input
+        point.is_input
     }
 }
 

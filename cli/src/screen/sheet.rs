@@ -374,12 +374,8 @@ fn comments(parse: &Parse) -> Vec<Range<usize>> {
 }
 
 fn inputs(simulation: &Simulation) -> Vec<Point> {
-    use ladder_analysis::program::Role;
     let inputs = simulation.points().iter();
-    inputs
-        .filter(|point| point.role == Role::Input && !point.read_only)
-        .cloned()
-        .collect()
+    inputs.filter(|point| point.is_input).cloned().collect()
 }
 
 fn without_line_end(text: &str, range: TextRange) -> Range<usize> {

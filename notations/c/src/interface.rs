@@ -30,7 +30,7 @@ pub(crate) struct Interface {
     pub(crate) others: Vec<Field>,
 }
 
-/// Of a program that has no outputs, what it never writes is an input, and what it writes an output.
+/// Of a program that has no outputs, what it writes is one.
 pub(crate) fn interface(library: &str, program: &Program, compiled: &Compiled) -> Interface {
     let tags = || {
         program
@@ -44,24 +44,26 @@ pub(crate) fn interface(library: &str, program: &Program, compiled: &Compiled) -
     let mut interface = Interface::default();
     let [mut inputs, mut outputs, mut others] = [(); 3].map(|()| Names::of_members(library));
     for (tag, home) in tags() {
-        let role = match (tag.role, home) {
-            (role, _) if declares || tag.constant => role,
-            (_, Home::Bits { at, .. }) => inferred(written.contains(&(0, at.0))),
-            (_, Home::Words { at, .. }) => inferred(written.contains(&(1, at.0))),
-            (role, _) => role,
+        let is_written = || match home {
+            Home::Bits { at, .. } => written.contains(&(0, at.0)),
+            Home::Words { at, .. } => written.contains(&(1, at.0)),
+            _ => false,
         };
-        let (list, names) = match role {
-            Role::Input => (&mut interface.inputs, &mut inputs),
-            Role::Output => (&mut interface.outputs, &mut outputs),
-            Role::Internal => (&mut interface.others, &mut others),
+        let is_output = match declares || tag.constant {
+            true => tag.role == Role::Output,
+            false => is_written(),
         };
-        list.extend(field(tag, *home, names));
+        if tag.is_input {
+            interface.inputs.extend(field(tag, *home, &mut inputs));
+        }
+        if is_output {
+            interface.outputs.extend(field(tag, *home, &mut outputs));
+        }
+        if !tag.is_input && !is_output {
+            interface.others.extend(field(tag, *home, &mut others));
+        }
     }
     interface
-}
-
-const fn inferred(is_written: bool) -> Role {
-    if is_written { Role::Output } else { Role::Input }
 }
 
 /// The tags' slots that the program writes: bits as 0, words as 1.

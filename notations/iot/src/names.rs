@@ -111,7 +111,9 @@ fn presets(program: &Program) -> HashMap<TagId, TagId> {
     }
     let one = |(tag, state): (TagId, Option<TagId>)| {
         let row = &program.tags[tag.0 as usize];
-        let is_own = variable(&row.name).is_none() && !row.constant && row.role == Role::Internal;
+        // So is one that nothing declares and nothing writes.
+        let is_internal = row.role == Role::Internal || (row.shared && row.address.is_none());
+        let is_own = variable(&row.name).is_none() && !row.constant && is_internal;
         let is_integer = matches!(row.ty, Type::Scalar(scalar) if scalar.is_integer());
         Some((tag, state.filter(|_| is_own && is_integer)?))
     };

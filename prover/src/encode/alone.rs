@@ -140,7 +140,8 @@ impl Cells {
         self.temporary_words.retain(|at| !words.contains_key(at));
     }
 
-    fn name_tag(&mut self, tag: &Tag, home: &Home, timers: &mut FxHashMap<u32, String>) {
+    /// What a tag holds goes in by its name, each element and member.
+    pub(super) fn name_tag(&mut self, tag: &Tag, home: &Home, timers: &mut FxHashMap<u32, String>) {
         let name = |index: i64| match tag.ty {
             Type::Array { .. } => tag.element_name(index),
             _ => tag.name.clone(),

@@ -2,8 +2,8 @@
 
 use super::slots::Reach;
 use super::uses::{Access, Cell, chosen, for_each_access};
-use ladder_analysis::program::{Program, Role};
-use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::program::Program;
+use ladder_analysis::values::types::Scalar;
 use ladder_simulator::compiled::{Bit, Compiled, Home, Instr, PointSlot, Word, counter, timer};
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -44,28 +44,11 @@ impl Cells {
     pub(crate) fn of(program: &Program, compiled: &Compiled, seen: &[PointSlot]) -> Cells {
         let mut cells = Cells::default();
         let mut tag_bits = FxHashSet::default();
-        for (tag, home) in program.tags.iter().zip(&compiled.homes) {
-            let is_input = tag.role == Role::Input && !tag.constant && tag.block.is_none();
-            let name = |index: i64| match tag.ty {
-                Type::Array { .. } => tag.element_name(index),
-                _ => tag.name.clone(),
-            };
+        for home in &compiled.homes {
             match *home {
-                Home::Bits { at, first, len } => {
-                    tag_bits.extend(at.0..at.0 + len);
-                    for n in 0..if is_input { len } else { 0 } {
-                        let (name, ty) = (name(first + i64::from(n)), Scalar::Bool);
-                        cells.inputs_at_bits.insert(at.0 + n, InputTag { name, ty });
-                    }
-                }
-                Home::Words { at, first, len, ty } => {
-                    for n in 0..len {
-                        cells.types.insert(at.0 + n, ty);
-                        if is_input {
-                            let name = name(first + i64::from(n));
-                            cells.inputs_at_words.insert(at.0 + n, InputTag { name, ty });
-                        }
-                    }
+                Home::Bits { at, len, .. } => tag_bits.extend(at.0..at.0 + len),
+                Home::Words { at, len, ty, .. } => {
+                    cells.types.extend((at.0..at.0 + len).map(|at| (at, ty)));
                 }
                 Home::State { state, words, .. } if state.is_counter() => {
                     cells.types.insert(words.0 + counter::CV, Scalar::Dint);
@@ -80,6 +63,10 @@ impl Cells {
             }
         }
         cells.uses(compiled);
+        let inputs = program.tags.iter().zip(&compiled.homes);
+        for (tag, home) in inputs.filter(|(tag, _)| tag.is_input) {
+            cells.name_tag(tag, home, &mut FxHashMap::default());
+        }
         cells.temporary_bits.retain(|at| !tag_bits.contains(at));
         for slot in seen {
             match slot {

@@ -62,7 +62,8 @@ impl Group {
     }
 
     fn of_value(point: &Point) -> Group {
-        Group::by(point.read_only, point.role)
+        let role = if point.is_input { Role::Input } else { point.role };
+        Group::by(point.read_only, role)
     }
 
     fn by(constant: bool, role: Role) -> Group {

@@ -212,7 +212,10 @@ impl Engine {
             kind: point.ty.to_string(),
             value: to_json(&value, point.ty),
             text: chart::reading(&value, point.ty),
-            role: role(point.role),
+            role: match point.is_input {
+                true => messages::Role::Input,
+                false => role(point.role),
+            },
             forced: self.session.simulation().is_forced(point),
             read_only: point.read_only,
             parts: None,

@@ -64,7 +64,7 @@ fn does_the_same(old: &Simulation, new: &Simulation) -> bool {
             && tags.clone().all(|(was, is)| {
                 (
                     was.ty,
-                    was.role,
+                    (was.role, was.is_input),
                     was.retain,
                     was.constant,
                     &was.address,
@@ -72,7 +72,7 @@ fn does_the_same(old: &Simulation, new: &Simulation) -> bool {
                     &was.column,
                 ) == (
                     is.ty,
-                    is.role,
+                    (is.role, is.is_input),
                     is.retain,
                     is.constant,
                     &is.address,

@@ -59,7 +59,7 @@ pub struct Recordable {
 /// The tags among which the rows of what is expected can be chosen: outputs, then the other tags, then members.
 pub fn recordable(session: &Session) -> Vec<Recordable> {
     let points = session.simulation().points().iter();
-    let points = points.filter(|point| !point.read_only && point.role != Role::Input);
+    let points = points.filter(|point| !point.read_only && !point.is_input);
     let mut found: Vec<Recordable> = points
         .map(|point| Recordable {
             name: point.name.clone(),
@@ -305,7 +305,7 @@ fn push_once(notes: &mut Vec<String>, note: String) {
 /// What a scenario checks: the outputs, then what else the program has, but for members.
 fn outputs(simulation: &Simulation) -> Vec<Point> {
     let points = simulation.points().iter();
-    let points = points.filter(|point| !point.read_only && point.role != Role::Input);
+    let points = points.filter(|point| !point.read_only && !point.is_input);
     let (outputs, others): (Vec<&Point>, Vec<&Point>) = points.partition(|point| point.role == Role::Output);
     let others = others.into_iter().filter(|point| !point.name.contains('.'));
     outputs.into_iter().chain(others).cloned().collect()

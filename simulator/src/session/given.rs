@@ -5,7 +5,7 @@ use super::Session;
 use crate::memory::Memory;
 use crate::simulation::Simulation;
 use crate::tags::Point;
-use ladder_analysis::program::{Program, Role};
+use ladder_analysis::program::Program;
 use ladder_analysis::values::value::Value;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -144,7 +144,7 @@ impl Session {
     /// Another program goes on: what the world gave that no scan has run with. The rest the change carries over.
     pub(super) fn note_given_at_change(&mut self, new: &Simulation) {
         self.given.forget_from(new.machine.scan as u64);
-        let is_input = |point: &&Point| point.role == Role::Input;
+        let is_input = |point: &&Point| point.is_input;
         let before = self.simulation.points().iter().filter(is_input);
         let before: HashMap<&str, &Point> = before.map(|point| (point.name.as_str(), point)).collect();
         let memory = &self.history.banks.memory;

@@ -33,7 +33,7 @@ use given::AllGiven;
 pub(crate) use given::{MOST_GIVEN, NotKnown};
 use history::History;
 pub use history::HistoryLimits;
-use ladder_analysis::program::{Location, Program, Role};
+use ladder_analysis::program::{Location, Program};
 use ladder_analysis::values::value::Value;
 use std::cell::OnceCell;
 use std::collections::VecDeque;
@@ -143,8 +143,8 @@ impl Session {
         if self.simulation.is_open() {
             return self.simulation.set(point, value);
         }
-        let differs = self.simulation.is_forced(point) && point.role == Role::Input
-            || self.simulation.value(point) != value;
+        let differs =
+            self.simulation.is_forced(point) && point.is_input || self.simulation.value(point) != value;
         self.simulation.set(point, value)?;
         if differs {
             self.goes_another_way();

@@ -2,7 +2,6 @@
 
 use super::{Change, Force, Simulation};
 use crate::tags::{Point, PointSlot, Within};
-use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use ladder_analysis::with_article;
@@ -26,7 +25,7 @@ impl Simulation {
 
     fn assign(&mut self, point: &Point, value: Value) {
         if let Some(force) = self.forces.get_mut(&point.name) {
-            if point.role == Role::Input {
+            if point.is_input {
                 force.underneath = Some(value);
             }
             return;
@@ -65,7 +64,7 @@ impl Simulation {
     pub(crate) fn hold(&mut self, point: Point, value: Value) {
         let before = match self.forces.get(&point.name) {
             Some(force) => force.underneath.clone(),
-            None => (point.role == Role::Input).then(|| self.value(&point)),
+            None => (point.is_input).then(|| self.value(&point)),
         };
         self.machine.memory.make_room_for_forces();
         self.mark(&point, true);

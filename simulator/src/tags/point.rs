@@ -15,8 +15,10 @@ pub struct Point {
     pub name: String,
     /// The type of its value.
     pub ty: Scalar,
-    /// Input, output or neither.
+    /// Input, output or neither, by its declaration, its name, or how its file uses it.
     pub role: Role,
+    /// What is outside of the program gives it its value before each scan.
+    pub is_input: bool,
     /// It cannot be set or forced: a constant or system tag.
     pub read_only: bool,
     pub(crate) within: Within,

@@ -18,6 +18,7 @@ mod flow;
 mod forces;
 mod golden_trace;
 mod groups;
+mod inputs;
 mod literals_and_types;
 mod logix;
 mod order;

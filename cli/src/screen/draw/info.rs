@@ -158,15 +158,15 @@ fn selection(scene: Scene) -> String {
         && block.shown.iter().all(|shown| matches!(shown, Shown::Indexed(_)))
     {
         let role = match point.role {
-            Role::Input => "input ",
+            _ if point.is_input => "input ",
             Role::Output => "output ",
-            Role::Internal => "",
+            _ => "",
         };
         text.push_str(&format!(": {role}{} is {}", point.name, value_of(point, plant)));
-        let hint = match point.role {
+        let hint = match point.is_input {
             _ if plant.is_forced(point) => "; u lets it go",
-            Role::Input => "; space switches it",
-            _ => "",
+            true => "; space switches it",
+            false => "",
         };
         text.push_str(hint);
         return text;

@@ -20,7 +20,7 @@ use crate::session::rewind::Rewind;
 use crate::session::touched::Cells;
 use crate::simulation::Simulation;
 use crate::tags::Point;
-use ladder_analysis::program::{Network, Role};
+use ladder_analysis::program::Network;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use std::ops::Range;
@@ -284,7 +284,7 @@ impl Inquiry<'_> {
         let this = &mut self.questions[question];
         this.cause = Found::Plain(match change {
             Change::Never => Cause::Initial,
-            _ if !has_writers && this.point.role == Role::Input => Cause::Given,
+            _ if !has_writers && this.point.is_input => Cause::Given,
             _ => Cause::Unknown,
         });
         if let Some(when) = this.when

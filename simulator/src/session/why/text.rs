@@ -3,7 +3,7 @@
 use super::{Cause, Judged, Judgement, Reason, Since, Why, Write};
 use crate::tags::Point;
 use crate::value_text;
-use ladder_analysis::program::{Location, Role};
+use ladder_analysis::program::Location;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use ladder_syntax::LineIndex;
@@ -52,7 +52,7 @@ impl<'t> Wording<'t> {
         };
         let value = value(&why.point, &why.value);
         let cause = match &why.cause {
-            Cause::Initial if why.point.role == Role::Input => "nothing else was given".to_owned(),
+            Cause::Initial if why.point.is_input => "nothing else was given".to_owned(),
             Cause::Initial => "nothing has written it".to_owned(),
             Cause::Given => "it was given from outside".to_owned(),
             Cause::Forced => "it is forced".to_owned(),
@@ -80,7 +80,7 @@ impl<'t> Wording<'t> {
             line.push_str(", as far as the table goes");
         }
         let blocks = match (judged.writers, judged.judgements.is_empty()) {
-            (0, _) if point.role == Role::Input => "it is an input".to_owned(),
+            (0, _) if point.is_input => "it is an input".to_owned(),
             (0, _) => "no network writes it".to_owned(),
             (1, true) => "the block that writes it is not reached".to_owned(),
             (writers, true) => format!("none of the {writers} blocks that write it is reached"),

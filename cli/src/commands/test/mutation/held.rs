@@ -2,7 +2,6 @@
 
 use super::fate::{Run, outputs};
 use super::subject::{Subject, Tested};
-use ladder_analysis::program::Role;
 use ladder_analysis::values::value::Value;
 use ladder_simulator::scenario::{self, Given, Watched};
 use ladder_simulator::{Point, Simulation};
@@ -50,8 +49,7 @@ fn in_case(tested: &Tested, case: usize, (old, new): (&mut Simulation, &mut Simu
 
 fn seen(tested: &Tested, case: usize, simulation: &mut Simulation) -> Option<Seen> {
     let (cases, _) = scenario::bind(&tested.suite, simulation);
-    let is_input = |point: &&Point| point.role == Role::Input && !point.read_only;
-    let inputs = simulation.points().iter().filter(is_input).cloned();
+    let inputs = simulation.points().iter().filter(|point| point.is_input).cloned();
     let mut seen = Seen {
         inputs: inputs.map(|point| (point, Vec::new())).collect(),
         outputs: outputs(simulation)
