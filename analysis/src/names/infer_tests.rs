@@ -33,11 +33,11 @@ fn places_give_their_type() {
         expect![[r#"
             a : BOOL, Input
             t : TON, Internal
-            pt : TIME, Internal
+            pt : TIME, Input
             r : BOOL, Input
             y : BOOL, Output
             c : CTU, Internal
-            pv : DINT, Internal
+            pv : DINT, Input
         "#]],
     );
     check(
@@ -46,7 +46,7 @@ fn places_give_their_type() {
         n : DINT, Internal
         g : BOOL, Input
         k : DINT, Internal
-        s : STRING, Internal
+        s : STRING, Input
         u : STRING, Internal
     "#]],
     );
@@ -80,8 +80,8 @@ fn company_gives_its_type() {
     check(
         "+--[GT]( level, 80.5 )--[GT]( elapsed, t.ET )--[TON]( t, 5s )--( )( y )--+\n",
         expect![[r#"
-        level : LREAL, Internal
-        elapsed : TIME, Internal
+        level : LREAL, Input
+        elapsed : TIME, Input
         t : TON, Internal
         y : BOOL, Output
     "#]],
@@ -97,7 +97,7 @@ fn company_gives_its_type() {
         "+--[MOV]( n, 3 )--[EQ]( n, m )--( )( y )--+\n",
         expect![[r#"
         n : DINT, Internal
-        m : DINT, Internal
+        m : DINT, Input
         y : BOOL, Output
     "#]],
     );

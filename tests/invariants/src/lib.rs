@@ -16,17 +16,17 @@ mod editor;
 mod edits;
 pub mod features;
 mod format;
-pub mod generator;
 mod input;
 mod messages;
 mod model;
 mod notations;
 mod parse;
-pub mod reference;
 mod scenarios;
 mod settings;
 mod simulation;
 pub mod trace;
+
+pub use ladder_generator::{generator, reference};
 
 /// A door by which input comes in.
 #[derive(Debug, Clone, Copy)]

@@ -1,9 +1,9 @@
 //! The prover's functions of bits next to the simulator: every tag in every scan, on generated programs.
 
-use ladder_analysis::values::types::Scalar;
-use ladder_analysis::values::value::{Value, wrap};
-use ladder_invariants::generator::{Dice, Mode, program};
-use ladder_invariants::trace::compile;
+use super::compile;
+use super::runs::value;
+use ladder_analysis::values::value::Value;
+use ladder_generator::generator::{Dice, Mode, program};
 use ladder_prover::Concrete;
 use ladder_simulator::{Options, Simulation, Status, value_text};
 use std::collections::BTreeMap;
@@ -21,21 +21,6 @@ pub(crate) struct Tally {
 pub(crate) fn programs() -> u64 {
     let asked = std::env::var("GENERATED_PROGRAMS").ok();
     asked.and_then(|asked| asked.parse().ok()).unwrap_or(20)
-}
-
-pub(crate) fn value(dice: &mut Dice, ty: Scalar) -> Value {
-    let small = dice.one_in(2);
-    match ty {
-        Scalar::Bool => Value::Bool(dice.one_in(2)),
-        Scalar::Real | Scalar::Lreal => Value::Real(f64::from(dice.between(-50, 50) as f32) / 4.0),
-        Scalar::Enum(id) => {
-            let values = &id.get().values;
-            Value::Int(values[dice.below(values.len())].1.into())
-        }
-        ty if ty.is_string() => Value::Text(Box::default()),
-        ty if small => Value::Int(wrap(dice.between(-3, 12), ty)),
-        ty => Value::Int(wrap(dice.any() as i64, ty)),
-    }
 }
 
 /// Compares one program over so many scans; the difference, if there is one.

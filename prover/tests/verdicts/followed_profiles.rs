@@ -1,8 +1,8 @@
 //! What generated programs do not have, to the prover and to the simulator: timers and counters of each profile, ranges whose
 //! ends are computed, states that an index chooses.
 
-use crate::followed::{Tally, compare, programs};
-use ladder_invariants::trace::compile;
+use super::compile;
+use super::followed::{Tally, compare, programs};
 
 /// All of it is followed, but for so many values.
 fn check(text: &str, most_open: usize) {

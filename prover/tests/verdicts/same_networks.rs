@@ -1,11 +1,11 @@
 //! What the prover says of pairs of networks next to runs of both programs: what does the same never differs in a run, and what
 //! was only drawn or written in another way is never said to differ.
 
-use crate::followed::{programs, value};
-use ladder_analysis::program::Role;
+use super::compile;
+use super::followed::programs;
+use super::runs::value;
 use ladder_format::{Options as Layout, format_text};
-use ladder_invariants::generator::{Dice, Mode, program};
-use ladder_invariants::trace::compile;
+use ladder_generator::generator::{Dice, Mode, program};
 use ladder_prover::{Compared, Meaning};
 use ladder_simulator::{Options as Running, Simulation};
 use std::time::Duration;
@@ -45,7 +45,7 @@ fn differ(old: &str, new: &str, seed: u64) -> bool {
         new.reset();
         for _ in 0..30 {
             for (point, other) in &points {
-                if point.role == Role::Input && !point.read_only && dice.one_in(3) {
+                if point.is_input && dice.one_in(3) {
                     let value = value(&mut dice, point.ty);
                     if old.set(point, value.clone()).is_ok() {
                         new.set(other, value).expect("it fits there, too");
