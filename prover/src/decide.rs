@@ -254,6 +254,41 @@ pub(crate) fn reach(model: &Model, from: impl Iterator<Item = Lit>) -> FxHashSet
     nodes
 }
 
+/// Of each node whether it depends on one of these in any scan.
+pub(crate) fn dependents(model: &Model, from: impl Iterator<Item = usize>) -> Vec<bool> {
+    let world = &model.world;
+    let count = world.graph.len();
+    // For each node those that are made of it, as a list.
+    let mut first: Vec<Option<usize>> = vec![None; count];
+    let mut links: Vec<(usize, Option<usize>)> = Vec::new();
+    let mut link = |from: usize, to: usize| {
+        links.push((to, first[from]));
+        first[from] = Some(links.len() - 1);
+    };
+    for node in 0..count {
+        if let Node::And(a, b) = world.graph.node(node) {
+            link(a.node(), node);
+            link(b.node(), node);
+        }
+    }
+    for state in &world.states {
+        link(state.next.node(), state.leaf.node());
+    }
+    let mut depends = vec![false; count];
+    let mut stack: Vec<usize> = from.collect();
+    while let Some(node) = stack.pop() {
+        if std::mem::replace(&mut depends[node], true) {
+            continue;
+        }
+        let mut next = first[node];
+        while let Some((to, after)) = next.map(|link| links[link]) {
+            stack.push(to);
+            next = after;
+        }
+    }
+    depends
+}
+
 /// How long a run is made more readable.
 const READABLE: u64 = 20_000_000;
 const READABLE_CONFLICTS: u64 = 1_000;

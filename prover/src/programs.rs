@@ -7,7 +7,7 @@
 //! ```
 
 use crate::both::{Both, both};
-use crate::decide::{CONFLICTS, Depth, Known, Run, Seeks, decide, inputs_of, reach};
+use crate::decide::{CONFLICTS, Depth, Known, Run, Seeks, decide, dependents, inputs_of, reach};
 use crate::divergence::Stage;
 pub use crate::divergence::{Differing, Divergence, Row, Which};
 use crate::graph::Lit;
@@ -215,8 +215,8 @@ impl Search<'_> {
     /// Proves that what is left never differs, or finds a run.
     fn decide(mut self, mut model: Model, wanted: Vec<Lit>) -> Result<Whole, NotReproduced> {
         // What depends on nothing that was left open first: a run of it is one.
-        let (sure, unsure): (Vec<Lit>, Vec<Lit>) =
-            (wanted.iter()).partition(|lit| open(&model, &[**lit]).is_none());
+        let unsure = dependents(&model, model.world.open.iter().map(|(node, _)| *node));
+        let (unsure, sure): (Vec<Lit>, Vec<Lit>) = wanted.iter().partition(|lit| unsure[lit.node()]);
         let mut reached = usize::MAX;
         for (mut wanted, seeks) in [(sure, Seeks::One), (unsure, Seeks::Every)] {
             for (base, step) in [(SHORT, SHORT), (self.limits.scans, 20)] {

@@ -1,6 +1,7 @@
 //! What happens in a program whatever its unread parts write: the machine of bits once more, in which each bit that depends on them
 //! says by two whether it may be high and whether it may be low. A run of it needs no value of theirs.
 
+use crate::decide::dependents;
 use crate::encode::{Input, State, World};
 use crate::graph::{Graph, Lit, Node};
 use crate::model::Model;
@@ -95,31 +96,11 @@ fn may_be(of: &[[Lit; 2]], lit: Lit) -> Lit {
 
 /// Of each node whether it depends on what unread parts write, in whichever scan.
 pub(crate) fn depending(model: &Model) -> Vec<bool> {
-    let world = &model.world;
-    let mut depends = vec![false; world.graph.len()];
-    for node in &world.unread {
-        depends[*node] = true;
+    let unread = &model.world.unread;
+    if unread.is_empty() {
+        return vec![false; model.world.graph.len()];
     }
-    if world.unread.is_empty() {
-        return depends;
-    }
-    loop {
-        for node in 0..depends.len() {
-            if let Node::And(a, b) = world.graph.node(node) {
-                depends[node] = depends[a.node()] || depends[b.node()];
-            }
-        }
-        let mut is_done = true;
-        for state in &world.states {
-            if depends[state.next.node()] && !depends[state.leaf.node()] {
-                depends[state.leaf.node()] = true;
-                is_done = false;
-            }
-        }
-        if is_done {
-            return depends;
-        }
-    }
+    dependents(model, unread.iter().copied())
 }
 
 /// What is assumed and depends on what unread parts write.
