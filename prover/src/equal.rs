@@ -5,7 +5,7 @@
 
 use crate::body;
 use crate::decide::reach;
-use crate::encode::{Cells, InputTag, Left, World, follow_alone, rail};
+use crate::encode::{Cells, InputTag, Left, World, follow_alone};
 use crate::graph::Lit;
 use crate::model::Model;
 use crate::number::Number;
@@ -16,7 +16,7 @@ use ladder_analysis::program::{Block, BlockKind, Program, Tag};
 use ladder_simulator::compiled::{Compiled, compile};
 use rustc_hash::FxHashMap;
 use std::cell::RefCell;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -126,30 +126,6 @@ impl Form {
         !model.world.states.is_empty() && blocks.any(has_state)
     }
 
-    /// The names of the values that a network alone finds, and of those among them that it may change. None: they are not
-    /// known, or it decides where execution goes on.
-    fn uses(&self, network: usize) -> Option<(BTreeSet<String>, BTreeSet<String>)> {
-        let mut world = World::default();
-        let left = self.follow(&mut world, network).ok()?;
-        let has_user_block = self.program.networks[network]
-            .blocks
-            .iter()
-            .any(|block| matches!(block.kind, BlockKind::User(_)));
-        let goes_on = left.goes_on == Lit::TRUE && left.ended == Lit::FALSE && left.jumps.is_empty();
-        if has_user_block || !goes_on || left.rail != rail(&mut world) {
-            return None;
-        }
-        let found = world.shared.keys().map(|(name, _)| name.clone()).collect();
-        let mut written = BTreeSet::new();
-        for (tag, value) in &left.values {
-            let at_first = world.shared(tag);
-            if world.graph.equal(&at_first, value) != Lit::TRUE {
-                written.insert(tag.name.to_ascii_lowercase());
-            }
-        }
-        Some((found, written))
-    }
-
     /// The label at a place in the code.
     fn label(&self, to: u32) -> Option<String> {
         let networks: Vec<usize> = self.compiled.code.networks_at(to).collect();
@@ -181,20 +157,6 @@ impl Compared {
         })
     }
 
-    /// Whether two networks of the new program may change places: neither writes what the other reads or writes, and neither
-    /// decides where execution goes on.
-    pub fn may_swap(&self, one: usize, other: usize) -> bool {
-        let form = &self.new;
-        if !form.program.labels.is_empty() || !form.program.functions.is_empty() {
-            return false;
-        }
-        let (Some((read, written)), Some((also_read, also_written))) = (form.uses(one), form.uses(other))
-        else {
-            return false;
-        };
-        written.is_disjoint(&also_read) && also_written.is_disjoint(&read)
-    }
-
     /// Compares a network of the old program with one of the new, by their numbers, for no longer than `time`.
     pub fn networks(&self, old: usize, new: usize, time: Duration) -> Meaning {
         let end = Instant::now() + time;
@@ -214,11 +176,6 @@ impl Compared {
         let compiled = || Compared::new(&body(&self.old, was)?, &body(&self.new, is)?).map(Rc::new);
         let mut bodies = self.bodies.borrow_mut();
         bodies.entry((was, is)).or_insert_with(compiled).clone()
-    }
-
-    /// See [`other_tags`].
-    pub fn declared_differently(&self) -> Vec<String> {
-        other_tags(&self.old.program, &self.new.program)
     }
 
     fn asked(&self, old: usize, new: usize, end: Instant) -> Result<Meaning, String> {

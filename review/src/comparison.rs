@@ -1,11 +1,13 @@
 //! What changed from one program to another, entry by entry.
 
 use crate::matching::{Pair, pairs};
-use crate::outline::{Entry, Outline};
+use crate::outline::{Entry, Kind, Outline};
+use crate::rename::Rename;
 use crate::used::{Used, declared_elsewhere, used};
 use crate::verdict::Verdict;
 use crate::whole::Whole;
 use ladder_prover::{Compared, Meaning};
+use ladder_syntax::Name;
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
@@ -20,6 +22,8 @@ pub struct Comparison<'o> {
     pub changes: Vec<Change<'o>>,
     /// Whether the programs do the same, once that was asked: see [`Comparison::decide_whole`].
     pub whole: Option<Whole>,
+    /// What has another name in the new program. The old one is compared as if it had these names.
+    pub renames: Vec<Rename>,
     /// Other files that one of the programs uses, and that are not the same on both sides; of programs with the same text also tags.
     pub uses: Vec<Used>,
     /// Both programs, once they are asked for.
@@ -59,7 +63,7 @@ impl<'o> Change<'o> {
 impl Comparison<'_> {
     /// Whether the programs, or files that they use, differ in more than blank lines.
     pub fn differs(&self) -> bool {
-        self.changes.iter().any(Change::is_change) || !self.uses.is_empty()
+        self.changes.iter().any(Change::is_change) || !self.uses.is_empty() || !self.renames.is_empty()
     }
 
     /// How many entries each thing happened to, of those that hold no others: `(what, how many)`, the same ones last.
@@ -79,7 +83,15 @@ impl Comparison<'_> {
         let count = |verdict| (Verdict::text(verdict), counts.get(&verdict).copied().unwrap_or(0));
         let mut all = vec![count(Verdict::Edited), count(Verdict::New), count(Verdict::Gone)];
         all.push(("moved", moved));
-        all.extend([Verdict::Redrawn, Verdict::Commented, Verdict::Same].map(count));
+        all.extend(
+            [
+                Verdict::Redrawn,
+                Verdict::Commented,
+                Verdict::Value,
+                Verdict::Same,
+            ]
+            .map(count),
+        );
         all.retain(|(_, count)| *count > 0);
         all
     }
@@ -92,6 +104,7 @@ pub fn compare<'o>(old: &'o Outline, new: &'o Outline) -> Comparison<'o> {
         new,
         changes: Vec::new(),
         whole: None,
+        renames: Vec::new(),
         uses: used(old, new),
         compiled: OnceCell::new(),
     };
@@ -100,6 +113,26 @@ pub fn compare<'o>(old: &'o Outline, new: &'o Outline) -> Comparison<'o> {
         comparison.uses.extend(declared_elsewhere(old, new));
     }
     comparison
+}
+
+/// Compares two programs of which the old one was [given](crate::rename::renamed) the names of the new one.
+pub fn compare_renamed<'o>(old: &'o Outline, new: &'o Outline, renames: Vec<Rename>) -> Comparison<'o> {
+    let mut comparison = compare(old, new);
+    // What is only drawn in another way around such a name is so for the name.
+    let names: Vec<Name> = renames.iter().map(|rename| Name::new(&rename.is)).collect();
+    let redrawn = |change: &&mut Change<'_>| change.verdict == Verdict::Redrawn;
+    for change in comparison.changes.iter_mut().filter(redrawn) {
+        let entry = change.entry();
+        // Declarations next to it have its columns.
+        let is_near = entry.kind == Kind::Declaration && !names.is_empty();
+        if is_near || names.iter().any(|name| entry.said.key.contains(name.as_str())) {
+            change.verdict = Verdict::Same;
+        }
+    }
+    Comparison {
+        renames,
+        ..comparison
+    }
 }
 
 impl<'o> Comparison<'o> {

@@ -13,21 +13,25 @@
 //! Nothing here reads a file. A change is one of what is written; what an edited network does is asked of the prover, in
 //! [`meaning`].
 
+mod by_networks;
 mod canonical;
 pub mod comparison;
 pub mod drawing;
+mod independence;
 mod matching;
 pub mod meaning;
 pub mod merge;
 pub mod outline;
 mod reader;
+pub mod rename;
 pub mod report;
 pub mod used;
+mod values;
 pub mod verdict;
 pub mod whole;
 pub mod words;
 
-pub use comparison::{Change, Comparison, compare};
+pub use comparison::{Change, Comparison, compare, compare_renamed};
 pub use ladder_prover::{Limits, Meaning, is_wanted, while_wanted};
 pub use merge::{Merged, NotMerged, Sides, merge};
 pub use outline::Outline;

@@ -63,7 +63,8 @@ impl Comparison<'_> {
                 .map(|running| Arc::clone(&running.program));
             program.map_err(|why| format!("the {which} program {why}"))
         };
-        Ok([program(self.old, "old")?, program(self.new, "new")?])
+        let (old, new) = (program(self.old, "old")?, program(self.new, "new")?);
+        Ok([self.with_new_values(old, &new), new])
     }
 }
 

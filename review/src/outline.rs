@@ -5,7 +5,7 @@ use crate::canonical::Canonical;
 use crate::reader::entries;
 use ladder_analysis::context::Context;
 use ladder_analysis::names::join::context;
-use ladder_analysis::program::Program;
+use ladder_analysis::program::{Program, unread_name};
 use ladder_analysis::{NotWhole, Others, RuleSettings, analyze_context};
 use ladder_syntax::{Name, TextRange, TextSize};
 use std::cell::OnceCell;
@@ -68,6 +68,8 @@ pub enum Kind {
     Declaration,
     /// A comment that says something to the tools: `# ladder: profile iot #`.
     Setting,
+    /// The directive that its block is an unread part, with the text of the other system below it.
+    Unread,
     /// Any other comment that is not right above something else.
     Comment,
     /// A line that holds nothing but errors.
@@ -84,6 +86,7 @@ impl Kind {
             Kind::Structure => "structure",
             Kind::Declaration => "declaration",
             Kind::Setting => "setting",
+            Kind::Unread => "unread part",
             Kind::Comment => "comment",
             Kind::Stray => "line",
         }
@@ -122,6 +125,16 @@ pub struct Entry {
     pub(crate) said: Canonical,
     /// The comments in it and right above it.
     pub(crate) comments: String,
+}
+
+/// A part of another system's program that no reader understands.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct UnreadPart {
+    pub(crate) name: String,
+    /// What is said of it.
+    pub(crate) about: String,
+    /// What it may write, and what the other system has there.
+    pub(crate) text: String,
 }
 
 /// Why a program does not run, of which `own` is the file; other files are named as `shown` has it.
@@ -181,6 +194,18 @@ impl Outline {
         })
     }
 
+    /// The unread parts that the program defines.
+    pub(crate) fn unread(&self) -> Vec<UnreadPart> {
+        let mut found = Vec::new();
+        unread(&self.entries, &mut found);
+        found
+    }
+
+    /// Whether it is a program that runs.
+    pub fn runs(&self) -> bool {
+        self.program().is_ok()
+    }
+
     /// What is written in a range of the text.
     pub fn text(&self, range: TextRange) -> std::borrow::Cow<'_, str> {
         self.context.parse.text_in(range)
@@ -189,5 +214,19 @@ impl Outline {
     /// The line of the text at which an entry itself begins, from 1.
     pub fn line(&self, entry: &Entry) -> usize {
         self.context.line_number(entry.own.start())
+    }
+}
+
+fn unread(entries: &[Entry], found: &mut Vec<UnreadPart>) {
+    for entry in entries {
+        if entry.kind == Kind::Unread {
+            let block = entry.place.split(' ').next_back().unwrap_or_default();
+            found.push(UnreadPart {
+                name: unread_name(block).to_owned(),
+                about: entry.title.clone(),
+                text: entry.said.key.clone(),
+            });
+        }
+        unread(&entry.inside, found);
     }
 }

@@ -203,7 +203,12 @@ impl Reader<'_> {
         let parse = &self.context.parse;
         let is_comment =
             |line: &&usize| parse.lines()[**line].kind == LineKind::Comment && !self.sets(**line);
-        let attached = self.pending.iter().rev().take_while(is_comment).count();
+        let mut attached = self.pending.iter().rev().take_while(is_comment).count();
+        // What is right below the directive of an unread part is the text of that.
+        let above = self.pending.len().checked_sub(attached + 1);
+        if above.is_some_and(|above| self.is_unread(self.pending[above])) {
+            attached = 0;
+        }
         let attached = self.pending.split_off(self.pending.len() - attached);
         let first = attached.first().copied().unwrap_or(lines.start);
         self.comments_pending();
@@ -215,12 +220,12 @@ impl Reader<'_> {
         let own = TextRange::new(parse.line_start(lines.start), end);
         let comments = match kind {
             // They are what it says.
-            Kind::Comment | Kind::Setting => String::new(),
+            Kind::Comment | Kind::Setting | Kind::Unread => String::new(),
             _ => canonical::comments(parse, first..lines.end),
         };
         let said = match kind {
             Kind::Network => Canonical::default(),
-            Kind::Comment | Kind::Setting => Canonical {
+            Kind::Comment | Kind::Setting | Kind::Unread => Canonical {
                 key: canonical::comments(parse, first..lines.end),
                 words: canonical::comments(parse, first..lines.end)
                     .split(' ')
@@ -280,13 +285,13 @@ impl Reader<'_> {
                 continue;
             }
             self.pending.clear();
-            let kind = if self.sets(line) {
-                Kind::Setting
-            } else {
-                Kind::Comment
+            let kind = match () {
+                () if self.is_unread(line) => Kind::Unread,
+                () if self.sets(line) => Kind::Setting,
+                () => Kind::Comment,
             };
             let mut last = line;
-            while kind == Kind::Comment
+            while kind != Kind::Setting
                 && let Some(&next) = waiting.get(at)
                 && next == last + 1
                 && self.context.parse.lines()[next].kind == LineKind::Comment
@@ -297,6 +302,9 @@ impl Reader<'_> {
             }
             let mut entry = self.entry(kind, line..last + 1);
             entry.title = self.words_of(entry.own);
+            if kind == Kind::Unread {
+                entry.title = self.headers.last().map_or_else(String::new, about);
+            }
             if kind == Kind::Setting {
                 let title = entry.title.trim_matches('#').trim();
                 // A profile is the same setting, whichever it names; a rule that is switched off is one by itself.
@@ -317,10 +325,26 @@ impl Reader<'_> {
         asked(text.trim()).is_some_and(|asked| asked.word != "allow")
     }
 
+    /// Whether a comment line says that its block is an unread part.
+    fn is_unread(&self, line: usize) -> bool {
+        let text = self.context.parse.lines()[line].text();
+        asked(text.trim()).is_some_and(|asked| asked.word == "unread")
+    }
+
     /// A stretch of the text on one line.
     fn words_of(&self, range: TextRange) -> String {
         let text = self.context.parse.text_in(range);
         let text = text.trim_start_matches('\u{feff}');
         text.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+}
+
+/// What the comment above the definition of an unread part says; without one its name.
+fn about(block: &Entry) -> String {
+    let comment = block.comments.trim_matches(['#', ' ']).trim_end_matches('.');
+    if comment.is_empty() {
+        format!("{} was not read", block.title)
+    } else {
+        comment.to_owned()
     }
 }

@@ -1,8 +1,9 @@
 //! Other files that programs use, and what became of them.
 
+use crate::by_networks::is_harmless;
 use crate::comparison::compare;
 use crate::outline::Outline;
-use crate::whole::is_harmless;
+
 use ladder_analysis::context::Context;
 use ladder_prover::other_tags;
 use std::collections::BTreeSet;

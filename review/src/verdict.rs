@@ -11,6 +11,8 @@ pub enum Verdict {
     Redrawn,
     /// The same wiring and operands, with other comments.
     Commented,
+    /// Of a controller's tag only the value that it had is another one.
+    Value,
     /// It says something else.
     Edited,
     /// Only the new text has it.
@@ -26,6 +28,7 @@ impl Verdict {
             Verdict::Same => "same",
             Verdict::Redrawn => "drawn differently",
             Verdict::Commented => "other comments",
+            Verdict::Value => "other value",
             Verdict::Edited => "edited",
             Verdict::New => "new",
             Verdict::Gone => "gone",
@@ -38,6 +41,7 @@ impl Verdict {
             Verdict::Same => "same",
             Verdict::Redrawn => "redrawn",
             Verdict::Commented => "commented",
+            Verdict::Value => "value",
             Verdict::Edited => "edited",
             Verdict::New => "new",
             Verdict::Gone => "gone",

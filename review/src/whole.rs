@@ -1,19 +1,12 @@
 //! Whether two whole programs do the same: as far as their networks say it one by one, and then by their runs.
 
+use crate::by_networks::by_networks;
 use crate::comparison::{Change, Comparison};
-use crate::meaning::number;
-use crate::outline::Kind;
-use crate::used::Used;
-use crate::verdict::Verdict;
-use crate::words::{heading, reason};
-use ladder_prover::{
-    Compared, Divergence, Limits, Meaning, Which, compare_programs, outputs_of_one, rows_of,
-};
+use crate::outline::{Kind, Outline, UnreadPart};
+use ladder_prover::{Divergence, Limits, Which, compare_programs, outputs_of_one, rows_of};
 use ladder_simulator::value_text::duration;
 use ladder_simulator::{Options, Simulation};
-
-/// If more networks have moved, each is not asked whether its place matters: runs say it sooner.
-const MOST_MOVED: usize = 8;
+use std::sync::Arc;
 
 /// What is known of two programs.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,14 +51,18 @@ impl Comparison<'_> {
                 return Ok(Whole::Outputs(outputs.into_iter().map(only_one_has).collect()));
             }
             match compare_programs(&mut old, &mut new, limits) {
-                Ok(ladder_prover::Whole::Same) => Ok(Whole::Same),
+                Ok(ladder_prover::Whole::Same) => match other_unread(self) {
+                    other if other.is_empty() => Ok(Whole::Same),
+                    other => Ok(Whole::NotDecided(other)),
+                },
                 Ok(ladder_prover::Whole::Differs(run)) => Ok(Whole::Differs(run)),
                 Ok(ladder_prover::Whole::Unknown(why)) => Err(why),
                 Err(ladder_prover::NotReproduced) => Ok(Whole::Refuted),
             }
         });
         asked.unwrap_or_else(|why| {
-            if !open.contains(&why) {
+            // What was not read is the reason.
+            if !open.contains(&why) && other_unread(self).is_empty() {
                 open.push(why);
             }
             Whole::NotDecided(open)
@@ -105,77 +102,19 @@ pub fn said(run: &Divergence) -> (String, Vec<String>) {
     (said, rows_of(run))
 }
 
-/// Whether the networks say it one by one: all must be there in both and do the same, in an order that is the same or does not
-/// matter.
-///
-/// # Errors
-/// They do not: why.
-fn by_networks(comparison: &Comparison<'_>) -> Result<(), Vec<String>> {
-    let is_as_written = |change: &Change<'_>| is_harmless(change) && change.meaning.is_none();
-    if comparison.uses.is_empty() && comparison.changes.iter().all(is_as_written) {
-        return Ok(());
-    }
-    let compared = comparison
-        .compared()
-        .as_ref()
-        .map_err(|cause| vec![cause.clone()])?;
-    let mut open: Vec<String> = comparison.uses.iter().map(Used::to_string).collect();
-    let moved = comparison.changes.iter().filter(|change| change.moved).count();
-    for change in &comparison.changes {
-        let is_asked = change.moved && moved <= MOST_MOVED;
-        if is_harmless(change) || (is_asked && may_move(comparison, change, compared)) {
-            continue;
-        }
-        let mut said = heading(comparison, change);
-        if let Some(reason) = reason(change) {
-            said.push_str(&format!(": {reason}"));
-        }
-        if change.moved && says_the_same(change) {
-            said.push_str(": it has passed networks, and the order may matter");
-        }
-        open.push(said);
-    }
-    for tag in compared.declared_differently() {
-        open.push(format!("{tag} is declared or used differently"));
-    }
-    if open.is_empty() { Ok(()) } else { Err(open) }
+/// What is said of unread parts that are not the same in both programs, and in the files that they use.
+pub(crate) fn other_unread(comparison: &Comparison<'_>) -> Vec<String> {
+    let [old, new] = [comparison.old, comparison.new].map(unread_of);
+    let gone = old.iter().filter(|part| !new.contains(part));
+    let added = new.iter().filter(|part| !old.contains(part));
+    let mut other: Vec<String> = added.chain(gone).map(|part| part.about.clone()).collect();
+    other.dedup();
+    other
 }
 
-/// Whether a change cannot matter by itself.
-pub(crate) fn is_harmless(change: &Change<'_>) -> bool {
-    let kind = change.entry().kind;
-    if kind == Kind::Comment {
-        return true;
-    }
-    let is_in_structure = change.entry().place.starts_with(Kind::Structure.text());
-    if change.moved && (kind == Kind::Network || is_in_structure) {
-        return false;
-    }
-    says_the_same(change)
-}
-
-fn says_the_same(change: &Change<'_>) -> bool {
-    matches!(
-        change.verdict,
-        Verdict::Same | Verdict::Redrawn | Verdict::Commented
-    ) || change.meaning == Some(Meaning::Same)
-}
-
-/// Whether a network that has moved may change places with each of those that it has passed.
-fn may_move(comparison: &Comparison<'_>, change: &Change<'_>, compared: &Compared) -> bool {
-    let of = |change: &Change<'_>| {
-        let old = number((comparison.old, change.old?))?;
-        Some((old, number((comparison.new, change.new?))?))
-    };
-    let Some((old, new)) = of(change).filter(|_| says_the_same(change)) else {
-        return false;
-    };
-    let others = comparison
-        .changes
-        .iter()
-        .filter(|other| other.entry().kind == Kind::Network);
-    others.filter_map(of).all(|(other_old, other_new)| {
-        let has_passed = (old < other_old) != (new < other_new);
-        !has_passed || old == other_old || compared.may_swap(new, other_new)
-    })
+/// The unread parts of a program and of the files that it uses.
+pub(crate) fn unread_of(outline: &Outline) -> Vec<UnreadPart> {
+    let files = outline.files.values();
+    let used = files.flat_map(|file| Outline::new(Arc::clone(file)).unread());
+    outline.unread().into_iter().chain(used).collect()
 }

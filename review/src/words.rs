@@ -50,6 +50,13 @@ pub fn heading(comparison: &Comparison<'_>, change: &Change<'_>) -> String {
 /// What is known of what an edited network does, besides its heading: the values that show a difference, or why it is not
 /// known.
 pub fn reason(change: &Change<'_>) -> Option<String> {
+    let entry = change.entry();
+    if entry.kind == Kind::Unread && change.verdict == Verdict::Edited {
+        return Some(format!(
+            "whether it does the same is not decided: {}",
+            entry.title
+        ));
+    }
     match change.meaning.as_ref()? {
         Meaning::Same => None,
         Meaning::Other(difference) => Some(difference.to_string()),

@@ -7,9 +7,10 @@ use std::time::Duration;
 
 use ladder_picture::Theme;
 use ladder_review::outline::{Entry, why_not};
+use ladder_review::rename::renamed;
 use ladder_review::report::{html, summary};
 use ladder_review::words::{heading, names, reason, word};
-use ladder_review::{Change, Comparison, Outline, compare, is_wanted};
+use ladder_review::{Change, Comparison, Outline, compare_renamed, is_wanted};
 use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES};
 use ladder_workspace::shown;
 use serde::{Deserialize, Serialize};
@@ -111,8 +112,16 @@ pub(crate) fn compare_with(revision: &Revision, asked: &Compare) -> Option<Compa
             .map_err(|not_whole| why_not(&not_whole, &context.name, str::to_owned));
         Outline::among(context, program, BTreeMap::new())
     };
-    let (old, new) = (outline(base), outline(&revision.text()));
-    let mut comparison = compare(&old, &new);
+    let (mut old, new) = (outline(base), outline(&revision.text()));
+    let mut renames = Vec::new();
+    if let Some(renamed) = renamed(&old, &new) {
+        let with_new_names = outline(&renamed.text);
+        // Another file may use the old name.
+        if with_new_names.runs() || !old.runs() {
+            (old, renames) = (with_new_names, renamed.renames);
+        }
+    }
+    let mut comparison = compare_renamed(&old, &new, renames);
     comparison.decide(TIME);
     let drawings = asked.drawings.filter(|_| is_wanted());
     let drawn = drawings.map(|_| html::sections(&comparison));

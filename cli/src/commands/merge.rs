@@ -6,7 +6,7 @@ use crate::outcome::{Failure, Outcome};
 use crate::output::{Existing, Output};
 use crate::terminal;
 use clap::Args;
-use ladder_analysis::Diagnostic;
+use ladder_analysis::{Diagnostic, Severity};
 use ladder_review::{Outline, Sides, merge};
 use ladder_workspace::{Workspace, shown};
 use std::collections::HashMap;
@@ -26,7 +26,8 @@ Exit status: 0 merged, 1 both sides changed the same, or errors came of it that 
 ///
 /// Networks and declarations are merged, not lines: what one side alone changed is as that side has it, wherever the other
 /// side put it. What both changed is drawn in both forms between the comments `# <<<<<<< ours #` and `# >>>>>>> theirs #`.
-/// The result is laid out and checked. Without -o it replaces OURS, as git wants it of `ladder merge %O %A %B`.
+/// What one side
+/// renamed has its new name in what the other side wrote. The result is laid out and checked. Without -o it replaces OURS, as git wants it of `ladder merge %O %A %B`.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -78,9 +79,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     for conflict in &merged.conflicts {
         terminal::warning(&format_args!("{}: {conflict}", shown::path(name)));
     }
+    for refused in &merged.refused {
+        terminal::warning(&format_args!("{}: {refused}; name it by hand", shown::path(name)));
+    }
     if !merged.conflicts.is_empty() {
         return Ok(Outcome::Findings);
     }
+    let has_all_names = merged.refused.is_empty();
     let source =
         |text: &str| Source::new(name.display().to_string(), text.to_owned()).within(Arc::clone(&workspace));
     let merged = source(&text);
@@ -88,7 +93,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     for error in &new {
         terminal::plain(&concise::line(&merged, error));
     }
-    Ok(if new.is_empty() {
+    Ok(if new.is_empty() && has_all_names {
         Outcome::Fine
     } else {
         Outcome::Findings
@@ -107,12 +112,22 @@ fn read(file: &Path) -> Result<String, Failure> {
     Ok(ladder_workspace::decode(file, bytes)?)
 }
 
+/// The rule about names without a declaration.
+const UNDECLARED_TAG: &str = "undeclared-tag";
+
+/// The errors of a text, and the names of which one side has removed the declaration.
+fn broken(source: &Source) -> Vec<Diagnostic> {
+    let mut found = source.findings();
+    found.retain(|finding| finding.severity == Severity::Error || finding.rule.name() == UNDECLARED_TAG);
+    found
+}
+
 /// The errors of a text that none of the sides has: as many of each sentence as are more.
 fn new_errors(merged: &Source, sides: &[Source]) -> Vec<Diagnostic> {
     let mut known: HashMap<String, usize> = HashMap::new();
     for side in sides {
         let mut own: HashMap<String, usize> = HashMap::new();
-        for error in side.errors() {
+        for error in broken(side) {
             *own.entry(error.message.clone()).or_default() += 1;
         }
         for (message, count) in own {
@@ -120,7 +135,7 @@ fn new_errors(merged: &Source, sides: &[Source]) -> Vec<Diagnostic> {
             *most = count.max(*most);
         }
     }
-    let mut errors = merged.errors();
+    let mut errors = broken(merged);
     errors.retain(|error| match known.get_mut(&error.message) {
         Some(count) if *count > 0 => {
             *count -= 1;

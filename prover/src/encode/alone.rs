@@ -57,7 +57,7 @@ pub(crate) fn follow_alone(
 }
 
 /// Whether the left rail is live before the network.
-pub(crate) fn rail(world: &mut World) -> Lit {
+fn rail(world: &mut World) -> Lit {
     let name = String::from("SYS.RAIL");
     let ty = Scalar::Bool;
     world.shared(&InputTag { name, ty }).bit(0)

@@ -33,7 +33,7 @@ mod unread;
 mod uses;
 mod world;
 
-pub(crate) use alone::{Left, follow_alone, rail};
+pub(crate) use alone::{Left, follow_alone};
 pub(crate) use cells::{Cells, InputTag};
 pub(crate) use memory::{Kept, Memory};
 pub(crate) use world::{Gap, Input, State, Twins, World};

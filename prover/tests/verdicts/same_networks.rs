@@ -6,7 +6,7 @@ use super::followed::programs;
 use super::runs::value;
 use ladder_format::{Options as Layout, format_text};
 use ladder_generator::generator::{Dice, Mode, program};
-use ladder_prover::{Compared, Meaning};
+use ladder_prover::{Compared, Meaning, other_tags};
 use ladder_simulator::{Options as Running, Simulation};
 use std::time::Duration;
 
@@ -19,7 +19,7 @@ fn meanings(old: &str, new: &str) -> Option<Vec<Meaning>> {
     let compared = Compared::new(&old, &new).ok()?;
     let networks = 0..old.networks.len();
     let said = networks.map(|n| compared.networks(n, n, Duration::from_secs(2)));
-    let same_tags = compared.declared_differently().is_empty();
+    let same_tags = other_tags(&old, &new).is_empty();
     same_tags.then(|| said.collect())
 }
 

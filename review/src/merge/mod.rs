@@ -15,6 +15,7 @@
 
 mod conflict;
 mod order;
+mod renames;
 mod writer;
 
 pub use conflict::{Clash, Conflict};
@@ -44,6 +45,8 @@ pub struct Merged {
     pub text: String,
     /// What both sides changed, from top to bottom.
     pub conflicts: Vec<Conflict>,
+    /// New names that one side gave and the other side's part could not take: why.
+    pub refused: Vec<String>,
 }
 
 /// Why three programs were not merged. Nothing is known then of what the result should be.
@@ -101,12 +104,22 @@ pub fn merge(sides: Sides<'_>) -> Result<Merged, NotMerged> {
     ] {
         check(side, outline)?;
     }
+    let carried = renames::carried(sides);
+    let sides = Sides {
+        base: &carried.base,
+        ours: &carried.ours,
+        theirs: &carried.theirs,
+    };
     let mut merge = Merge {
         sides,
         writer: Writer::new(sides),
     };
     merge.level(&sides.base.entries, &sides.ours.entries, &sides.theirs.entries);
-    merge.writer.finish()
+    let merged = merge.writer.finish()?;
+    Ok(Merged {
+        refused: carried.refused,
+        ..merged
+    })
 }
 
 /// Whether all that is opened in a text is closed, and all that is in question decided.

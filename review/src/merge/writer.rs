@@ -42,7 +42,7 @@ impl<'o> Writer<'o> {
 
     /// An entry; of one that holds others its first line.
     pub(super) fn entry(&mut self, outline: &Outline, entry: &'o Entry) {
-        let takes_comments = entry.kind != Kind::Setting;
+        let takes_comments = !matches!(entry.kind, Kind::Setting | Kind::Unread);
         if self.ends_in_comment && takes_comments && entry.range.start() == entry.shown.start() {
             self.text.push_str(self.line_end);
         }
@@ -175,6 +175,7 @@ impl<'o> Writer<'o> {
         Ok(Merged {
             text,
             conflicts: self.conflicts,
+            refused: Vec::new(),
         })
     }
 }

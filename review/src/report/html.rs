@@ -2,7 +2,7 @@
 //!
 //! The page holds all that it needs and asks nobody for anything. Nothing of a program is markup or script in it.
 
-use super::{Compared, of_whole, summary};
+use super::{Compared, notes, of_whole, shown, summary};
 use crate::comparison::{Change, Comparison};
 use crate::drawing::{Drawn, changed_parts, draw, draw_both};
 use crate::outline::{Entry, Kind, Outline};
@@ -63,7 +63,6 @@ pub fn sections(comparison: &Comparison<'_>) -> Vec<String> {
         old: Excerpts::new(&old),
         new: Excerpts::new(&new),
     };
-    let changes = comparison.changes.iter().filter(|change| change.is_change());
     let section = |change| {
         let title = heading(comparison, change);
         let mut out = format!(
@@ -78,7 +77,7 @@ pub fn sections(comparison: &Comparison<'_>) -> Vec<String> {
         forms(comparison, change, &pictures, &mut out);
         out + "</div>\n</section>\n"
     };
-    changes.map(section).collect()
+    shown(comparison).map(section).collect()
 }
 
 fn program(file: &Compared<'_>, out: &mut String) {
@@ -95,6 +94,9 @@ fn program(file: &Compared<'_>, out: &mut String) {
         Escaped(&names),
         Escaped(&summary(comparison))
     );
+    for note in notes(comparison) {
+        let _ = writeln!(out, "<p>{}</p>", Escaped(&note));
+    }
     out.push_str(&sections(comparison).concat());
     if let Some((said, rows)) = of_whole(comparison) {
         let _ = write!(

@@ -1,6 +1,6 @@
 //! A comparison for a pull request.
 
-use super::{Compared, of_whole, summary, text};
+use super::{Compared, notes, of_whole, shown, summary, text};
 use crate::words::{heading, reason};
 
 /// The report of some files.
@@ -18,7 +18,10 @@ pub fn report(files: &[Compared<'_>]) -> String {
             code(file.name()),
             summary(&file.comparison)
         ));
-        for change in file.comparison.changes.iter().filter(|change| change.is_change()) {
+        for note in notes(&file.comparison) {
+            out.push_str(&format!("\n{}\n", escaped(&note)));
+        }
+        for change in shown(&file.comparison) {
             out.push_str(&format!("\n{}\n", escaped(&heading(&file.comparison, change))));
             if let Some(reason) = reason(change) {
                 out.push_str(&format!("\n{}\n", escaped(&reason)));

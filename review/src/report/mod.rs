@@ -4,9 +4,13 @@ pub mod html;
 pub mod markdown;
 pub mod text;
 
+use crate::by_networks::is_harmless;
 use crate::comparison::{Change, Comparison};
 use crate::used::Used;
-use crate::whole::{REFUTED, Whole, is_harmless, said};
+use crate::verdict::Verdict;
+use crate::whole::{REFUTED, Whole, other_unread, said, unread_of};
+use ladder_analysis::program::unread_note;
+use std::collections::BTreeSet;
 
 /// Two files that are compared, by the names that they go by.
 #[derive(Debug)]
@@ -37,18 +41,56 @@ impl Compared<'_> {
 /// None: nothing, or nothing new.
 pub fn of_whole(comparison: &Comparison<'_>) -> Option<(String, Vec<String>)> {
     match comparison.whole.as_ref()? {
+        Whole::Same if comparison.renames.iter().any(|rename| rename.shown_as.is_some()) => Some((
+            "the programs do the same in every run, but for the names".to_owned(),
+            Vec::new(),
+        )),
         // What each network says for itself needs no more words.
-        Whole::Same if comparison.uses.is_empty() && comparison.changes.iter().all(is_harmless) => None,
+        Whole::Same
+            if comparison.renames.is_empty()
+                && comparison.uses.is_empty()
+                && comparison.changes.iter().all(is_harmless) =>
+        {
+            None
+        }
         Whole::Same => Some(("the programs do the same in every run".to_owned(), Vec::new())),
         Whole::Differs(run) => Some(said(run)),
         Whole::Refuted => Some((REFUTED.to_owned(), Vec::new())),
         // What has changed is not in the text: this is all that is said of it.
-        Whole::NotDecided(why) if !comparison.changes.iter().any(Change::is_change) => {
+        Whole::NotDecided(why)
+            if !comparison.changes.iter().any(Change::is_change) || !other_unread(comparison).is_empty() =>
+        {
             let said = "whether the programs do the same is not decided";
             Some((said.to_owned(), why.clone()))
         }
         Whole::Outputs(_) | Whole::NotDecided(_) => None,
     }
+}
+
+/// The names of the unread parts of both programs, each once.
+pub fn unread(comparison: &Comparison<'_>) -> BTreeSet<String> {
+    let parts = [comparison.old, comparison.new].map(unread_of);
+    parts.into_iter().flatten().map(|part| part.name).collect()
+}
+
+/// What is said of both programs before their changes, a line each.
+fn notes(comparison: &Comparison<'_>) -> Vec<String> {
+    let renames = comparison.renames.iter();
+    let mut notes: Vec<String> = renames.map(|rename| format!("renamed: {rename}")).collect();
+    match comparison.values() {
+        0 => {}
+        1 => notes.push("1 value differs; --values shows it".to_owned()),
+        count => notes.push(format!("{count} values differ; --values shows them")),
+    }
+    let unread = unread(comparison);
+    notes.extend(unread_note(unread.iter().map(String::as_str)));
+    notes
+}
+
+/// The changes that are shown, each by itself.
+pub fn shown<'c, 'o>(comparison: &'c Comparison<'o>) -> impl Iterator<Item = &'c Change<'o>> {
+    let changes = comparison.changes.iter();
+    changes.filter(|change| change.is_change() && change.verdict != Verdict::Value)
 }
 
 /// How many of each, as a sentence: `1 edited, 2 new, 7 the same`.
@@ -60,6 +102,9 @@ pub fn summary(comparison: &Comparison<'_>) -> String {
     });
     let mut counts: Vec<String> = counts.collect();
     counts.extend(comparison.uses.iter().map(Used::to_string));
+    if !comparison.renames.is_empty() {
+        counts.push(format!("{} renamed", comparison.renames.len()));
+    }
     if counts.is_empty() {
         "nothing in it".to_owned()
     } else {

@@ -1,6 +1,6 @@
 //! A comparison for a terminal: what changed is drawn, in the old form and the new, what did not is a line.
 
-use super::{Compared, of_whole, summary};
+use super::{Compared, notes, of_whole, summary};
 use crate::comparison::{Change, Comparison};
 use crate::drawing::{Drawn, DrawnLine, draw, draw_both};
 use crate::verdict::Verdict;
@@ -52,6 +52,11 @@ pub fn report(compared: &Compared<'_>) -> Vec<Line> {
         LineKind::Plain,
         format!("    {renamed}{}", summary(comparison)),
     ));
+    let notes = notes(comparison);
+    if !notes.is_empty() {
+        lines.push(plain(LineKind::Plain, String::new()));
+        lines.extend(notes.into_iter().map(|note| plain(LineKind::Heading, note)));
+    }
     changes(comparison, &mut lines);
     if let Some((said, rows)) = of_whole(comparison) {
         lines.push(plain(LineKind::Plain, String::new()));
@@ -86,6 +91,9 @@ pub fn settings(old: Option<&str>, new: Option<&str>, lines: &[String]) -> Vec<L
 pub fn changes(comparison: &Comparison<'_>, lines: &mut Vec<Line>) {
     let mut same = 0;
     for change in &comparison.changes {
+        if change.verdict == Verdict::Value {
+            continue;
+        }
         if !change.is_change() {
             same += usize::from(!change.entry().kind.holds_others());
             continue;

@@ -7,3 +7,6 @@ mod hostile;
 mod merge;
 mod merge_properties;
 mod pages;
+mod renames;
+mod unread;
+mod whole;

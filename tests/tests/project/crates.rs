@@ -27,7 +27,7 @@ const RULES: [(&str, &[&str]); 17] = [
     ("simulator", &[]),
     ("prover", &["simulator"]),
     ("picture", &[]),
-    ("review", &["simulator", "picture", "prover"]),
+    ("review", &["simulator", "picture", "prover", "ide"]),
     ("notation", &[]),
     ("ide", &["simulator"]),
     ("workspace", &["simulator", "notation"]),

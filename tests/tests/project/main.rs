@@ -16,6 +16,7 @@ mod ldmicro_fork;
 mod ldmicro_traces;
 mod library;
 mod notations_back;
+mod other_orders;
 mod pictures_wiring;
 mod plcopen_along;
 mod power;

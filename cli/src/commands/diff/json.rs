@@ -5,12 +5,13 @@ use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use ladder_prover::{Which, scenario_of_difference};
 use ladder_review::outline::{Entry, Outline};
-use ladder_review::report::Compared;
+use ladder_review::report::{Compared, shown, unread};
 use ladder_review::whole::{REFUTED, Whole, said};
 use ladder_review::words::{names, reason, word};
 use ladder_review::{Change, Verdict};
 use ladder_simulator::value_text;
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 /// A file that is compared.
 #[derive(Serialize)]
@@ -23,6 +24,12 @@ pub(super) enum File<'c> {
         #[serde(skip_serializing_if = "std::ops::Not::not")]
         renamed: bool,
         #[serde(skip_serializing_if = "Vec::is_empty")]
+        renames: Vec<Renames<'c>>,
+        #[serde(skip_serializing_if = "is_zero")]
+        values: usize,
+        #[serde(skip_serializing_if = "BTreeSet::is_empty")]
+        unread: BTreeSet<String>,
+        #[serde(skip_serializing_if = "Vec::is_empty")]
         uses: Vec<Uses<'c>>,
         changes: Vec<Changed<'c>>,
         #[serde(skip_serializing_if = "Option::is_none")]
@@ -33,6 +40,17 @@ pub(super) enum File<'c> {
         new: Option<&'c str>,
         lines: &'c [String],
     },
+}
+
+/// Something that has another name.
+#[derive(Serialize)]
+pub(super) struct Renames<'c> {
+    kind: &'static str,
+    old: &'c str,
+    new: &'c str,
+    places: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shown_as: Option<&'static str>,
 }
 
 /// A file that is used, or a tag that another file declares, and is not the same on both sides.
@@ -133,6 +151,12 @@ fn whole(whole: &Whole) -> WholePrograms<'_> {
     }
 }
 
+/// A count that is left out.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks with a reference")]
+const fn is_zero(count: &usize) -> bool {
+    *count == 0
+}
+
 fn texts(values: &[Value], ty: Scalar) -> Vec<String> {
     values
         .iter()
@@ -143,7 +167,6 @@ fn texts(values: &[Value], ty: Scalar) -> Vec<String> {
 impl<'c> File<'c> {
     pub(super) fn program(compared: &'c Compared<'c>) -> File<'c> {
         let comparison = &compared.comparison;
-        let changes = comparison.changes.iter().filter(|change| change.is_change());
         let changed = |change: &Change<'c>| Changed {
             change: change.verdict.word(),
             moved: change.moved,
@@ -165,6 +188,19 @@ impl<'c> File<'c> {
                 .find(|(what, _)| *what == same)
                 .map_or(0, |(_, count)| *count),
             renamed: compared.renamed,
+            renames: comparison
+                .renames
+                .iter()
+                .map(|rename| Renames {
+                    kind: rename.kind,
+                    old: &rename.was,
+                    new: &rename.is,
+                    places: rename.places,
+                    shown_as: rename.shown_as,
+                })
+                .collect(),
+            values: comparison.values(),
+            unread: unread(comparison),
             uses: comparison
                 .uses
                 .iter()
@@ -173,7 +209,7 @@ impl<'c> File<'c> {
                     difference: used.difference.word(),
                 })
                 .collect(),
-            changes: changes.map(changed).collect(),
+            changes: shown(comparison).map(changed).collect(),
             whole: comparison.whole.as_ref().map(whole),
         }
     }

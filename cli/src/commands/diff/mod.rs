@@ -14,11 +14,12 @@ use crate::terminal::stdout_has_colours;
 use anstyle::{AnsiColor, Style};
 use around::Around;
 use clap::{Args, ValueEnum};
+use ladder_review::rename::{Rename, renamed};
 use ladder_review::report::text::{Line, LineKind};
 use ladder_review::report::{Compared, html, markdown, text};
 use ladder_review::whole::Whole;
-use ladder_review::{Limits, Outline, compare};
-use ladder_workspace::shown;
+use ladder_review::{Limits, Outline, compare_renamed};
+use ladder_workspace::{is_program, shown};
 use pairs::{Pair, pairs};
 use settings::SettingsDiff;
 use side::{File, Side};
@@ -60,7 +61,8 @@ pub(crate) struct Arguments {
     /// Say whether the programs do the same, and nothing else
     ///
     /// They do if each network of the old program is in the new one and does the same there, in an order that is the same
-    /// or does not matter. Otherwise they do if no run from a cold start on shows a difference; one that does is shown. What
+    /// or does not matter. A tag that has another name is the same tag; inputs and outputs that have other names are said, and
+    /// count as a difference. Otherwise they do if no run from a cold start on shows a difference; one that does is shown. What
     /// cannot be decided is said, and counts as a difference.
     #[arg(long, conflicts_with_all = ["format", "output"])]
     same: bool,
@@ -76,6 +78,13 @@ pub(crate) struct Arguments {
     /// For copies that stand elsewhere, as those of `git difftool`.
     #[arg(long, value_name = "PATH", conflicts_with = "write")]
     among: Option<PathBuf>,
+
+    /// Show the values that tags of a controller held, too
+    ///
+    /// A program that was saved by a controller's system (L5X) has the value of each tag at that moment. Of tags that the program
+    /// writes these are counted and not shown, and the programs are compared from the same values on.
+    #[arg(long)]
+    values: bool,
 
     /// How to show what changed
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -164,19 +173,33 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             settings.extend(SettingsDiff::new(named(old, old_text), named(new, new_text)));
             continue;
         }
-        let old = program(&mut sides.old, old, old_text, &mut objects)?;
+        let was = old;
+        let mut old = program(&mut sides.old, was, old_text, &mut objects)?;
         let new = program(&mut sides.new, new, new_text, &mut objects)?;
-        programs.push((old, new, pair.renamed));
+        let renames = match (was, &mut old, &new) {
+            (Some(file), Some(old), Some(new)) => {
+                give_new_names(&mut sides.old, file, old, new, &mut objects)?
+            }
+            _ => Vec::new(),
+        };
+        programs.push((old, new, pair.renamed, renames));
     }
     let nothing = Outline::of_text("", "");
     let outline = |program| Option::map_or(program, &nothing, |program: &Program| &program.outline);
-    let compared = programs.iter().map(|(old, new, renamed)| Compared {
+    let compared = programs.iter().map(|(old, new, renamed, renames)| Compared {
         old: old.as_ref().map(|program| program.name.as_str()),
         new: new.as_ref().map(|program| program.name.as_str()),
         renamed: *renamed,
-        comparison: compare(outline(old.as_ref()), outline(new.as_ref())),
+        comparison: compare_renamed(outline(old.as_ref()), outline(new.as_ref()), renames.clone()),
     });
     let mut compared: Vec<Compared<'_>> = compared.filter(Compared::is_different).collect();
+    // In a file of another system a value is what the tag held when the file was saved.
+    let is_saved = |name: Option<&str>| name.is_some_and(|name| !is_program(Path::new(name)));
+    for compared in compared.iter_mut().filter(|_| !arguments.values) {
+        if is_saved(compared.old) && is_saved(compared.new) {
+            compared.comparison.fold_values();
+        }
+    }
     let end = Instant::now() + TIME;
     for compared in &mut compared {
         let left = || end.saturating_duration_since(Instant::now());
@@ -260,6 +283,26 @@ fn program(
         name: file.name.clone(),
         outline: around.outline(file, &text, objects)?,
     }))
+}
+
+/// Gives what was renamed its new name in the old program, and says what that is.
+fn give_new_names(
+    around: &mut Around,
+    file: &File,
+    old: &mut Program,
+    new: &Program,
+    objects: &mut Option<Objects>,
+) -> Result<Vec<Rename>, Failure> {
+    let Some(renamed) = renamed(&old.outline, &new.outline) else {
+        return Ok(Vec::new());
+    };
+    let outline = around.outline(file, &renamed.text, objects)?;
+    // Another file may use the old name.
+    if old.outline.runs() && !outline.runs() {
+        return Ok(Vec::new());
+    }
+    old.outline = outline;
+    Ok(renamed.renames)
 }
 
 /// Writes a report. What turns the order of letters is written out in a file as well: a reader is to see what changed.

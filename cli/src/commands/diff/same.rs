@@ -13,11 +13,17 @@ use std::path::Path;
 
 /// Prints it of all programs together, with what shows that they differ or why it is not known.
 pub(super) fn print(compared: &[Compared<'_>], settings: &[SettingsDiff]) -> io::Result<Outcome> {
-    let (mut others, mut open) = (Vec::new(), Vec::new());
+    let (mut others, mut open, mut names) = (Vec::new(), Vec::new(), Vec::new());
     for file in compared {
         let add = |to: &mut Vec<String>, reasons: &[String]| {
             to.extend(reasons.iter().map(|reason| format!("{}: {reason}", file.name())));
         };
+        let shown = file
+            .comparison
+            .renames
+            .iter()
+            .filter(|rename| rename.shown_as.is_some());
+        names.extend(shown.map(|rename| format!("{}: renamed: {rename}", file.name())));
         match &file.comparison.whole {
             Some(Whole::Same) => {}
             Some(Whole::Differs(run)) => {
@@ -38,7 +44,8 @@ pub(super) fn print(compared: &[Compared<'_>], settings: &[SettingsDiff]) -> io:
             .map(|diff| format!("{}: other settings", diff.name())),
     );
     let (answer, outcome, reasons) = match (others.is_empty(), open.is_empty()) {
-        (true, true) => ("the same", Outcome::Fine, others),
+        (true, true) if names.is_empty() => ("the same", Outcome::Fine, others),
+        (true, true) => ("the same but for the names", Outcome::Findings, names),
         (true, false) => ("not decided", Outcome::Findings, open),
         (false, _) => ("not the same", Outcome::Findings, others),
     };

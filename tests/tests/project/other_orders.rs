@@ -1,0 +1,178 @@
+//! What a comparison says of programs whose networks were swapped, moved, doubled and deleted, next to runs of both: where it says
+//! that they do the same, no run differs.
+
+use ladder_analysis::program::Role;
+use ladder_analysis::values::types::Scalar;
+use ladder_invariants::generator::{Dice, Mode, program};
+use ladder_invariants::trace::compile;
+use ladder_review::outline::{Entry, Kind};
+use ladder_review::whole::Whole;
+use ladder_review::{Limits, Outline, compare};
+use ladder_simulator::{Options as Running, Point, Simulation, Value};
+use std::time::Duration;
+
+fn simulation(text: &str) -> Option<Simulation> {
+    let options = Running {
+        watchdog: 20_000,
+        ..Running::default()
+    };
+    Simulation::new(compile(text)?, options).ok()
+}
+
+/// A value for an input. None: texts stay as they are.
+fn value(dice: &mut Dice, ty: Scalar) -> Option<Value> {
+    match ty {
+        Scalar::Bool => Some(Value::Bool(dice.one_in(2))),
+        Scalar::Real | Scalar::Lreal => Some(Value::Real(f64::from(dice.between(-50, 50) as f32) / 4.0)),
+        ty if ty.is_string() => None,
+        Scalar::Enum(id) => {
+            let values = &id.get().values;
+            Some(Value::Int(values[dice.below(values.len())].1.into()))
+        }
+        _ => Some(Value::Int(dice.between(0, 20))),
+    }
+}
+
+/// Outputs that differ after some scan in which both programs have the same inputs.
+fn differs(old: &str, new: &str, seed: u64) -> Option<String> {
+    let (mut old, mut new) = (simulation(old)?, simulation(new)?);
+    let both = |is_one: &dyn Fn(&Point) -> bool| -> Vec<(Point, Option<Point>)> {
+        let points = old.points().iter().filter(|point| is_one(point));
+        points
+            .map(|point| (point.clone(), new.resolve(&point.name).ok()))
+            .collect()
+    };
+    let inputs = both(&|point| point.is_input);
+    let outputs = both(&|point| point.role == Role::Output);
+    let mut dice = Dice::new(seed);
+    for hold in [2, 3, 8, 20] {
+        old.reset();
+        new.reset();
+        for scan in 0..60 {
+            for (point, other) in &inputs {
+                if dice.below(hold) != 0 {
+                    continue;
+                }
+                let Some(value) = value(&mut dice, point.ty) else {
+                    continue;
+                };
+                old.set(point, value.clone()).expect("it fits");
+                if let Some(other) = other.as_ref().filter(|other| other.is_input) {
+                    new.set(other, value).expect("it fits there, too");
+                }
+            }
+            // A scan that does not come to its end is not compared.
+            if !old.scan() || !new.scan() {
+                break;
+            }
+            let other = outputs.iter().find(|(point, other)| {
+                other
+                    .as_ref()
+                    .is_some_and(|other| old.value(point) != new.value(other))
+            });
+            if let Some((point, _)) = other {
+                return Some(format!("{} in scan {scan}", point.name));
+            }
+        }
+    }
+    None
+}
+
+/// What is said of two texts. None: nothing is.
+fn said(old: &str, new: &str) -> Option<Whole> {
+    let [old, new] = [old, new].map(|text| Outline::of_text("main.clad", text));
+    let mut comparison = compare(&old, &new);
+    comparison.decide(Duration::from_secs(2));
+    let limits = Limits {
+        time: Duration::from_millis(500),
+        scans: 10,
+        readable: 100_000,
+    };
+    comparison.decide_whole(limits, usize::MAX);
+    comparison.whole
+}
+
+/// The networks that are next to each other: of the program with its functions, and of each body.
+fn neighbours<'e>(entries: &'e [Entry], found: &mut Vec<Vec<&'e Entry>>) {
+    let is_network = |entry: &&Entry| entry.kind == Kind::Network;
+    found.push(entries.iter().filter(is_network).collect());
+    for entry in entries.iter().filter(|entry| entry.kind == Kind::Block) {
+        neighbours(&entry.inside, found);
+    }
+}
+
+/// A text with networks that are elsewhere, twice there or gone. None: it has too few.
+fn reordered(text: &str, dice: &mut Dice) -> Option<String> {
+    let outline = Outline::of_text("main.clad", text);
+    let mut lists = Vec::new();
+    neighbours(&outline.entries, &mut lists);
+    lists.retain(|list| list.len() > 1);
+    if lists.is_empty() {
+        return None;
+    }
+    let list = lists.swap_remove(dice.below(lists.len()));
+    let (one, other) = (dice.below(list.len()), dice.below(list.len()));
+    let mut order: Vec<usize> = (0..list.len()).collect();
+    match dice.below(4) {
+        0 => order.swap(one, other),
+        1 => {
+            let moved = order.remove(one);
+            order.insert(other.min(order.len()), moved);
+        }
+        2 => order.insert(other, one),
+        _ => drop(order.remove(one)),
+    }
+    // The stretches between the networks stay where they are.
+    let mut new = String::new();
+    let mut at = 0;
+    let mut places = list.iter();
+    for entry in order {
+        if let Some(place) = places.next() {
+            new.push_str(&text[at..usize::from(place.range.start())]);
+            at = place.range.end().into();
+        }
+        let range = list[entry].range;
+        let form = &text[usize::from(range.start())..usize::from(range.end())];
+        new.push_str(form);
+        if !form.ends_with(['\r', '\n']) {
+            new.push('\n');
+        }
+    }
+    for place in places {
+        new.push_str(&text[at..usize::from(place.range.start())]);
+        at = place.range.end().into();
+    }
+    new.push_str(&text[at..]);
+    Some(new)
+}
+
+#[test]
+fn what_is_called_the_same_in_another_order_never_differs_in_a_run() {
+    let (mut same, mut other) = (0, 0);
+    for seed in 0..60 {
+        for mode in [Mode::Boolean, Mode::Sensible, Mode::Wild, Mode::Typed] {
+            let mut dice = Dice::new(seed);
+            let old = program(seed, mode);
+            let Some(new) = reordered(&old, &mut dice) else {
+                continue;
+            };
+            match said(&old, &new) {
+                Some(Whole::Same) => {
+                    same += 1;
+                    if let Some(what) = differs(&old, &new, seed) {
+                        panic!(
+                            "{mode:?}, seed {seed}: said to be the same, and differs: {what}\n{old}\n{new}"
+                        );
+                    }
+                }
+                Some(Whole::Differs(_) | Whole::Outputs(_)) => other += 1,
+                Some(Whole::NotDecided(_)) | None => {}
+                Some(Whole::Refuted) => {
+                    panic!("{mode:?}, seed {seed}: a run that does not happen\n{old}\n{new}")
+                }
+            }
+        }
+    }
+    println!("{same} the same, {other} other");
+    assert!(same >= 10 && other >= 20, "{same} the same, {other} other");
+}
