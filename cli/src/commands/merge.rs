@@ -26,8 +26,8 @@ Exit status: 0 merged, 1 both sides changed the same, or errors came of it that 
 ///
 /// Networks and declarations are merged, not lines: what one side alone changed is as that side has it, wherever the other
 /// side put it. What both changed is drawn in both forms between the comments `# <<<<<<< ours #` and `# >>>>>>> theirs #`.
-/// What one side
-/// renamed has its new name in what the other side wrote. The result is laid out and checked. Without -o it replaces OURS, as git wants it of `ladder merge %O %A %B`.
+/// What one side renamed has its new name in what the other side wrote. The result is laid out and checked. Without -o it
+/// replaces OURS, as git wants it of `ladder merge %O %A %B`.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {

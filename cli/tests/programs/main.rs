@@ -9,6 +9,7 @@ mod click;
 mod click_field;
 mod convert;
 mod diff;
+mod diff_names;
 mod escapes;
 mod explain;
 mod fixed_drawings;

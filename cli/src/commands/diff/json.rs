@@ -25,8 +25,8 @@ pub(super) enum File<'c> {
         renamed: bool,
         #[serde(skip_serializing_if = "Vec::is_empty")]
         renames: Vec<Renames<'c>>,
-        #[serde(skip_serializing_if = "is_zero")]
-        values: usize,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        values: Option<usize>,
         #[serde(skip_serializing_if = "BTreeSet::is_empty")]
         unread: BTreeSet<String>,
         #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -151,12 +151,6 @@ fn whole(whole: &Whole) -> WholePrograms<'_> {
     }
 }
 
-/// A count that is left out.
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks with a reference")]
-const fn is_zero(count: &usize) -> bool {
-    *count == 0
-}
-
 fn texts(values: &[Value], ty: Scalar) -> Vec<String> {
     values
         .iter()
@@ -199,7 +193,7 @@ impl<'c> File<'c> {
                     shown_as: rename.shown_as,
                 })
                 .collect(),
-            values: comparison.values(),
+            values: Some(comparison.values()).filter(|count| *count > 0),
             unread: unread(comparison),
             uses: comparison
                 .uses

@@ -1,0 +1,117 @@
+//! What `ladder diff` and `ladder merge` say of names, order, and the values of a controller.
+
+use crate::harness::Folder;
+use expect_test::expect;
+
+const PUMP: &str = "\
+VAR_INPUT
+    start, stop : BOOL;
+END_VAR
+VAR_OUTPUT
+    pump : BOOL;
+END_VAR
+VAR
+    seal : BOOL;
+END_VAR
+
++--\\--[ ]( start )--\\--[/]( stop )--( )( seal )--+
+|  /--[ ]( seal )---/
+
++--[ ]( seal )--( )( pump )--+
+";
+
+#[test]
+fn a_rename_is_said_in_every_form() {
+    let folder = Folder::with(&[
+        ("old.clad", PUMP),
+        ("inside.clad", &PUMP.replace("seal", "runs")),
+        ("outside.clad", &PUMP.replace("pump", "pump_1")),
+    ]);
+    let said = |arguments: &[&str]| folder.ladder(arguments).to_string();
+    expect![[""]].assert_eq(&said(&["diff", "--same", "old.clad", "inside.clad"]));
+    expect![[""]].assert_eq(&said(&["diff", "--same", "old.clad", "outside.clad"]));
+    expect![[""]].assert_eq(&said(&["diff", "old.clad", "inside.clad"]));
+    expect![[""]].assert_eq(&said(&["diff", "old.clad", "outside.clad", "--format", "json"]));
+    expect![[""]].assert_eq(&said(&[
+        "diff",
+        "old.clad",
+        "outside.clad",
+        "--format",
+        "markdown",
+    ]));
+    let html = said(&["diff", "old.clad", "outside.clad", "--format", "html"]);
+    assert!(
+        html.contains("<p>renamed: output pump -&gt; pump_1 (2 places)</p>"),
+        "{html}"
+    );
+}
+
+#[test]
+fn another_order_is_the_same_only_where_it_does_not_matter() {
+    let (one, other) = ("+--[ ]( a )--( )( y )--+\n\n", "+--[ ]( b )--( )( y )--+\n\n");
+    let apart = "+--[ ]( b )--( )( z )--+\n\n";
+    let folder = Folder::with(&[
+        ("old.clad", &format!("{one}{other}{apart}")),
+        ("moved.clad", &format!("{apart}{one}{other}")),
+        ("swapped.clad", &format!("{other}{one}{apart}")),
+    ]);
+    let said = |new: &str| folder.ladder(&["diff", "--same", "old.clad", new]).to_string();
+    expect![[""]].assert_eq(&said("moved.clad"));
+    expect![[""]].assert_eq(&said("swapped.clad"));
+}
+
+#[test]
+fn values_of_a_controller_are_one_line() {
+    let project = |count: u32, limit: u32| {
+        let tag = |name: &str, value: u32| {
+            format!(
+                "<Tag Name=\"{name}\" TagType=\"Base\" DataType=\"DINT\" Radix=\"Decimal\"><Data Format=\"L5K\">{value}</Data>\
+                 <Data Format=\"Decorated\"><DataValue DataType=\"DINT\" Radix=\"Decimal\" Value=\"{value}\"/></Data></Tag>"
+            )
+        };
+        format!(
+            "<RSLogix5000Content><Controller Name=\"Cell\"><Tags>{}{}<Tag Name=\"run\" TagType=\"Base\" DataType=\"BOOL\"/></Tags><Programs>\
+             <Program Name=\"Main\" MainRoutineName=\"Main\"><Routines><Routine Name=\"Main\" Type=\"RLL\"><RLLContent>\
+             <Rung Number=\"0\" Type=\"N\"><Text><![CDATA[ADD(count,1,count)GRT(count,limit)OTE(run);]]></Text></Rung>\
+             </RLLContent></Routine></Routines></Program></Programs></Controller></RSLogix5000Content>\n",
+            tag("count", count),
+            tag("limit", limit)
+        )
+    };
+    let folder = Folder::with(&[
+        ("monday.L5X", &project(3, 80)),
+        ("tuesday.L5X", &project(41, 80)),
+        ("edited.L5X", &project(41, 90)),
+    ]);
+    let said = |arguments: &[&str]| folder.ladder(arguments).to_string();
+    expect![[""]].assert_eq(&said(&["diff", "monday.L5X", "tuesday.L5X"]));
+    expect![[""]].assert_eq(&said(&["diff", "--values", "monday.L5X", "tuesday.L5X"]));
+    expect![[""]].assert_eq(&said(&["diff", "monday.L5X", "edited.L5X"]));
+}
+
+#[test]
+fn a_merge_names_no_tag_that_is_gone() {
+    let base = "VAR\n    seal : BOOL;\n    lamp : BOOL;\nEND_VAR\n\n+--[ ]( lamp )--( )( seal )--+\n";
+    let folder = Folder::with(&[
+        ("base.clad", base),
+        (
+            "ours.clad",
+            &base
+                .replace("    seal : BOOL;\n", "")
+                .replace("( )( seal )", "( )( lamp )"),
+        ),
+        (
+            "theirs.clad",
+            &format!("{base}\n+--[ ]( seal )--(/)( lamp )--+\n"),
+        ),
+    ]);
+    let run = folder.ladder(&[
+        "merge",
+        "base.clad",
+        "ours.clad",
+        "theirs.clad",
+        "-o",
+        "both.clad",
+    ]);
+    expect![[""]].assert_eq(&run.to_string());
+}
