@@ -50,6 +50,14 @@ impl Unit<'_, '_> {
         if b_ty.is_real() && !ty.is_real() {
             return Ok(self.scaled(op, &a, (b, b_ty), checks));
         }
+        if let Some(known) = known(op, ty, &a, &b) {
+            return Ok(known);
+        }
+        let a = if ty.is_real() && b.text.parse::<f64>().is_ok() {
+            self.named_number(a, ty, checks)
+        } else {
+            a
+        };
         // A TIME is 64 bits of nanoseconds here, and what a system has there.
         let may_leave = ty.is_real() || ty.is_integer();
         let modular = |sign: &str, binding| {
@@ -68,6 +76,15 @@ impl Unit<'_, '_> {
                 self.stop("a remainder of real numbers, which Structured Text has no operator for")
             }
             _ => Ok(self.quotient(op, ty, a, (b, b_ty), checks)),
+        }
+    }
+
+    /// A number that is written out in a variable, anything else as it is: a compiler refuses what is computed from numbers alone and
+    /// has no room.
+    fn named_number(&mut self, term: Term, ty: Scalar, checks: &mut Checks) -> Term {
+        match term.text.parse::<f64>() {
+            Ok(_) => self.held(&term, ty, checks),
+            Err(_) => term,
         }
     }
 
@@ -286,6 +303,7 @@ impl Unit<'_, '_> {
                 } else {
                     format!("{by:?}")
                 };
+                let value = self.named_number(value, ty, checks);
                 return Ok(Term::binary(&value, "*", &number(&by), Binding::Product).raw());
             }
             _ => return self.stop("an instruction that Structured Text has no words for"),
@@ -301,5 +319,29 @@ impl Unit<'_, '_> {
             None => Term::call(name, &[&value]),
         };
         Ok(if may_leave { term.raw() } else { term })
+    }
+}
+
+/// What is computed from two numbers that are written out, as it wraps in its type: compilers refuse one that does not fit.
+fn known(op: Op, ty: Scalar, a: &Term, b: &Term) -> Option<Term> {
+    ty.bounds()?;
+    let (a, b): (i128, i128) = (a.text.parse().ok()?, b.text.parse().ok()?);
+    let exact = match op {
+        Op::Add => a.checked_add(b),
+        Op::Sub => a.checked_sub(b),
+        Op::Mul => a.checked_mul(b),
+        _ => None,
+    }?;
+    Some(Term::whole(wrapped(exact, ty).to_string()))
+}
+
+/// A number as its low bits are in a type.
+pub(crate) fn wrapped(exact: i128, ty: Scalar) -> i128 {
+    let size = 1i128 << ty.width();
+    let low = exact.rem_euclid(size);
+    if ty.is_signed() && low >= size / 2 {
+        low - size
+    } else {
+        low
     }
 }

@@ -8,6 +8,7 @@ use crate::term::Term;
 use crate::unit::Unit;
 use ladder_analysis::program::{Argument, Block, BlockKind, Expr, ExprKind, Place};
 use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
 use std::collections::BTreeSet;
 
@@ -281,6 +282,12 @@ impl Unit<'_, '_> {
         };
         let target = self.place(to, checks)?;
         let value = self.formula(op, ty, &operands, checks)?;
+        let value = match ty {
+            Scalar::String(length) if may_be_longer(op, length, &operands) => {
+                Term::call("LEFT", &[&value, &Term::whole(length.to_string())])
+            }
+            _ => value,
+        };
         Ok(Some((target.assign(&value), target.variable)))
     }
 
@@ -323,6 +330,25 @@ impl Unit<'_, '_> {
             None => Ok(None),
         }
     }
+}
+
+/// Whether a text may have more letters than there is room for.
+fn may_be_longer(op: Op, room: u16, operands: &[&Expr]) -> bool {
+    let length = |expr: &&Expr| match (&expr.kind, expr.ty) {
+        (ExprKind::Constant(Value::Text(text)), _) => text.len(),
+        (ExprKind::Pass(inner), _) => match inner.ty {
+            Scalar::String(length) => usize::from(length),
+            _ => 0,
+        },
+        (_, Scalar::String(length)) => usize::from(length),
+        _ => 0,
+    };
+    let lengths = operands.iter().map(length);
+    let most = match op {
+        Op::Concat | Op::Insert | Op::Replace => lengths.sum(),
+        _ => lengths.max().unwrap_or(0),
+    };
+    most > usize::from(room)
 }
 
 /// Whether a block writes its first operand when power is high, and nothing else.

@@ -1,7 +1,8 @@
 //! What the ladder text says in comments.
 
 use ladder_notation::comments;
-use ladder_syntax::{Parse, TextRange, TextSize};
+use ladder_syntax::{Item, Parse, TextRange, TextSize};
+use std::collections::BTreeMap;
 
 /// Text inside `(* *)`.
 pub(crate) fn comment(text: &str) -> String {
@@ -50,13 +51,78 @@ pub(crate) fn of_network(parse: &Parse, text: &str, range: TextRange) -> Vec<Str
     lines
 }
 
-/// The comment after a declaration, on its line.
-pub(crate) fn of_declaration(text: &str, range: TextRange) -> Option<String> {
-    let rest = text.get(usize::from(range.end())..)?;
-    let line = rest.lines().next()?;
-    let (_, after) = line.rsplit_once(';')?;
-    let said = after.trim().strip_prefix('#')?.strip_suffix('#')?.trim();
-    (!said.is_empty() && !said.contains('#') && !said.starts_with("ladder:")).then(|| said.to_owned())
+/// What the comments on a line say.
+fn on_line(parse: &Parse, line: usize) -> String {
+    let all = comments::on_line(parse, line);
+    let words: Vec<&str> = all.iter().flat_map(|one| comments::said(one)).collect();
+    words.join(" ")
+}
+
+/// What the comments say that stand on the line of a place.
+pub(crate) fn of_line(parse: &Parse, at: TextSize) -> Option<String> {
+    Some(on_line(parse, line_at(parse, at))).filter(|said| !said.is_empty())
+}
+
+/// The comments above a declaration that is the first on its line.
+pub(crate) fn above(parse: &Parse, text: &str, at: TextSize) -> Vec<String> {
+    let line = line_at(parse, at);
+    let before = text.get(usize::from(parse.line_start(line))..usize::from(at));
+    let mut all = Vec::new();
+    for line in (0..line)
+        .rev()
+        .take_while(|_| before.is_some_and(|before| before.trim().is_empty()))
+    {
+        let own = &text[usize::from(parse.line_start(line))..usize::from(parse.line_start(line + 1))];
+        let own = own.trim();
+        if !(own.starts_with('#') && own.ends_with('#')) {
+            break;
+        }
+        all.push(on_line(parse, line));
+    }
+    all.retain(|said| !said.is_empty());
+    all.reverse();
+    all
+}
+
+/// What comments say that belong to no network and no declaration.
+#[derive(Debug, Default)]
+pub(crate) struct Outside {
+    /// Above the first section of the file.
+    pub(crate) head: Vec<String>,
+    /// Above and in block definitions, by their numbers in the file.
+    pub(crate) of_blocks: BTreeMap<usize, Vec<String>>,
+    /// After the last network.
+    pub(crate) last: Vec<String>,
+}
+
+impl Outside {
+    pub(crate) fn of(parse: &Parse) -> Outside {
+        let mut outside = Outside::default();
+        let (mut above, mut block) = (Vec::new(), None);
+        for item in &parse.structure().items {
+            match *item {
+                Item::Decoration(line) => {
+                    above.extend(Some(on_line(parse, line)).filter(|said| !said.is_empty()))
+                }
+                Item::BlockHeader(number) => {
+                    outside.of_blocks.entry(number).or_default().append(&mut above);
+                    block = Some(number);
+                }
+                Item::BlockEnd(_) => {
+                    if let Some(number) = block.take() {
+                        outside.of_blocks.entry(number).or_default().append(&mut above);
+                    }
+                }
+                Item::Section(_) => match block {
+                    Some(number) => outside.of_blocks.entry(number).or_default().append(&mut above),
+                    None => outside.head.append(&mut above),
+                },
+                Item::Network(_) | Item::Stray(_) => above.clear(),
+            }
+        }
+        outside.last = above;
+        outside
+    }
 }
 
 /// The line that holds a place.

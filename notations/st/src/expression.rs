@@ -1,5 +1,6 @@
 //! Expressions: arithmetic, logic, comparisons, functions.
 
+use crate::arithmetic::wrapped;
 use crate::checks::{Check, Checks, is_within};
 use crate::place::{bits_of, conversion};
 use crate::project::Result;
@@ -94,6 +95,13 @@ impl Unit<'_, '_> {
                 let value = self.value(all[0], checks)?;
                 Ok(negative(&value, ty))
             }
+            Op::Sel if ty.is_enumeration() => {
+                let terms = self.settled_all(all, checks)?;
+                let [chooser, no, yes] = terms.as_slice() else {
+                    return self.stop("a choice of nothing");
+                };
+                Ok(self.chosen_value(&[chooser.clone()], &[yes, no], ty, checks))
+            }
             Op::Limit | Op::Sel => {
                 let terms = self.settled_all(all, checks)?;
                 let name = if op == Op::Sel { "SEL" } else { "LIMIT" };
@@ -109,6 +117,15 @@ impl Unit<'_, '_> {
                 let values = self.settled_all(values, checks)?;
                 let last = values.len() as i128 - 1;
                 checks.extend(is_within(&chosen, 0, last, selector.ty).map(Check::Holds));
+                if ty.is_enumeration() {
+                    let is = |number: usize| {
+                        let number = Term::whole(number.to_string());
+                        Term::binary(&chosen, "=", &number, Binding::Equality)
+                    };
+                    let conditions: Vec<Term> = (0..values.len().saturating_sub(1)).map(is).collect();
+                    let values: Vec<&Term> = values.iter().collect();
+                    return Ok(self.chosen_value(&conditions, &values, ty, checks));
+                }
                 let mut arguments = vec![&chosen];
                 arguments.extend(&values);
                 let mut term = Term::call("MUX", &arguments);
@@ -128,6 +145,31 @@ impl Unit<'_, '_> {
             | Op::Find => self.of_texts(op, ty, all, checks),
             _ => self.function_of_one(op, ty, all[0], checks),
         }
+    }
+
+    /// The value after the first condition that holds, or the last one: SEL and MUX take no enumerations everywhere.
+    fn chosen_value(
+        &mut self,
+        conditions: &[Term],
+        values: &[&Term],
+        ty: Scalar,
+        checks: &mut Checks,
+    ) -> Term {
+        let name = self.value_temporary(ty);
+        let mut lines = Vec::new();
+        for (number, (condition, value)) in conditions.iter().zip(values).enumerate() {
+            let word = if number == 0 { "IF" } else { "ELSIF" };
+            lines.push(format!("{word} {} THEN", condition.text));
+            lines.push(format!("    {name} := {};", value.text));
+        }
+        let last = values.last().map_or("", |value| value.text.as_str());
+        lines.extend([
+            "ELSE".to_owned(),
+            format!("    {name} := {last};"),
+            "END_IF;".to_owned(),
+        ]);
+        checks.push(Check::Lines(lines));
+        Term::variable(&name)
     }
 
     pub(crate) fn settled_all(&mut self, all: &[&Expr], checks: &mut Checks) -> Result<Vec<Term>> {
@@ -232,6 +274,9 @@ pub(crate) fn compare(op: Op, (a, a_ty): (&Term, Scalar), (b, b_ty): (&Term, Sca
 
 /// `-a`
 fn negative(value: &Term, ty: Scalar) -> Term {
+    if let (Some(_), Ok(known)) = (ty.bounds(), value.text.parse::<i128>()) {
+        return Term::whole(wrapped(-known, ty).to_string());
+    }
     match ty {
         Scalar::Time => Term::binary(&Term::whole("T#0s"), "-", value, Binding::Sum),
         _ if ty.is_real() => value.negative(),

@@ -84,7 +84,7 @@ impl Unit<'_, '_> {
             let closes = flow.loops.values().any(|(last, _)| *last == index);
             if closes {
                 self.unguard(&mut guards);
-                self.close("END_FOR;");
+                self.close("END_WHILE;");
             }
             if let Some((_, turns)) = flow.loops.get(&index).cloned() {
                 self.unguard(&mut guards);
@@ -319,8 +319,11 @@ impl Unit<'_, '_> {
 
     /// The head of a loop.
     fn turns(&mut self, network: &Network, turns: &str) -> Result<()> {
+        // A FOR with one turn is not run by compilers that are built on matiec.
         let turn = self.numbered("turn", "DINT");
-        self.open(format!("FOR {turn} := 1 TO {turns} DO"));
+        self.line(format!("{turn} := 0;"));
+        self.open(format!("WHILE {turn} < {turns} DO"));
+        self.line(format!("{turn} := {turn} + 1;"));
         let Some(block) = network.blocks.iter().find(|block| is(block, Op::For)) else {
             return Ok(());
         };

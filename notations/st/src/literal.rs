@@ -27,7 +27,37 @@ fn whole(number: i64, ty: Scalar) -> String {
     }
 }
 
+/// Whether compilers that are built on matiec take a number: they know none that a REAL has no room for.
+pub(crate) fn is_in_reach(value: &Value) -> bool {
+    match value {
+        Value::Real(real) => {
+            *real == 0.0 || (f64::from(f32::MIN_POSITIVE)..=f64::from(f32::MAX)).contains(&real.abs())
+        }
+        _ => true,
+    }
+}
+
+/// A number out of their reach as a product: the powers of two in it change no digit.
+fn product(real: f64) -> String {
+    let (mut rest, mut steps) = (real, 0);
+    let step = 2f64.powi(100);
+    while rest.abs() > 1e30 {
+        rest /= step;
+        steps += 1;
+    }
+    let by = if steps > 0 { " * " } else { " / " };
+    while rest.abs() < 1e-30 && rest != 0.0 {
+        rest *= step;
+        steps += 1;
+    }
+    let steps = vec![real_number(step, Scalar::Lreal); steps].join(by);
+    format!("({}{by}{steps})", real_number(rest, Scalar::Lreal))
+}
+
 fn real_number(real: f64, ty: Scalar) -> String {
+    if !is_in_reach(&Value::Real(real)) {
+        return product(real);
+    }
     let text = real_text(real, ty);
     // An exponent follows a point.
     match text.split_once('e') {
@@ -131,7 +161,12 @@ mod tests {
             int(45_000_500_000_000 + 4_000_000_000, Scalar::Tod),
             "TOD#12:30:04.5"
         );
-        assert_eq!(literal(&Value::Real(1e300), Scalar::Lreal), "1.0E300");
+        assert_eq!(literal(&Value::Real(1e30), Scalar::Lreal), "1.0E30");
+        let two = "1.2676506002282294E30";
+        let far = literal(&Value::Real(2f64.powi(201)), Scalar::Lreal);
+        assert_eq!(far, format!("(2.0 * {two} * {two})"));
+        let small = literal(&Value::Real(2f64.powi(-201)), Scalar::Lreal);
+        assert_eq!(small, format!("(0.5 / {two} / {two})"));
         assert_eq!(literal(&Value::Real(0.1_f32.into()), Scalar::Real), "0.1");
         assert_eq!(
             literal(&Value::Text(b"a'$\n".as_slice().into()), Scalar::String(80)),

@@ -374,7 +374,7 @@ fn index_list(indices: &[String], mut ty: Option<Type>, path: &mut String) -> Op
 }
 
 /// Indices from the place of an element: counted from 0 row by row where there are several dimensions.
-fn indices_of(number: i64, dimensions: &[(i64, i64)]) -> Vec<String> {
+pub(crate) fn indices_of(number: i64, dimensions: &[(i64, i64)]) -> Vec<String> {
     if dimensions.len() <= 1 {
         return vec![number.to_string()];
     }

@@ -1,7 +1,8 @@
 //! Variables in their sections, and the configuration that runs the program.
 
 use crate::comment;
-use crate::names;
+use crate::literal;
+use crate::names::{self, Names};
 use crate::project::declare::{self, Variable};
 use crate::project::{Project, UnitKind};
 use crate::unit::Local;
@@ -11,13 +12,19 @@ use std::collections::BTreeMap;
 /// A unit that is written, but for its declarations.
 pub(crate) struct Body {
     pub(crate) kind: UnitKind,
+    /// What gives variables the values that they begin with.
+    pub(crate) first: Vec<String>,
     pub(crate) lines: Vec<String>,
     pub(crate) variables: BTreeMap<String, String>,
     pub(crate) externals: BTreeMap<String, String>,
     /// Of the program: the tags that others use, too.
     pub(crate) shared: BTreeMap<String, String>,
+    /// Variables that stay, over a warm restart too.
+    pub(crate) retained: Vec<Local>,
     pub(crate) instances: Vec<Local>,
     pub(crate) temporaries: Vec<Local>,
+    /// The names that are taken in it.
+    pub(crate) names: Names,
 }
 
 pub(crate) fn section(head: &str, variables: &[Local], out: &mut String) {
@@ -33,13 +40,25 @@ pub(crate) fn section(head: &str, variables: &[Local], out: &mut String) {
 }
 
 pub(crate) fn own_variables(body: &Body, out: &mut String) {
+    section("VAR RETAIN", &body.retained, out);
     section("VAR", &body.instances, out);
     section("VAR", &body.temporaries, out);
 }
 
 /// A declaration with what it starts with, its address and its comment.
 fn declaration(project: &Project<'_>, variable: &Variable<'_>, name: &str, with_address: bool) -> String {
-    let mut line = format!("    {name}");
+    let mut line = String::new();
+    let is_own = variable.tag.location.file == 0;
+    let at = variable.tag.location.range.start();
+    let above = if is_own {
+        comment::above(project.parse, project.text, at)
+    } else {
+        Vec::new()
+    };
+    for said in above {
+        line.push_str(&format!("    {}\n", comment::comment(&said)));
+    }
+    line.push_str(&format!("    {name}"));
     if let Some(address) = variable.tag.address.as_ref().filter(|_| with_address) {
         line.push_str(&format!(" AT {address}"));
     }
@@ -52,8 +71,8 @@ fn declaration(project: &Project<'_>, variable: &Variable<'_>, name: &str, with_
     if !name.eq_ignore_ascii_case(variable.root) {
         said.push(format!("called {}", variable.root));
     }
-    if variable.tag.location.file == 0 {
-        said.extend(comment::of_declaration(project.text, variable.tag.location.range));
+    if is_own {
+        said.extend(comment::of_line(project.parse, at));
     }
     if !said.is_empty() {
         line.push_str(&format!("  {}", comment::comment(&said.join("; "))));
@@ -73,7 +92,8 @@ pub(crate) fn program_variables(
         let Some(name) = body.variables.get(variable.root) else {
             continue;
         };
-        if shared.contains_key(name) && project.is_shared(variable.root) {
+        if shared.contains_key(name) && project.is_shared(variable.root) && !project.is_passed(variable.root)
+        {
             continue;
         }
         let head = head(&variable);
@@ -87,16 +107,20 @@ pub(crate) fn program_variables(
     }
 }
 
-/// The section that a tag of the program belongs to. One at an address is neither input nor output: the address says it.
+/// The section that a tag of the program belongs to. One at an address is neither input nor output, as the address says it, and
+/// stands apart from those without.
 fn head(variable: &Variable<'_>) -> (u8, &'static str) {
     let tag = variable.tag;
-    match (tag.role, tag.retain, tag.constant) {
-        (_, _, true) => (6, "VAR CONSTANT"),
-        (Role::Input, false, _) if tag.address.is_none() => (0, "VAR_INPUT"),
-        (Role::Output, false, _) if tag.address.is_none() => (1, "VAR_OUTPUT"),
-        (Role::Input, true, _) if tag.address.is_none() => (2, "VAR_INPUT RETAIN"),
-        (Role::Output, true, _) if tag.address.is_none() => (3, "VAR_OUTPUT RETAIN"),
-        (_, true, _) => (5, "VAR RETAIN"),
+    match (tag.address.is_some(), tag.role, tag.retain, tag.constant) {
+        (true, _, _, true) => (9, "VAR CONSTANT"),
+        (true, _, true, _) => (8, "VAR RETAIN"),
+        (true, ..) => (7, "VAR"),
+        (_, _, _, true) => (6, "VAR CONSTANT"),
+        (_, Role::Input, false, _) => (0, "VAR_INPUT"),
+        (_, Role::Output, false, _) => (1, "VAR_OUTPUT"),
+        (_, Role::Input, true, _) => (2, "VAR_INPUT RETAIN"),
+        (_, Role::Output, true, _) => (3, "VAR_OUTPUT RETAIN"),
+        (_, _, true, _) => (5, "VAR RETAIN"),
         _ => (4, "VAR"),
     }
 }
@@ -125,7 +149,7 @@ pub(crate) fn block_variables(project: &Project<'_>, block: usize, body: &Body, 
         "VAR_OUTPUT\n    power_out : BOOL;\n{}END_VAR\n",
         of(ParameterKind::Output)
     ));
-    let in_outs = of(ParameterKind::InOut);
+    let in_outs = of(ParameterKind::InOut) + &passed(project, UnitKind::Block(block));
     if !in_outs.is_empty() {
         out.push_str(&format!("VAR_IN_OUT\n{in_outs}END_VAR\n"));
     }
@@ -149,6 +173,19 @@ pub(crate) fn block_variables(project: &Project<'_>, block: usize, body: &Body, 
     }
 }
 
+/// The parameters of a unit for variables of the program that it uses: arrays, structures and enumerations.
+pub(crate) fn passed(project: &Project<'_>, unit: UnitKind) -> String {
+    let line = |root: &String| {
+        let ty = project.declared_type(None, root).map(|ty| project.type_name(ty));
+        format!(
+            "    {} : {};\n",
+            project.name_of_shared(root),
+            ty.unwrap_or_default()
+        )
+    };
+    project.passed(unit).iter().map(line).collect()
+}
+
 /// What units share, and the program that runs.
 pub(crate) fn configuration(
     project: &Project<'_>,
@@ -159,11 +196,7 @@ pub(crate) fn configuration(
     let mut sections: BTreeMap<&str, String> = BTreeMap::new();
     let variables = declare::variables(project.program, None);
     for (name, ty) in shared {
-        let root = project
-            .shared_names
-            .iter()
-            .find(|(_, own)| own == name)
-            .map(|(root, _)| root);
+        let root = project.shared_root(name);
         let variable = root.and_then(|root| variables.iter().find(|variable| variable.root == root));
         match variable {
             Some(variable) => {
@@ -188,6 +221,8 @@ pub(crate) fn configuration(
         out.push_str(&format!("{head}\n{text}END_VAR\n"));
     }
     out.push_str(&format!(
-        "RESOURCE plc ON PLC\n    PROGRAM main_program : {program};\nEND_RESOURCE\nEND_CONFIGURATION\n"
+        "RESOURCE plc ON PLC\n    TASK scan_task(INTERVAL := {}, PRIORITY := 0);\n    PROGRAM main_program WITH scan_task : {program};\n\
+         END_RESOURCE\nEND_CONFIGURATION\n",
+        literal::duration(project.cycle)
     ));
 }

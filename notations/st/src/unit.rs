@@ -23,6 +23,10 @@ pub(crate) struct Unit<'a, 'p> {
     pub(crate) variables: BTreeMap<String, String>,
     /// Variables of others that it uses: their names and types.
     pub(crate) externals: BTreeMap<String, String>,
+    /// Variables that stay, over a warm restart too.
+    pub(crate) retained: Vec<Local>,
+    /// What gives variables the values that they begin with: those that go with the power, and those that do not.
+    first: [Vec<String>; 2],
     /// Blocks for edges, timers of bodies and other things that stay.
     pub(crate) instances: Vec<Local>,
     /// Values on their way.
@@ -54,6 +58,8 @@ impl<'a, 'p> Unit<'a, 'p> {
             kind,
             variables: BTreeMap::new(),
             externals: BTreeMap::new(),
+            retained: Vec::new(),
+            first: Default::default(),
             instances: Vec::new(),
             temporaries: Vec::new(),
             lines: Vec::new(),
@@ -130,8 +136,15 @@ impl<'a, 'p> Unit<'a, 'p> {
             if user.parameters.iter().any(is_parameter) {
                 return names::member(name);
             }
+        } else if self.project.is_passed(name) {
+            let shared = self.project.name_of_shared(name);
+            self.in_outs.insert(shared.clone());
+            if self.kind == UnitKind::Program {
+                self.variables.insert(name.to_owned(), shared.clone());
+            }
+            return shared;
         } else if self.project.is_shared(name) {
-            let shared = self.project.shared_name(name);
+            let shared = self.project.name_of_shared(name);
             if !self.externals.contains_key(&shared) {
                 let declared = self.project.declared_type(None, name);
                 let ty = self.project.type_name(declared.unwrap_or(Type::BOOL));
@@ -145,6 +158,48 @@ impl<'a, 'p> Unit<'a, 'p> {
         let variable = self.names.name(name, "tag");
         self.variables.insert(name.to_owned(), variable.clone());
         variable
+    }
+
+    /// Statements that give a variable the value that it begins with.
+    pub(crate) fn begin_with(&mut self, lines: Vec<String>, is_retained: bool) {
+        self.first[usize::from(is_retained)].extend(lines);
+    }
+
+    /// What is done once, before anything else.
+    pub(crate) fn first_scan(&mut self) -> Vec<String> {
+        for (number, lines) in std::mem::take(&mut self.first).into_iter().enumerate() {
+            if lines.is_empty() {
+                continue;
+            }
+            let has_begun = self
+                .names
+                .name(if number == 0 { "has_begun" } else { "has_been_on" }, "2");
+            let list = if number == 0 {
+                &mut self.instances
+            } else {
+                &mut self.retained
+            };
+            list.push(Local {
+                name: has_begun.clone(),
+                ty: "BOOL".into(),
+            });
+            self.open(format!("IF NOT {has_begun} THEN"));
+            self.line(format!("{has_begun} := TRUE;"));
+            for line in lines {
+                self.line(line);
+            }
+            self.close("END_IF;");
+        }
+        std::mem::take(&mut self.lines)
+    }
+
+    /// The arguments of a call for the variables of the program that the unit uses.
+    pub(crate) fn passed(&mut self, unit: UnitKind) -> Vec<String> {
+        let roots: Vec<String> = self.project.passed(unit).iter().cloned().collect();
+        let names = roots.iter().map(|root| self.project.name_of_shared(root));
+        let names: Vec<String> = names.collect();
+        self.in_outs.extend(names.iter().cloned());
+        names.iter().map(|name| format!("{name} := {name}")).collect()
     }
 
     /// Something that is counted.
@@ -211,17 +266,16 @@ impl<'a, 'p> Unit<'a, 'p> {
     pub(crate) fn function_instance(&mut self, function: usize) -> String {
         let name = self.called.get(&function).cloned();
         name.unwrap_or_else(|| {
-            let root = format!("the function {}", self.project.program.functions[function].name);
-            let name = self.project.functions[function].clone();
-            let shared = match self.project.shared_names.get(&root) {
-                Some(shared) => shared.clone(),
-                None => {
-                    let shared = self.project.names.name(&format!("do_{name}"), "function");
-                    self.project.shared_names.insert(root, shared.clone());
-                    shared
-                }
-            };
-            self.externals.insert(shared.clone(), name);
+            let ty = self.project.functions[function].clone();
+            let shared = self.project.function_states[function].clone();
+            if self.project.is_called_in_one(function) {
+                self.instances.push(Local {
+                    name: shared.clone(),
+                    ty,
+                });
+            } else {
+                self.externals.insert(shared.clone(), ty);
+            }
             self.called.insert(function, shared.clone());
             shared
         })

@@ -105,6 +105,7 @@ impl Unit<'_, '_> {
         self.keep(Some(&BTreeSet::from([root.clone()])));
         let term = power.or_true();
         arguments.insert(0, format!("power_in := {}", term.text));
+        arguments.extend(self.passed(UnitKind::Block(index)));
         let mut lines = vec![format!("{instance}({});", arguments.join(", "))];
         lines.extend(after);
         let mut out = Term::whole(format!("{instance}.power_out"));
@@ -155,7 +156,8 @@ impl Unit<'_, '_> {
         self.powers[step] = power.clone();
         self.keep(None);
         let instance = self.function_instance(*function);
-        let mut lines = vec![format!("{instance}();")];
+        let passed = self.passed(UnitKind::Function(*function));
+        let mut lines = vec![format!("{instance}({});", passed.join(", "))];
         if self.may_end_elsewhere() {
             let ended = self.service(Service::Ended);
             lines.extend([format!("IF {ended} THEN"), "    RETURN;".into(), "END_IF;".into()]);

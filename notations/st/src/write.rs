@@ -1,22 +1,28 @@
 //! From a program to the text.
 
-use crate::comment;
+use crate::comment::{self, Outside};
 use crate::names;
 use crate::pieces::PIECES;
 use crate::project::declare::{self};
 use crate::project::{Project, Service, Stop, UnitKind};
-use crate::sections::{Body, block_variables, configuration, own_variables, program_variables, section};
+use crate::sections::{
+    Body, block_variables, configuration, own_variables, passed, program_variables, section,
+};
 use crate::states::piece_of;
 use crate::term::{Binding, Term};
 use crate::unit::{Local, Unit};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{Clock, Location, ParameterKind, Program, TagId};
+use ladder_analysis::values::compound::Compound;
 use ladder_analysis::values::types::Type;
 use ladder_instructions::Profile;
 use ladder_notation::{LineColumn, Lines, Report, WriteError, Writing, no_program};
 use ladder_syntax::{Parse, TextRange};
 use std::collections::BTreeMap;
 use std::path::Path;
+
+/// How long a scan is where the program says nothing.
+const CYCLE: i64 = 10_000_000;
 
 /// Writes the text.
 pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
@@ -54,17 +60,21 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
             profile.name()
         )));
     }
-    let overlaps = analysis
-        .diagnostics()
-        .iter()
-        .find(|found| found.rule.name() == "overlapping-address");
-    if let Some(found) = overlaps {
-        return Err(WriteError::new(format!(
-            "{}: Structured Text cannot say this: tags at addresses that overlap, which are one memory there; use one of them",
-            lines.place(&text, found.range.start().into())
-        )));
+    let mut report = Report::default();
+    for found in analysis.diagnostics() {
+        if found.rule.name() != "overlapping-address" {
+            continue;
+        }
+        let at = lines.place(&text, found.range.start().into());
+        if !found.message.to_ascii_uppercase().contains("%I") {
+            return Err(WriteError::new(format!(
+                "{at}: Structured Text cannot say this: tags at addresses that overlap, which are one memory there; use one of them"
+            )));
+        }
+        let why = "inputs at addresses that overlap are one memory in many systems: what enters one is in the other";
+        report.approximated(at, "overlapping addresses", why);
     }
-    let mut project = Project::new(program, &text, &analysis.context.types);
+    let mut project = Project::new(program, &text, &analysis.context);
     let file = Path::new(program.files.first().map_or("program", String::as_str));
     let stem = file
         .file_stem()
@@ -72,14 +82,17 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
         .to_string_lossy()
         .into_owned();
     let name = project.names.name(&stem, "program");
+    project.cycle = analysis.context.cycle.unwrap_or(CYCLE);
     let mut bodies = Vec::new();
     for unit in project.units() {
         bodies.push(body(&mut project, unit, &analysis.context.parse).map_err(refused)?);
     }
+    // What the scan begins with has names that nothing in the program has.
+    project.names = std::mem::take(&mut bodies[0].names);
     let prelude = prelude(&mut project, &mut bodies[0]);
     for variable in declare::variables(program, None) {
-        if project.is_shared(variable.root) {
-            let name = project.shared_name(variable.root);
+        if project.is_shared(variable.root) && !project.is_passed(variable.root) {
+            let name = project.name_of_shared(variable.root);
             let ty = project.type_name(variable.ty);
             bodies[0].shared.insert(name, ty);
         }
@@ -90,7 +103,6 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     });
     let states: Vec<&str> = states.collect();
     project.pieces.extend(states);
-    let mut report = Report::default();
     for network in program
         .networks
         .iter()
@@ -98,7 +110,8 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     {
         report.translated(place(network.location), "network");
     }
-    let bytes = assembled(&project, &name, &prelude, &bodies).into_bytes();
+    let outside = Outside::of(&analysis.context.parse);
+    let bytes = assembled(&project, &name, &prelude, &bodies, &outside).into_bytes();
     Ok(Writing {
         bytes,
         companions: Vec::new(),
@@ -108,6 +121,19 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
 
 fn body(project: &mut Project<'_>, kind: UnitKind, parse: &Parse) -> Result<Body, Stop> {
     let program = project.program;
+    let first = program
+        .networks
+        .get(project.networks(kind).start)
+        .map(|network| network.location);
+    if project.shared.recursive.contains(&kind) {
+        return Err(Stop {
+            at: first.unwrap_or(Location {
+                file: 0,
+                range: TextRange::default(),
+            }),
+            why: "a function that calls itself: write a loop".into(),
+        });
+    }
     let start = Location {
         file: 0,
         range: TextRange::default(),
@@ -133,8 +159,18 @@ fn body(project: &mut Project<'_>, kind: UnitKind, parse: &Parse) -> Result<Body
     };
     if !matches!(kind, UnitKind::Function(_)) {
         for variable in declare::variables(program, block) {
-            if block.is_some() || !unit.project.is_shared(variable.root) {
-                unit.variable(TagId(variable.index as u32));
+            if has_blocks_inside(variable.ty) {
+                unit.here = variable.tag.location;
+                return unit.stop(
+                    "timers, counters or blocks in arrays and structures, which compilers that are built on matiec do not take: \
+                     give each a tag of its own",
+                );
+            }
+            let is_own = block.is_some() || !unit.project.is_shared(variable.root);
+            if is_own || kind == UnitKind::Program && unit.project.is_passed(variable.root) {
+                let name = unit.variable(TagId(variable.index as u32));
+                let lines = unit.project.first_values(&variable, &name);
+                unit.begin_with(lines, variable.tag.retain);
             }
         }
     }
@@ -145,14 +181,23 @@ fn body(project: &mut Project<'_>, kind: UnitKind, parse: &Parse) -> Result<Body
             _ => vec![String::new()],
         }
     };
+    let first = unit.first_scan();
     unit.networks(&mut comments)?;
+    if unit.lines.is_empty() && !matches!(kind, UnitKind::Block(_)) {
+        // A body without statements does not compile everywhere.
+        let nothing = unit.instance("nothing", "BOOL");
+        unit.line(format!("{nothing} := FALSE;"));
+    }
     Ok(Body {
         kind,
+        first,
+        retained: unit.retained,
         lines: unit.lines,
         variables: unit.variables,
         externals: unit.externals,
         shared: BTreeMap::new(),
         instances: unit.instances,
+        names: unit.names,
         temporaries: unit.temporaries,
     })
 }
@@ -173,19 +218,21 @@ fn prelude(project: &mut Project<'_>, program: &mut Body) -> Vec<String> {
     }
     if asked.contains(&Service::FirstScan) {
         let first = name(project, Service::FirstScan);
-        lines.push(format!("{first} := NOT has_run;"));
-        lines.push("has_run := TRUE;".into());
+        let has_run = project.names.name("has_run", "of_ladder");
+        lines.push(format!("{first} := NOT {has_run};"));
+        lines.push(format!("{has_run} := TRUE;"));
         program.instances.push(Local {
-            name: "has_run".into(),
+            name: has_run,
             ty: "BOOL".into(),
         });
     }
     if asked.contains(&Service::Scan) {
         let scan = name(project, Service::Scan);
-        lines.push(format!("{scan} := scans_begun;"));
-        lines.push("scans_begun := scans_begun + 1;".into());
+        let begun = project.names.name("scans_begun", "of_ladder");
+        lines.push(format!("{scan} := {begun};"));
+        lines.push(format!("{begun} := {begun} + 1;"));
         program.instances.push(Local {
-            name: "scans_begun".into(),
+            name: begun,
             ty: "DINT".into(),
         });
     }
@@ -204,16 +251,17 @@ fn prelude(project: &mut Project<'_>, program: &mut Body) -> Vec<String> {
     if asked.contains(&Service::Now) || asked.contains(&Service::ScanTime) || !clocks.is_empty() {
         let now = name(project, Service::Now);
         project.pieces.insert("LADDER_CLOCK");
-        program.instances.push(Local {
-            name: "ladder_clock_1".into(),
-            ty: "LADDER_CLOCK".into(),
-        });
-        lines.push("ladder_clock_1();".into());
+        let clock = project.names.name("ladder_clock_1", "of_ladder");
+        lines.push(format!("{clock}();"));
         if asked.contains(&Service::ScanTime) {
             let scan_time = name(project, Service::ScanTime);
-            lines.push(format!("{scan_time} := ladder_clock_1.NOW - {now};"));
+            lines.push(format!("{scan_time} := {clock}.NOW - {now};"));
         }
-        lines.push(format!("{now} := ladder_clock_1.NOW;"));
+        lines.push(format!("{now} := {clock}.NOW;"));
+        program.instances.push(Local {
+            name: clock,
+            ty: "LADDER_CLOCK".into(),
+        });
         for clock in clocks {
             let wave = name(project, Service::Clock(clock));
             project.pieces.insert("LADDER_MILLISECONDS");
@@ -226,7 +274,18 @@ fn prelude(project: &mut Project<'_>, program: &mut Body) -> Vec<String> {
     lines
 }
 
-fn assembled(project: &Project<'_>, name: &str, prelude: &[String], bodies: &[Body]) -> String {
+fn assembled(
+    project: &Project<'_>,
+    name: &str,
+    prelude: &[String],
+    bodies: &[Body],
+    outside: &Outside,
+) -> String {
+    let said = |all: &[String], indent: &str| -> String {
+        all.iter()
+            .map(|one| format!("{indent}{}\n", comment::comment(one)))
+            .collect()
+    };
     let program = project.program;
     // What more than the program asks for belongs to the configuration.
     let mut shared: BTreeMap<&String, &String> = BTreeMap::new();
@@ -234,7 +293,7 @@ fn assembled(project: &Project<'_>, name: &str, prelude: &[String], bodies: &[Bo
         shared.extend(&body.externals);
     }
     shared.extend(&bodies[0].shared);
-    let mut out = format!("(* The ladder program {name}. *)\n\n");
+    let mut out = format!("(* The ladder program {name}. *)\n{}\n", said(&outside.head, ""));
     out.push_str(&project.types());
     let pieces = PIECES.text(&project.pieces);
     out.push_str(&pieces);
@@ -245,9 +304,23 @@ fn assembled(project: &Project<'_>, name: &str, prelude: &[String], bodies: &[Bo
             UnitKind::Program => continue,
         };
         debug_assert!(index > 0);
+        if let UnitKind::Block(block) = body.kind
+            && let Some(number) = project.own_block(block)
+        {
+            out.push_str(&said(
+                outside.of_blocks.get(&number).map_or(&[], Vec::as_slice),
+                "",
+            ));
+        }
         out.push_str(&format!("FUNCTION_BLOCK {name}\n"));
-        if let UnitKind::Block(block) = body.kind {
-            block_variables(project, block, body, &mut out);
+        match body.kind {
+            UnitKind::Block(block) => block_variables(project, block, body, &mut out),
+            unit => {
+                let passed = passed(project, unit);
+                if !passed.is_empty() {
+                    out.push_str(&format!("VAR_IN_OUT\n{passed}END_VAR\n"));
+                }
+            }
         }
         own_variables(body, &mut out);
         let all: Vec<Local> = body
@@ -259,6 +332,7 @@ fn assembled(project: &Project<'_>, name: &str, prelude: &[String], bodies: &[Bo
             })
             .collect();
         section("VAR_EXTERNAL", &all, &mut out);
+        lines(&body.first, &mut out);
         if matches!(body.kind, UnitKind::Block(_)) {
             out.push_str("    power_out := power_in;\n");
         }
@@ -286,15 +360,33 @@ fn assembled(project: &Project<'_>, name: &str, prelude: &[String], bodies: &[Bo
     for line in prelude {
         out.push_str(&format!("    {line}\n"));
     }
-    if !prelude.is_empty() {
+    lines(&main.first, &mut out);
+    if !prelude.is_empty() || !main.first.is_empty() {
         out.push('\n');
     }
     lines(&main.lines, &mut out);
+    out.push_str(&said(&outside.last, "    "));
     out.push_str("END_PROGRAM\n");
     if !shared.is_empty() {
         configuration(project, name, &shared, &mut out);
     }
     out
+}
+
+/// Whether a type has parts that are blocks.
+fn has_blocks_inside(ty: Type) -> bool {
+    let is_block = |ty: Type| match ty {
+        Type::State(_) => true,
+        Type::Compound(id) => matches!(id.get(), Compound::Block(_)),
+        _ => false,
+    };
+    let Type::Compound(id) = ty else { return false };
+    let inside = |ty: Type| is_block(ty) || has_blocks_inside(ty);
+    match id.get() {
+        Compound::Structure(structure) => structure.members.iter().any(|member| inside(member.ty)),
+        Compound::Array(array) => inside(array.element),
+        Compound::Block(_) => false,
+    }
 }
 
 fn lines(lines: &[String], out: &mut String) {

@@ -132,12 +132,14 @@ fn jumps_and_loops() {
                 IF NOT to_done THEN
                     turns1 := 3;
                 END_IF;
-                FOR turn1 := 1 TO turns1 DO
+                turn1 := 0;
+                WHILE turn1 < turns1 DO
+                    turn1 := turn1 + 1;
                     i := DINT_TO_INT(turn1);
                     IF NOT to_done THEN
                         sum := sum + i;
                     END_IF;
-                END_FOR;
+                END_WHILE;
                 step_rises(CLK := step_tag);
                 y := step_rises.Q;
         "#]],
@@ -229,8 +231,6 @@ fn blocks_and_functions_of_other_files_are_written_along() {
             END_VAR
             VAR
                 half1 : Half;
-            END_VAR
-            VAR
                 do_wash : wash;
             END_VAR
                 half1(power_in := on_tag, x := x);
@@ -245,7 +245,8 @@ fn blocks_and_functions_of_other_files_are_written_along() {
                 other_count : DINT;  (* called other.count *)
             END_VAR
             RESOURCE plc ON PLC
-                PROGRAM main_program : plant;
+                TASK scan_task(INTERVAL := T#10ms, PRIORITY := 0);
+                PROGRAM main_program WITH scan_task : plant;
             END_RESOURCE
             END_CONFIGURATION
         "#]],
@@ -318,18 +319,29 @@ END_FUNCTION_BLOCK
 
         PROGRAM plant
         VAR
-            rows : ARRAY[0..1, 5..5] OF Row := [2([1, 2, 3])];
+            rows : ARRAY[0..1, 5..5] OF Row;
             f : Item;
             one : Row := [1, 2, 3];
             k : INT;
             on_tag : BOOL;  (* called on *)
         END_VAR
         VAR
+            has_begun : BOOL;
             bump1 : Bump;
         END_VAR
         VAR
             power1 : BOOL;
         END_VAR
+            IF NOT has_begun THEN
+                has_begun := TRUE;
+                rows[0, 5][0] := 1;
+                rows[0, 5][1] := 2;
+                rows[0, 5][2] := 3;
+                rows[1, 5][0] := 1;
+                rows[1, 5][1] := 2;
+                rows[1, 5][2] := 3;
+            END_IF;
+
             power1 := FALSE;
             IF k >= 1 AND k <= 2 THEN
                 power1 := f.sheet[2][1, k];

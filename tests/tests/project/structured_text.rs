@@ -1,6 +1,6 @@
 //! The Structured Text of programs does what the simulator shows, scan by scan: read and run by an interpreter of its own.
 //!
-//! `LADDER_ST_FOLDER` keeps the texts, `LADDER_ST_PROGRAMS` is how many generated programs are tried of each kind.
+//! `LADDER_ST_FOLDER` keeps the texts and their programs, `LADDER_ST_PROGRAMS` is how many generated programs are tried of each kind.
 
 use ladder_analysis::program::Program;
 use ladder_analysis::values::types::{Scalar, Type};
@@ -38,23 +38,22 @@ enum Outcome {
 
 fn written(analysis: &Analysis) -> Result<String, String> {
     let notation = ladder_notations::by_name("st").expect("Structured Text is known");
-    match notation.write(analysis) {
-        Ok(writing) => {
-            let text = String::from_utf8(writing.bytes).expect("text is UTF-8");
-            keep(&text);
-            Ok(text)
-        }
-        Err(error) => Err(error.message),
-    }
+    let text = notation.write(analysis).map(|writing| String::from_utf8(writing.bytes).expect("text is UTF-8"));
+    keep(&analysis.context.parse.to_string(), text.as_deref().ok());
+    text.map_err(|error| error.message)
 }
 
-/// Puts a text into the folder `LADDER_ST_FOLDER`, if there is one: for those who read them with something else.
-fn keep(text: &str) {
+/// Puts a program and its text into the folder `LADDER_ST_FOLDER`, if there is one: for those who read them with something else.
+fn keep(program: &str, text: Option<&str>) {
     static COUNT: AtomicUsize = AtomicUsize::new(0);
     if let Ok(folder) = std::env::var("LADDER_ST_FOLDER") {
         let number = COUNT.fetch_add(1, Ordering::Relaxed);
-        std::fs::write(Path::new(&folder).join(format!("{number}.st")), text)
-            .expect("the folder takes files");
+        let keep = |end: &str, text: &str| {
+            std::fs::write(Path::new(&folder).join(format!("program{number}.{end}")), text)
+                .expect("the folder takes files");
+        };
+        keep("clad", program);
+        text.map(|text| keep("st", text));
     }
 }
 

@@ -1,11 +1,12 @@
 //! Declarations: types, and the variables of the program and its blocks.
 
+use crate::comment;
 use crate::names;
 use crate::project::{Declared, Project, root};
-use ladder_analysis::program::{ParameterKind, Program, Tag, TagId};
+use ladder_analysis::names::type_spec::SpecKind;
+use ladder_analysis::program::{Program, Tag};
 use ladder_analysis::values::compound::{Compound, EnumId};
 use ladder_analysis::values::types::{Scalar, Type};
-use ladder_analysis::values::value::Value;
 use std::collections::HashMap;
 
 /// A tag as it is declared, which may have several parts.
@@ -78,7 +79,13 @@ impl Project<'_> {
                     out.push_str(&format!("TYPE\n    {name} : STRUCT\n"));
                     for member in &structure.members {
                         let ty = self.type_name(member.ty);
-                        out.push_str(&format!("        {} : {ty};\n", names::member(&member.name)));
+                        let said = self.said_of_member(&structure.name, &member.name);
+                        let value = self.of_type(member).map(|value| format!(" := {value}"));
+                        out.push_str(&format!(
+                            "        {} : {ty}{};{said}\n",
+                            names::member(&member.name),
+                            value.unwrap_or_default()
+                        ));
                     }
                     out.push_str("    END_STRUCT;\nEND_TYPE\n\n");
                 }
@@ -91,6 +98,22 @@ impl Project<'_> {
             out.push_str(&self.value_of(*id));
         }
         out
+    }
+
+    /// What the comment on the line of a member says, as a comment.
+    fn said_of_member(&self, ty: &str, member: &str) -> String {
+        let own = self
+            .named
+            .own()
+            .iter()
+            .find(|own| own.declaration.name.eq_ignore_ascii_case(ty));
+        let members = own.map(|own| &own.declaration.declared.spec.kind);
+        let Some(SpecKind::Structure(members)) = members else {
+            return String::new();
+        };
+        let found = members.iter().find(|own| own.name.eq_ignore_ascii_case(member));
+        let said = found.and_then(|found| comment::of_line(self.parse, found.at.start()));
+        said.map_or_else(String::new, |said| format!("  {}", comment::comment(&said)))
     }
 
     fn number_of(&self, id: EnumId) -> String {
@@ -122,133 +145,5 @@ impl Project<'_> {
         }
         out.push_str("    END_IF;\nEND_FUNCTION\n\n");
         out
-    }
-
-    /// The value that a variable starts with; none where it is its type's own, or that of what a caller passes.
-    pub(crate) fn initial(&self, variable: &Variable<'_>) -> Option<String> {
-        let program = self.program;
-        let parameters = (variable.tag.block).map_or(&[][..], |block| &program.blocks[block].parameters);
-        let is_passed = |(tag, kind): &(TagId, ParameterKind)| {
-            *kind == ParameterKind::InOut && root(&program.tags[tag.0 as usize]) == variable.root
-        };
-        if parameters.iter().any(is_passed) {
-            return None;
-        }
-        let parts = self
-            .parts
-            .get(&(variable.tag.block, variable.root))
-            .into_iter()
-            .flatten();
-        let parts: HashMap<&str, &Tag> = parts.map(|tag| (tag.name.as_str(), *tag)).collect();
-        let mut place = Vec::new();
-        self.value_at(variable.ty, variable.root.to_owned(), &parts, &mut place)
-    }
-
-    /// The same of a part; the place is where it is in the arrays around it, with the length of each.
-    fn value_at(
-        &self,
-        ty: Type,
-        path: String,
-        parts: &HashMap<&str, &Tag>,
-        place: &mut Vec<(i64, i64)>,
-    ) -> Option<String> {
-        match ty {
-            Type::Scalar(scalar) => {
-                let tag = parts
-                    .get(path.as_str())
-                    .or_else(|| parts.get(path.trim_end_matches("[]")))?;
-                let at = place.iter().fold(0, |at, (number, length)| at * length + number);
-                let value = tag.initial.get(usize::try_from(at).ok()?)?;
-                (*value != Value::zero(scalar)).then(|| self.literal(value, scalar))
-            }
-            Type::State(_) => None,
-            Type::Array { first, last, element } => {
-                self.elements_at(&[(first, last)], Type::Scalar(element), path, parts, place)
-            }
-            Type::Compound(id) => match id.get() {
-                Compound::Block(_) => None,
-                Compound::Array(array) => {
-                    self.elements_at(&array.dimensions, array.element, path, parts, place)
-                }
-                Compound::Structure(structure) => {
-                    let members: Vec<String> = (structure.members.iter())
-                        .filter_map(|member| {
-                            let value =
-                                self.value_at(member.ty, format!("{path}.{}", member.name), parts, place)?;
-                            Some(format!("{} := {value}", names::member(&member.name)))
-                        })
-                        .collect();
-                    (!members.is_empty()).then(|| format!("({})", members.join(", ")))
-                }
-            },
-        }
-    }
-
-    fn elements_at(
-        &self,
-        dimensions: &[(i64, i64)],
-        element: Type,
-        mut path: String,
-        parts: &HashMap<&str, &Tag>,
-        place: &mut Vec<(i64, i64)>,
-    ) -> Option<String> {
-        path.push_str(&"[]".repeat(dimensions.len()));
-        let count: i64 = dimensions.iter().map(|(first, last)| last - first + 1).product();
-        let mut values: Vec<(Option<String>, i64)> = Vec::new();
-        for number in 0..count {
-            place.push((number, count));
-            let value = self.value_at(element, path.clone(), parts, place);
-            place.pop();
-            match values.last_mut() {
-                Some((last, times)) if *last == value => *times += 1,
-                _ => values.push((value, 1)),
-            }
-        }
-        if values.iter().all(|(value, _)| value.is_none()) {
-            return None;
-        }
-        let texts: Option<Vec<String>> = values
-            .into_iter()
-            .map(|(value, times)| {
-                let value = value.or_else(|| self.zero(element))?;
-                Some(if times == 1 {
-                    value
-                } else {
-                    format!("{times}({value})")
-                })
-            })
-            .collect();
-        texts.map(|texts| format!("[{}]", texts.join(", ")))
-    }
-
-    /// What a type starts with.
-    fn zero(&self, ty: Type) -> Option<String> {
-        match ty {
-            Type::Scalar(scalar) => Some(self.literal(&Value::zero(scalar), scalar)),
-            Type::State(_) => None,
-            Type::Array { first, last, element } => Some(format!(
-                "[{}({})]",
-                last - first + 1,
-                self.zero(Type::Scalar(element))?
-            )),
-            Type::Compound(id) => match id.get() {
-                Compound::Block(_) => None,
-                Compound::Array(array) => {
-                    let count: i64 = array
-                        .dimensions
-                        .iter()
-                        .map(|(first, last)| last - first + 1)
-                        .product();
-                    Some(format!("[{count}({})]", self.zero(array.element)?))
-                }
-                Compound::Structure(structure) => structure.members.iter().find_map(|member| {
-                    Some(format!(
-                        "({} := {})",
-                        names::member(&member.name),
-                        self.zero(member.ty)?
-                    ))
-                }),
-            },
-        }
     }
 }

@@ -1,18 +1,23 @@
 //! What all units of a program share: the names of types, blocks and values, and which tags they share.
 
 pub(crate) mod declare;
+mod initial;
+mod shared;
 mod types;
 
 use crate::names::{self, Names};
+use ladder_analysis::context::Context;
 use ladder_analysis::names::named_types::NamedTypes;
 use ladder_analysis::program::{
-    Argument, Block, BlockKind, Clock, Expr, ExprKind, Location, Place, Program, SystemTag, Tag, TagId,
+    Argument, Block, BlockKind, Clock, ExprKind, Location, Place, Program, SystemTag, Tag,
 };
 use ladder_analysis::values::compound::{EnumId, TypeId};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
 use ladder_instructions::{Op, StateType};
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use ladder_syntax::Parse;
+use shared::Shared;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
 
 /// Why a program is not written: at a place, what cannot be said.
@@ -70,6 +75,13 @@ impl Service {
         }
     }
 
+    /// All of them.
+    fn all() -> impl Iterator<Item = Service> {
+        use Service::{Clock as Wave, Ended, Fault, Faulted, FirstScan, Now, Scan, ScanTime};
+        let others = [Now, ScanTime, FirstScan, Scan, Fault, Faulted, Ended];
+        others.into_iter().chain((0..Clock::ALL.len() as u8).map(Wave))
+    }
+
     pub(crate) fn ty(self) -> Scalar {
         match self {
             Service::Now | Service::ScanTime => Scalar::Time,
@@ -97,6 +109,9 @@ pub(crate) struct Project<'p> {
     pub(crate) program: &'p Program,
     /// The text of the program's own file.
     pub(crate) text: &'p str,
+    pub(crate) parse: &'p Parse,
+    named: &'p NamedTypes,
+    own_blocks: Vec<&'p str>,
     /// Words, types, blocks, values: what no variable may be called.
     pub(crate) names: Names,
     /// Those of structures, and of arrays that are elements of arrays.
@@ -115,11 +130,15 @@ pub(crate) struct Project<'p> {
     pub(crate) type_order: Vec<Declared>,
     /// Kinds of timers and bistables that some block uses as the standard's do not work.
     pub(crate) own_states: BTreeSet<&'static str>,
-    /// The names of tags that functions and blocks use as well.
-    shared: HashSet<String>,
-    pub(crate) shared_names: BTreeMap<String, String>,
+    /// The tags that functions and blocks use as well.
+    pub(crate) shared: Shared,
+    /// The names of what holds the state of a function.
+    pub(crate) function_states: Vec<String>,
     /// What is counted, with its name; and what functions and blocks ask for of that.
     pub(crate) services: BTreeMap<Service, String>,
+    service_names: BTreeMap<Service, String>,
+    /// The time from scan to scan.
+    pub(crate) cycle: i64,
     pub(crate) shared_services: BTreeSet<Service>,
     pub(crate) pieces: BTreeSet<&'static str>,
     pub(crate) enumerations_as_numbers: std::collections::HashSet<EnumId>,
@@ -144,12 +163,19 @@ pub(crate) fn root(tag: &Tag) -> &str {
 }
 
 impl<'p> Project<'p> {
-    pub(crate) fn new(program: &'p Program, text: &'p str, named: &'p NamedTypes) -> Project<'p> {
-        let mut names = Names::new();
+    pub(crate) fn new(program: &'p Program, text: &'p str, context: &'p Context) -> Project<'p> {
+        let named = &context.types;
+        let mut names = Names::default();
         let mut project = Project {
             program,
             text,
-            names: Names::new(),
+            parse: &context.parse,
+            named,
+            own_blocks: context.user_blocks[..context.own_blocks]
+                .iter()
+                .map(|block| &*block.name)
+                .collect(),
+            names: Names::default(),
             types: HashMap::new(),
             named_arrays: HashMap::new(),
             declared: HashMap::new(),
@@ -160,9 +186,11 @@ impl<'p> Project<'p> {
             functions: Vec::new(),
             type_order: Vec::new(),
             own_states: BTreeSet::new(),
-            shared: HashSet::new(),
-            shared_names: BTreeMap::new(),
+            shared: Shared::default(),
+            function_states: Vec::new(),
             services: BTreeMap::new(),
+            service_names: BTreeMap::new(),
+            cycle: 0,
             shared_services: BTreeSet::new(),
             pieces: BTreeSet::new(),
             enumerations_as_numbers: std::collections::HashSet::new(),
@@ -195,12 +223,15 @@ impl<'p> Project<'p> {
             }
             tags.insert(names::identifier(root(tag)));
         }
-        for word in ["power", "now", "scan", "ended"] {
-            tags.insert(word.to_owned());
-        }
+        tags.insert("power".to_owned());
         for tag in &tags {
             names.name(tag, "tag");
         }
+        for service in Service::all() {
+            let name = names.name(service.name(), "of_ladder");
+            project.service_names.insert(service, name);
+        }
+        project.find_shared();
         for tag in &program.tags {
             project.add_type(tag.ty, &mut names);
             if let Some(column) = &tag.column {
@@ -220,23 +251,38 @@ impl<'p> Project<'p> {
             project.blocks.push(names.name(&block.name, "block"));
         }
         for function in &program.functions {
-            project.functions.push(names.name(&function.name, "function"));
+            let name = names.name(&function.name, "function");
+            project
+                .function_states
+                .push(names.name(&format!("do_{name}"), "function"));
+            project.functions.push(name);
         }
+        project.name_passed_arrays(&mut names);
         // Only what was given out here is taken for variables.
-        let mut taken = Names::new();
+        let mut taken = Names::default();
         let given = project.types.values().chain(project.enumerations.values());
         for name in given
             .chain(project.values.values())
             .chain(&project.blocks)
             .chain(&project.functions)
+            .chain(&project.function_states)
+            .chain(project.service_names.values())
         {
             taken.name(name, "");
         }
         project.names = taken;
-        project.find_shared();
+        project.name_shared();
         project.find_own_states();
         project.faults_count = project.asks_for(SystemTag::Fault);
         project
+    }
+
+    /// The number that a block has among those of the program's own file.
+    pub(crate) fn own_block(&self, block: usize) -> Option<usize> {
+        let name = &self.program.blocks[block].name;
+        self.own_blocks
+            .iter()
+            .position(|own| own.eq_ignore_ascii_case(name))
     }
 
     pub(crate) fn state_name(&self, state: StateType) -> String {
@@ -298,31 +344,6 @@ impl<'p> Project<'p> {
         program.networks[self.networks(unit)]
             .iter()
             .flat_map(|network| &network.blocks)
-    }
-
-    fn find_shared(&mut self) {
-        for unit in self.units() {
-            if unit == UnitKind::Program {
-                continue;
-            }
-            let mut roots = Vec::new();
-            for block in self.blocks_of(unit) {
-                for bound in &block.arguments {
-                    each_tag(&bound.argument, &mut |tag| roots.push(tag));
-                }
-            }
-            for id in roots {
-                let tag = &self.program.tags[id.0 as usize];
-                if tag.block.is_none() {
-                    self.shared.insert(root(tag).to_owned());
-                }
-            }
-        }
-    }
-
-    /// Whether functions or blocks use a tag, too.
-    pub(crate) fn is_shared(&self, root: &str) -> bool {
-        self.shared.contains(root)
     }
 
     fn find_own_states(&mut self) {
@@ -403,78 +424,8 @@ impl<'p> Project<'p> {
         if unit != UnitKind::Program {
             self.shared_services.insert(service);
         }
-        let names = &mut self.names;
-        self.services
-            .entry(service)
-            .or_insert_with(|| names.name(service.name(), "of_ladder"))
-            .clone()
-    }
-
-    /// The name of a tag that several units share.
-    pub(crate) fn shared_name(&mut self, root: &str) -> String {
-        let names = &mut self.names;
-        self.shared_names
-            .entry(root.to_owned())
-            .or_insert_with(|| names.name(root, "tag"))
-            .clone()
-    }
-}
-
-/// Every tag that an argument is about.
-fn each_tag(argument: &Argument, found: &mut impl FnMut(TagId)) {
-    match argument {
-        Argument::Value(expr) => tags_of(expr, found),
-        Argument::Place(place, _) => tags_of_place(place, found),
-        Argument::Parts(parts) => parts.iter().for_each(|part| each_tag(part, found)),
-        Argument::State(tag) => found(*tag),
-        Argument::ChosenState(chosen) => {
-            found(chosen.first);
-            tags_of(&chosen.number, found);
-        }
-        Argument::Range(range) => {
-            found(range.tag);
-            tags_of(&range.first, found);
-            if let Some(last) = &range.last {
-                tags_of(last, found);
-            }
-        }
-        _ => {}
-    }
-}
-
-fn tags_of_place(place: &Place, found: &mut impl FnMut(TagId)) {
-    if let Some(root) = place.root() {
-        found(root);
-    }
-    match place {
-        Place::Element(_, index) => tags_of(index, found),
-        Place::Chosen(chosen) | Place::ChosenMember(chosen, _) => tags_of(&chosen.number, found),
-        Place::Bit(inner, ..) | Place::As(inner, ..) => tags_of_place(inner, found),
-        _ => {}
-    }
-}
-
-fn tags_of(expr: &Expr, found: &mut impl FnMut(TagId)) {
-    match &expr.kind {
-        ExprKind::Read(place) => tags_of_place(place, found),
-        ExprKind::Pass(a) | ExprKind::Unary(_, a) => tags_of(a, found),
-        ExprKind::Binary(_, a, b) | ExprKind::Compare(_, a, b) => {
-            tags_of(a, found);
-            tags_of(b, found);
-        }
-        ExprKind::Call(_, all) => all.iter().for_each(|one| tags_of(one, found)),
-        ExprKind::Sum(range) => {
-            found(range.tag);
-            tags_of(&range.first, found);
-            if let Some(last) = &range.last {
-                tags_of(last, found);
-            }
-        }
-        ExprKind::Offset(subscripts) => {
-            for subscript in subscripts {
-                tags_of(&subscript.index, found);
-            }
-        }
-        ExprKind::Constant(_) => {}
+        let name = self.service_names.get(&service).cloned().unwrap_or_default();
+        self.services.insert(service, name.clone());
+        name
     }
 }

@@ -1,10 +1,10 @@
 //! The types of a program, and their names.
 
-use super::{Declared, Project};
+use super::{Declared, Project, root};
 use crate::names::{self, Names};
 use ladder_analysis::program::{Expr, ExprKind};
 use ladder_analysis::values::compound::{Compound, EnumId};
-use ladder_analysis::values::types::{DEFAULT_STRING, Scalar, Type};
+use ladder_analysis::values::types::{Scalar, Type};
 
 impl Project<'_> {
     pub(super) fn add_type(&mut self, ty: Type, names: &mut Names) {
@@ -29,7 +29,7 @@ impl Project<'_> {
                 }
                 Compound::Array(array) => {
                     self.add_type(array.element, names);
-                    self.add_inner_array(array.element, names);
+                    self.add_inner_array(array.element, "Row", names);
                 }
                 Compound::Block(_) => {}
             },
@@ -37,12 +37,38 @@ impl Project<'_> {
         }
     }
 
+    /// Arrays that are passed to functions and blocks have a name.
+    pub(super) fn name_passed_arrays(&mut self, names: &mut Names) {
+        let mut types: Vec<Type> = Vec::new();
+        for (block, user) in self.program.blocks.iter().enumerate() {
+            let tags = user
+                .parameters
+                .iter()
+                .map(|(tag, _)| &self.program.tags[tag.0 as usize]);
+            types.extend(tags.filter_map(|tag| self.declared_type(Some(block), root(tag))));
+        }
+        for (&(block, tag), &ty) in &self.declared {
+            if block.is_none() && self.is_passed(tag) {
+                types.push(ty);
+            }
+        }
+        types.sort_by_key(|ty| self.spelled(*ty));
+        for ty in types {
+            let Some((dimensions, element)) = ty.array() else {
+                continue;
+            };
+            let (first, last) = dimensions.first().copied().unwrap_or_default();
+            let spelled = format!("{}_{first}_TO_{last}", self.type_name(element)).replace('-', "m");
+            self.add_inner_array(ty, &spelled, names);
+        }
+    }
+
     /// The standard takes no `ARRAY .. OF ARRAY ..`: the inner array has a name.
-    fn add_inner_array(&mut self, ty: Type, names: &mut Names) {
+    fn add_inner_array(&mut self, ty: Type, or: &str, names: &mut Names) {
         if ty.array().is_none() || self.types.contains_key(&ty) {
             return;
         }
-        let name = self.named_arrays.get(&ty).copied().unwrap_or("Row");
+        let name = self.named_arrays.get(&ty).copied().unwrap_or(or);
         self.types.insert(ty, names.name(name, "type"));
         self.type_order.push(Declared::Array(ty));
     }
@@ -123,8 +149,8 @@ impl Project<'_> {
     pub(crate) fn scalar_name(&self, scalar: Scalar) -> String {
         match scalar {
             Scalar::Enum(id) => self.enumerations.get(&id).cloned().unwrap_or_default(),
-            Scalar::String(length) if length == DEFAULT_STRING => "STRING".into(),
-            Scalar::String(length) => format!("STRING[{length}]"),
+            // Its length is kept where it is written: matiec knows no other than its own.
+            Scalar::String(_) => "STRING".into(),
             other => other.name().into(),
         }
     }
