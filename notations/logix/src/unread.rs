@@ -12,6 +12,7 @@ use crate::unit::{Owner, Unit, operand};
 use ladder_format::Circuit;
 use ladder_format::program::{Element, Item};
 use ladder_notation::{Power, Turn, Unread};
+use std::collections::HashSet;
 
 /// What an instruction without a counterpart writes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,9 +56,10 @@ impl<'p> Translator<'p> {
     pub(crate) fn unread(&mut self, it: &Instruction<'_>, why: &str) -> Unreadable {
         let op = instruction(it.name, it.operands.len());
         let is_condition = op.is_some_and(|op| op.is_condition(it.operands.len()));
-        let (power, says) = match is_condition {
-            true => (Power::Ends, "no power passes"),
-            false => (Power::Passes, "power passes"),
+        let (power, says) = if is_condition {
+            (Power::Ends, "no power passes")
+        } else {
+            (Power::Passes, "power passes")
         };
         let writes = match op {
             // What the routine does.
@@ -75,9 +77,10 @@ impl<'p> Translator<'p> {
             text = format!("{text}\n{}", protected.text);
         }
         // Blocks of such a name mean something else.
-        let name = match Blocks::has(it.name) || op == Some(Op::Pid) {
-            true => format!("unread {}", it.name),
-            false => it.name.to_owned(),
+        let name = if Blocks::has(it.name) || op == Some(Op::Pid) {
+            format!("unread {}", it.name)
+        } else {
+            it.name.to_owned()
         };
         let part = Unread {
             name: &name,
@@ -148,6 +151,34 @@ impl<'p> Translator<'p> {
         Some(names)
     }
 
+    /// What a routine may write that is unread: each tag that its text names, unless it acts on what it does not name.
+    fn writes_of_text(&mut self, scope: usize, text: &str) -> Option<Vec<String>> {
+        if text.contains('\\') {
+            return None;
+        }
+        let is_in_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | ':');
+        let words: HashSet<&str> = text.split(|c| !is_in_word(c)).collect();
+        let calls = |word: &&str| {
+            let word = word.to_ascii_uppercase();
+            matches!(word.as_str(), "JSR" | "MSG") || writes_of(&word) == Writes::Anything
+        };
+        if words.iter().any(calls) {
+            return None;
+        }
+        let mut names = Vec::new();
+        // `Local:1:O` is a module, `X:y` in a CASE two words.
+        for root in words.into_iter().flat_map(|word| word.split(':').chain([word])) {
+            let path = Path {
+                root: root.to_owned(),
+                steps: Vec::new(),
+            };
+            names.extend(self.tags.written(scope, &path)?);
+        }
+        names.sort_unstable();
+        names.dedup();
+        Some(names)
+    }
+
     /// What the routines of a program may write.
     fn writes_of_all<'u>(&mut self, units: impl Iterator<Item = &'u Unit<'u>>) -> Option<Vec<String>> {
         let mut names: Vec<String> = Vec::new();
@@ -208,6 +239,12 @@ impl Sketcher<'_> {
     /// A routine that is unread as a whole.
     pub(crate) fn unread_routine(&mut self, number: usize, why: &str, text: &str) -> Vec<Item> {
         let unit = &self.units[number];
+        let writes = match &unit.routine.foreign {
+            Some(foreign) if foreign.language == Language::Protected => None,
+            _ => self.translator.writes_of_text(unit.scope, text),
+        };
+        let left = self.translator.left_by(unit.scope, &unit.routine.name);
+        let writes = writes.map(|writes| [writes, left].concat());
         let project = self.translator.project;
         let name = &unit.routine.name;
         let what = match unit.owner {
@@ -221,7 +258,7 @@ impl Sketcher<'_> {
             name: &format!("routine {name}"),
             about: &format!("{what}: {why}; it is not run here."),
             text,
-            writes: None,
+            writes: writes.as_deref(),
             power: Power::Passes,
             turn: Turn::Here,
         };
@@ -243,9 +280,10 @@ impl Sketcher<'_> {
         let texts = units.iter().filter(|unit| own(unit) || in_aoi(unit));
         let sum = checksum(texts.flat_map(|unit| unit.routine.rungs.iter().map(|rung| rung.text.as_str())));
         let task = &later.why;
-        let why = match later.is_run {
-            true => format!("{task}, whatever else runs; here it runs in each scan"),
-            false => format!("{task}; it is not run here"),
+        let why = if later.is_run {
+            format!("{task}, whatever else runs; here it runs in each scan")
+        } else {
+            format!("{task}; it is not run here")
         };
         let place = self.place(program.at);
         let what = format!("program {}", program.name);

@@ -320,7 +320,15 @@ impl Tags {
         }
         for _ in 0..16 {
             match self.entry(scope, &path.root.to_ascii_uppercase()) {
-                Some((_, Entry::Symbol(symbol))) => return Some(self.names_of(*symbol)),
+                Some((_, Entry::Symbol(symbol))) => {
+                    let is_constant = self.symbols[*symbol].kind == Kind::Constant;
+                    let names = if is_constant {
+                        Vec::new()
+                    } else {
+                        self.names_of(*symbol)
+                    };
+                    return Some(names);
+                }
                 // It is not here.
                 Some((_, Entry::Opaque(_))) => return Some(Vec::new()),
                 Some((of, Entry::Alias(target))) => (scope, path) = (of, target.clone()),

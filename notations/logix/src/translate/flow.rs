@@ -27,6 +27,8 @@ struct Subroutine {
     returned: Vec<(String, Elem)>,
     /// The bit with which it ends the loop that calls it.
     leaves: Option<String>,
+    /// It is in another language: what it returns is not known.
+    is_foreign: bool,
 }
 
 impl Routines {
@@ -41,6 +43,7 @@ impl Routines {
         for (unit, function) in units.iter().zip(functions) {
             let mut subroutine = Subroutine {
                 function: function.clone(),
+                is_foreign: unit.routine.foreign.is_some(),
                 ..Subroutine::default()
             };
             let mut returned: Vec<&str> = Vec::new();
@@ -88,6 +91,15 @@ impl Routines {
 }
 
 impl Translator<'_> {
+    /// The tags in which a routine leaves something for what calls it.
+    pub(crate) fn left_by(&self, scope: usize, routine: &str) -> Vec<String> {
+        let known = self.routines.known.get(&(scope, routine.to_ascii_uppercase()));
+        known.map_or_else(Vec::new, |known| {
+            let returned = known.returned.iter().map(|(helper, _)| helper.clone());
+            returned.chain(known.leaves.clone()).collect()
+        })
+    }
+
     /// `JMP` and `LBL`
     pub(super) fn label(&mut self, sign: &str, name: &str) -> Result<Circuit<Element>> {
         // Of a label that is not there the rules tell.
@@ -112,7 +124,7 @@ impl Translator<'_> {
             return Err(format!("there is no routine `{routine}` in the program"));
         };
         let (function, targets) = (subroutine.function.clone(), subroutine.inputs.clone());
-        let returned = subroutine.returned.clone();
+        let (returned, is_foreign) = (subroutine.returned.clone(), subroutine.is_foreign);
         let (inputs, results) = match rest.split_first() {
             Some((count, rest)) => match count.parse::<usize>() {
                 Ok(count) => rest.split_at_checked(count).ok_or("operands are missing")?,
@@ -120,6 +132,9 @@ impl Translator<'_> {
             },
             None => (rest, rest),
         };
+        if is_foreign && !results.is_empty() {
+            return Err(format!("what the routine `{routine}` returns is not read"));
+        }
         let mut circuit = Vec::new();
         for (input, target) in inputs.iter().zip(&targets) {
             let from = self.expr(input)?;

@@ -301,9 +301,10 @@ impl Writer<'_> {
             let Argument::Value(value) = &from.argument else {
                 return Err("it has no counterpart there".to_owned());
             };
-            let value = match is_empty_text(value) {
-                true => "0".to_owned(),
-                false => self.value(value)?,
+            let value = if is_empty_text(value) {
+                "0".to_owned()
+            } else {
+                self.value(value)?
             };
             let length = last.unwrap_or(first) - first + 1;
             return Ok(vec![it(

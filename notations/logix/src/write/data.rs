@@ -455,11 +455,13 @@ impl Writer<'_> {
         for _ in 0..sizes.iter().product::<i64>() {
             let mut all = indices.iter().zip(dimensions);
             let inside = all.all(|(index, (first, last))| (first..=last).contains(&index));
-            let value = match inside {
+            let value = if !inside {
+                None
+            } else if element.scalar().is_some() {
                 // What is no timer or counter is nowhere looked for.
-                true if element.scalar().is_some() => self.raw(element, at, values)?,
-                true => self.raw(element, &at.element(&indices), values)?,
-                false => None,
+                self.raw(element, at, values)?
+            } else {
+                self.raw(element, &at.element(&indices), values)?
             };
             out.push(value.unwrap_or_else(|| zero.clone()));
             for (index, size) in indices.iter_mut().zip(&sizes).rev() {

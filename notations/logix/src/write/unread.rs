@@ -113,11 +113,12 @@ impl Writer<'_> {
 
     /// An instruction that was not read.
     pub(super) fn unread_call(&mut self, part: &UnreadPart, block: &Block) -> Result<Series> {
-        let (name, _) = part.named()?;
+        let (name, why) = part.named()?;
         if !ladder_syntax::is_identifier(name) {
-            return Err(match name.starts_with("routine ") {
-                true => "there a routine in another language has no rungs".to_owned(),
-                false => format!("{name} is not written: it runs at times of its own there"),
+            return Err(if name.starts_with("routine ") {
+                "there a routine in another language has no rungs".to_owned()
+            } else {
+                format!("{name} is not written: it runs at times of its own there")
             });
         }
         let operands = match (&part.text, block.arguments.first()) {
@@ -125,7 +126,7 @@ impl Writer<'_> {
             (None, Some(bound)) => unread_operands(self.source(bound.range)),
             (None, None) => String::new(),
         };
-        if name == "JSR" {
+        if name == "JSR" && why.starts_with("there is no routine") {
             let routine = operands.split(',').next().unwrap_or_default();
             if self.analysis.context.function(&Name::new(routine)).is_some() {
                 return Err(format!(

@@ -55,6 +55,8 @@ const OTHERWISE: &[&str] = &[
     // Their first routine is unread, and has another name there.
     "L5Sharp.Routine_FBD_negative",
     "L5Sharp.Routine_SFC_negative",
+    // Its diagrams name types, and there tags have such names.
+    "hutcheb.ACDTestsWithAOI",
     // Programs of other tasks.
     "L5Sharp.Test",
 ];
@@ -75,5 +77,5 @@ fn files_of_others() {
         assert_eq!(bare(&again), bare(&text), "{name}\n{file}");
         count += 1;
     }
-    assert_eq!(count, 22);
+    assert_eq!(count, 21);
 }

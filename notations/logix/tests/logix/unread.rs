@@ -274,7 +274,10 @@ fn routines_in_other_languages() {
     let file = whole(
         "",
         &[("go", "BOOL", ""), ("speed", "DINT", "")],
-        &[("Main", &["JSR(Calc,0)OTE(go);", "JSR(Draw,0);"])],
+        &[(
+            "Main",
+            &["JSR(Calc,0)OTE(go);", "JSR(Draw,0);", "JSR(Calc,1,speed,speed);"],
+        )],
     );
     let file = file.replace("</Routines>", &format!("{text}{chart}</Routines>"));
     let read = shows(
@@ -285,6 +288,8 @@ fn routines_in_other_languages() {
 
             +--------------------------------------------------------------<CALL>( Draw )--+
 
+            +----------------------------------------------[$JSR]( 'Calc,1,speed,speed' )--+
+
             +--<FUN>( Calc )---------------------------------------------------------------+
 
             +--------------------------------------------------------------[$routineCalc]--+
@@ -293,9 +298,17 @@ fn routines_in_other_languages() {
 
             +--------------------------------------------------------------[$routineDraw]--+
 
+            # JSR: what the routine `Calc` returns is not read; it is not run here, and power passes. #
+            FUNCTION_BLOCK [$JSR]
+            VAR_INPUT
+                operands : STRING[254] := '';
+            END_VAR
+            # ladder: unread #
+            END_FUNCTION_BLOCK
+
             # routine Calc: it is structured text; it is not run here. #
             FUNCTION_BLOCK [$routineCalc]
-            # ladder: unread #
+            # ladder: unread, writes go, speed #
             # IF go THEN // \h1 #
             #     speed := 10; #
             # END_IF; #
@@ -303,48 +316,54 @@ fn routines_in_other_languages() {
 
             # routine Draw: it is a function block diagram; it is not run here. #
             FUNCTION_BLOCK [$routineDraw]
-            # ladder: unread #
+            # ladder: unread, writes #
             # <FBDContent SheetSize="Letter"><Sheet Number="1"/></FBDContent> #
             END_FUNCTION_BLOCK
 
-            26:1 routine Calc: Approximated("it is structured text: it is not run")
-            39:1 routine Draw: Approximated("it is a function block diagram: it is not run")"#]],
+            26:10 JSR(Calc,1,speed,speed): Approximated("what the routine `Calc` returns is not read: it is not run, and power passes")
+            31:1 routine Calc: Approximated("it is structured text: it is not run")
+            44:1 routine Draw: Approximated("it is a function block diagram: it is not run")"#]],
     );
     goes_back(
         &read.written.text,
         expect![[r#"
-        <Routines>
-        <Routine Name="MainRoutine" Type="RLL">
-        <RLLContent>
-        <Rung Number="0" Type="N">
-        <Text>
-        <![CDATA[JSR(Calc,0)OTE(go);]]>
-        </Text>
-        </Rung>
-        <Rung Number="1" Type="N">
-        <Text>
-        <![CDATA[JSR(Draw,0);]]>
-        </Text>
-        </Rung>
-        </RLLContent>
-        </Routine>
-        <Routine Name="Calc" Type="ST">
-        <STContent>
-        <Line Number="0">
-        <![CDATA[IF go THEN // #1]]>
-        </Line>
-        <Line Number="1">
-        <![CDATA[    speed := 10;]]>
-        </Line>
-        <Line Number="2">
-        <![CDATA[END_IF;]]>
-        </Line>
-        </STContent>
-        </Routine>
-        <Routine Name="Draw" Type="FBD">
-        <FBDContent SheetSize="Letter"><Sheet Number="1"/></FBDContent>
-        </Routine>
-    "#]],
+            <Routines>
+            <Routine Name="MainRoutine" Type="RLL">
+            <RLLContent>
+            <Rung Number="0" Type="N">
+            <Text>
+            <![CDATA[JSR(Calc,0)OTE(go);]]>
+            </Text>
+            </Rung>
+            <Rung Number="1" Type="N">
+            <Text>
+            <![CDATA[JSR(Draw,0);]]>
+            </Text>
+            </Rung>
+            <Rung Number="2" Type="N">
+            <Text>
+            <![CDATA[JSR(Calc,1,speed,speed);]]>
+            </Text>
+            </Rung>
+            </RLLContent>
+            </Routine>
+            <Routine Name="Calc" Type="ST">
+            <STContent>
+            <Line Number="0">
+            <![CDATA[IF go THEN // #1]]>
+            </Line>
+            <Line Number="1">
+            <![CDATA[    speed := 10;]]>
+            </Line>
+            <Line Number="2">
+            <![CDATA[END_IF;]]>
+            </Line>
+            </STContent>
+            </Routine>
+            <Routine Name="Draw" Type="FBD">
+            <FBDContent SheetSize="Letter"><Sheet Number="1"/></FBDContent>
+            </Routine>
+        "#]],
     );
 }
 
@@ -370,7 +389,7 @@ fn routines_that_may_be_left() {
 
             # routine Sub: `RET(s.DATA[0])` in it is not read (`s` has no such part); it is not run here. #
             FUNCTION_BLOCK [$routineSub]
-            # ladder: unread #
+            # ladder: unread, writes n, s, Sub_RET1 #
             # ADD(n,1,n); #
             # EQU(n,3)RET(s.DATA[0]); #
             # CLR(n); #
@@ -435,7 +454,7 @@ fn add_on_instructions() {
 
             # routine Logic of Scale: it is structured text; it is not run here. #
             FUNCTION_BLOCK [$routineLogic]
-            # ladder: unread #
+            # ladder: unread, writes In, Out #
             # Out := In * 2; #
             END_FUNCTION_BLOCK
 
@@ -560,7 +579,7 @@ fn of_other_files() {
 
             # routine Calc: it is structured text; it is not run here. #
             FUNCTION_BLOCK [$routineCalc]
-            # ladder: unread #
+            # ladder: unread, writes go #
             # go := 1; #
             #   (* \h *) #
             END_FUNCTION_BLOCK
