@@ -51,12 +51,13 @@ pub(crate) fn skeleton(
         mut types,
         mut problems,
     } = declared(parse, structure, others, wanted)?;
-    let user_blocks: Vec<UserBlockFacts> = structure
+    let mut user_blocks: Vec<UserBlockFacts> = structure
         .blocks
         .iter()
         .zip(&scopes[1..])
         .map(|(definition, scope)| block_definition::user_block(parse, definition, scope))
         .collect();
+    super::unread_body::with_calls(parse, structure, &mut user_blocks);
     let own_blocks = user_blocks.len();
     let instances = instances(&scopes, others);
     let signatures = user_block::signatures(&user_blocks) ^ instances.unwrap_or(0);

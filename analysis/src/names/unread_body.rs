@@ -1,5 +1,9 @@
 //! Whether the definition of a block says that it is an unread part (LANGUAGE §5.9).
 
+mod calls;
+
+pub(super) use calls::with_calls;
+
 use crate::asked::{asked, may_ask};
 use crate::program::{Unread, UnreadDirective, without_blanks};
 use ladder_syntax::{BlockDefinition, Line, NodeOrToken, Parse};

@@ -68,4 +68,4 @@ pub use source::{Companion, Source, text_of};
 pub use system::with_system_tags;
 pub use unread::{Power, Turn, Unread, UnreadParts, foreign_text_of, unread_body, unread_operands};
 pub use with_other_files::{Unwritable, with_other_files};
-pub use written::write_checked;
+pub use written::{refuse_unread, write_checked};

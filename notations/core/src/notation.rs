@@ -35,6 +35,11 @@ pub trait Notation: Sync {
         false
     }
 
+    /// Whether [`write`](Notation::write) itself says which unread parts it does not write. Else it writes none, and that is said for it.
+    fn writes_unread(&self) -> bool {
+        false
+    }
+
     /// Whether programs are written in this notation, too. Else [`write`](Notation::write) says so.
     fn is_written(&self) -> bool {
         true

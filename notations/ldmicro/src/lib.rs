@@ -53,6 +53,10 @@ impl Notation for Ldmicro {
         head::recognises(bytes)
     }
 
+    fn writes_unread(&self) -> bool {
+        true
+    }
+
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
         source.bounded()?;
         let file = parse::parse(source.bytes)?;

@@ -114,6 +114,10 @@ impl Notation for L5x {
         Ok(sketch::sketch(&project, text))
     }
 
+    fn writes_unread(&self) -> bool {
+        true
+    }
+
     fn writes_other_files(&self) -> bool {
         true
     }

@@ -66,6 +66,10 @@ impl Notation for Plcopen {
         true
     }
 
+    fn writes_unread(&self) -> bool {
+        true
+    }
+
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
         write::write(analysis)
     }

@@ -138,6 +138,10 @@ impl Notation for Simatic {
         true
     }
 
+    fn writes_unread(&self) -> bool {
+        true
+    }
+
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
         write::write(analysis)
     }

@@ -273,7 +273,7 @@ impl Compiler<'_> {
     }
 }
 
-/// What of the text of a part makes it the same as another one. Where it has none, its name does.
+/// What of the text of a part makes it the same as another one. Where its definition has none, its name does, too.
 fn text_of(name: &str, unread: &Unread, place: Option<&Block>) -> String {
     let operands = place
         .and_then(|block| block.unread.as_deref())
@@ -286,11 +286,8 @@ fn text_of(name: &str, unread: &Unread, place: Option<&Block>) -> String {
         Some(text) => without_blanks(&text.replace('\u{0}', "'")),
         None => without_blanks(inside),
     };
-    let name = if unread.has_foreign_text || !shown.is_empty() {
-        ""
-    } else {
-        name
-    };
+    // Operands alone do not say of which instruction.
+    let name = if unread.has_foreign_text { "" } else { name };
     format!("{name} {} {shown}", unread.text)
 }
 

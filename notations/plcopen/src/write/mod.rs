@@ -29,7 +29,9 @@ use ladder_analysis::networks::network::Meaning;
 use ladder_analysis::program::Program;
 use ladder_analysis::{Analysis, analyze_in};
 use ladder_instructions::Profile;
-use ladder_notation::{LineColumn, Report, Unwritable, WriteError, Writing, no_program, with_blocks_alone};
+use ladder_notation::{
+    LineColumn, Report, Unwritable, WriteError, Writing, no_program, refuse_unread, with_blocks_alone,
+};
 use ladder_syntax::{Name, TextSize};
 use names::{Names, identifier};
 use std::collections::HashMap;
@@ -119,6 +121,12 @@ fn project(analysis: &Analysis, unwritable: &Unwritable) -> Result<(Project, Rep
         faces: &faces,
         ..shared
     };
+    refuse_unread(analysis, &mut report, |name| {
+        let block = blocks
+            .iter()
+            .position(|block| block.name.eq_ignore_ascii_case(name));
+        block.is_some_and(|block| own.unread_text(block).is_some())
+    });
     for (number, block) in blocks.iter().enumerate() {
         if unwritable.contains_key(&block.key) {
             continue;

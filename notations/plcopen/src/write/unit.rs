@@ -15,7 +15,7 @@ use ladder_analysis::names::scope::{Origin, SectionKind, TagFacts};
 use ladder_analysis::program::Program;
 use ladder_format::program::Qualifier;
 use ladder_notation::guard::is_guarded;
-use ladder_notation::{LineColumn, Report};
+use ladder_notation::{LineColumn, Report, foreign_text_of};
 use ladder_syntax::TextSize;
 use std::rc::Rc;
 
@@ -81,7 +81,23 @@ impl<'u> Unit<'u> {
         let facts = &self.context().user_blocks[block];
         let mut blocks = self.program.blocks.iter();
         let block = blocks.find(|block| block.name == facts.name);
-        block.is_some_and(|block| is_guarded(self.program, block))
+        facts.unread.is_some() || block.is_some_and(|block| is_guarded(self.program, block))
+    }
+
+    /// The text in ST of a block that is an unread part, if it is one, and its names are those of the text.
+    pub(super) fn unread_text(&self, block: usize) -> Option<String> {
+        let context = self.context();
+        let facts = &context.user_blocks[block];
+        facts.unread.as_ref()?;
+        let lines = context.parse.frame().blocks.get(block)?.lines.clone();
+        let text_on = |line: usize| context.parse.lines()[line].text();
+        let said = text_on(lines.start.checked_sub(1)?);
+        let definition: String = lines.map(text_on).collect();
+        let is_renamed = definition.contains(" in the project");
+        let is_result = |tag: &TagFacts| facts.name[1..].eq_ignore_ascii_case(&tag.name);
+        let is_other = |tag: &TagFacts| is_result(tag) || !tag.name.is_ascii();
+        let is_whole = !is_renamed && !self.tags(block + 1).any(is_other);
+        foreign_text_of(&definition).filter(|_| is_whole && said.contains("(ST) is not read"))
     }
 
     /// Names for the tags of a scope: 0 the file's, else that of block definition `scope - 1`.
@@ -221,6 +237,18 @@ impl<'u> Unit<'u> {
         let scope = block.map_or(0, |block| block + 1);
         let mut own = self.scope(project, scope);
         let mut variables = self.variables(project, scope, &mut own, report);
+        if let Some(text) = block.and_then(|block| self.unread_text(block)) {
+            return Made {
+                place: self.place(TextSize::default()),
+                name,
+                kind: UnitKind::FunctionBlock,
+                returns: None,
+                variables,
+                comment: None,
+                body: Body::Text("ST", text),
+                parts: Vec::new(),
+            };
+        }
         let mut body = Networks {
             unit: self,
             project,

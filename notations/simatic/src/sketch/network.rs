@@ -20,7 +20,10 @@ impl Sketcher<'_> {
     ) -> Vec<Item> {
         let mut comments = network.said.clone();
         let mut drawings = match &network.body {
-            Body::Text(language, why) => vec![self.unread_network(at, network, (language, why))],
+            Body::Text(language, why) => {
+                self.called_in(translator.scope, &network.text);
+                vec![self.unread_network(at, network, (language, why))]
+            }
             Body::Ladder(net) => self.ladder(translator, at, network, net),
         };
         if let Some((place, label)) = &network.label {

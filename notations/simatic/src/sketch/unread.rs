@@ -1,7 +1,8 @@
 //! What is not read: instructions and calls, networks, blocks as a whole, and what other events start.
 
 use super::{Form, Sketcher};
-use crate::model::{Body, Kind, Network, Part, Unit};
+use crate::model::{Body, Kind, Network, Part, Type, Unit};
+use crate::operand::operand;
 use crate::scope::{Scope, block_name};
 use crate::standard::{self, of_document};
 use ladder_format::program::{self, Drawing, Element, Item, SectionKind};
@@ -57,6 +58,23 @@ impl Sketcher<'_> {
         };
         let library = self.library;
         self.unread.block(part, |word| is_taken(library, word))
+    }
+
+    /// The blocks of the project that a text calls come along: with another one of them it is another text.
+    pub(super) fn called_in(&mut self, scope: &mut Scope<'_>, text: &str) {
+        for name in text.split('"').skip(1).step_by(2) {
+            let Some(Ok(unit)) = self.library.get(&name.to_lowercase()) else {
+                continue;
+            };
+            match (unit.kind, &unit.returns) {
+                (Kind::FunctionBlock | Kind::Function, _) => self.needed.push(unit.name.clone()),
+                // An instance.
+                (Kind::Data, Some(Type::Named(block))) if scope.unit(block).is_some() => {
+                    drop(operand(scope, &format!("\"{name}\""), ""));
+                }
+                _ => {}
+            }
+        }
     }
 
     /// A network.
