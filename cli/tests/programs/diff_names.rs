@@ -28,11 +28,71 @@ fn a_rename_is_said_in_every_form() {
         ("outside.clad", &PUMP.replace("pump", "pump_1")),
     ]);
     let said = |arguments: &[&str]| folder.ladder(arguments).to_string();
-    expect![[""]].assert_eq(&said(&["diff", "--same", "old.clad", "inside.clad"]));
-    expect![[""]].assert_eq(&said(&["diff", "--same", "old.clad", "outside.clad"]));
-    expect![[""]].assert_eq(&said(&["diff", "old.clad", "inside.clad"]));
-    expect![[""]].assert_eq(&said(&["diff", "old.clad", "outside.clad", "--format", "json"]));
-    expect![[""]].assert_eq(&said(&[
+    expect![[r#"
+        exit status 0
+        -- stdout
+        the same
+    "#]]
+    .assert_eq(&said(&["diff", "--same", "old.clad", "inside.clad"]));
+    expect![[r#"
+        exit status 1
+        -- stdout
+        the same but for the names
+          outside.clad: renamed: output pump -> pump_1 (2 places)
+    "#]]
+    .assert_eq(&said(&["diff", "--same", "old.clad", "outside.clad"]));
+    expect![[r#"
+        exit status 1
+        -- stdout
+        --- old.clad
+        +++ inside.clad
+            5 the same, 1 renamed
+
+        renamed: tag seal -> runs (4 places)
+
+            ... 5 the same
+
+        the programs do the same in every run
+    "#]]
+    .assert_eq(&said(&["diff", "old.clad", "inside.clad"]));
+    expect![[r#"
+        exit status 1
+        -- stdout
+        [
+          {
+            "old": "old.clad",
+            "new": "outside.clad",
+            "same": 5,
+            "renames": [
+              {
+                "kind": "tag",
+                "old": "pump",
+                "new": "pump_1",
+                "places": 2,
+                "shown_as": "output"
+              }
+            ],
+            "changes": [],
+            "whole": {
+              "meaning": "same"
+            }
+          }
+        ]
+    "#]]
+    .assert_eq(&said(&["diff", "old.clad", "outside.clad", "--format", "json"]));
+    expect![[r#"
+        exit status 1
+        -- stdout
+        ### `outside.clad` (was `old.clad`)
+
+        5 the same, 1 renamed
+
+        renamed: output pump \-\> pump\_1 (2 places)
+
+        the programs do the same in every run, but for the names
+
+    "#]]
+    .assert_eq(&said(&[
         "diff",
         "old.clad",
         "outside.clad",
@@ -56,8 +116,22 @@ fn another_order_is_the_same_only_where_it_does_not_matter() {
         ("swapped.clad", &format!("{other}{one}{apart}")),
     ]);
     let said = |new: &str| folder.ladder(&["diff", "--same", "old.clad", new]).to_string();
-    expect![[""]].assert_eq(&said("moved.clad"));
-    expect![[""]].assert_eq(&said("swapped.clad"));
+    expect![[r#"
+        exit status 0
+        -- stdout
+        the same
+    "#]]
+    .assert_eq(&said("moved.clad"));
+    expect![[r#"
+        exit status 1
+        -- stdout
+        not the same
+          swapped.clad: the programs differ in scan 0, at 0s
+            a    -
+            y => _  (old)
+            y => -  (new)
+    "#]]
+    .assert_eq(&said("swapped.clad"));
 }
 
 #[test]
@@ -84,9 +158,64 @@ fn values_of_a_controller_are_one_line() {
         ("edited.L5X", &project(41, 90)),
     ]);
     let said = |arguments: &[&str]| folder.ladder(arguments).to_string();
-    expect![[""]].assert_eq(&said(&["diff", "monday.L5X", "tuesday.L5X"]));
-    expect![[""]].assert_eq(&said(&["diff", "--values", "monday.L5X", "tuesday.L5X"]));
-    expect![[""]].assert_eq(&said(&["diff", "monday.L5X", "edited.L5X"]));
+    expect![[r#"
+        exit status 1
+        -- stdout
+        --- monday.L5X
+        +++ tuesday.L5X
+            1 other value, 5 the same
+
+        1 value differs; --values shows it
+
+            ... 5 the same
+    "#]]
+    .assert_eq(&said(&["diff", "monday.L5X", "tuesday.L5X"]));
+    expect![[r#"
+        exit status 1
+        -- stdout
+        --- monday.L5X
+        +++ tuesday.L5X
+            1 edited, 5 the same
+
+            ... 2 the same
+
+        edited: declaration of count, line 5
+        - count : DINT := 3;
+                          ^
+        + count : DINT := 41;
+                          ^^
+
+            ... 3 the same
+
+        the programs differ in scan 0, at 0s
+            count => 4  (old)
+            count => 42  (new)
+    "#]]
+    .assert_eq(&said(&["diff", "--values", "monday.L5X", "tuesday.L5X"]));
+    expect![[r#"
+        exit status 1
+        -- stdout
+        --- monday.L5X
+        +++ edited.L5X
+            1 edited, 1 other value, 4 the same
+
+        1 value differs; --values shows it
+
+            ... 2 the same
+
+        edited: declaration of limit, line 6
+        - limit : DINT := 80;
+                          ^^
+        + limit : DINT := 90;
+                          ^^
+
+            ... 2 the same
+
+        the programs differ in scan 0, at 0s
+            limit => 80  (old)
+            limit => 90  (new)
+    "#]]
+    .assert_eq(&said(&["diff", "monday.L5X", "edited.L5X"]));
 }
 
 #[test]
@@ -102,7 +231,7 @@ fn a_merge_names_no_tag_that_is_gone() {
         ),
         (
             "theirs.clad",
-            &format!("{base}\n+--[ ]( seal )--(/)( lamp )--+\n"),
+            &format!("{base}\n+--[ ]( seal )--( )( horn )--+\n"),
         ),
     ]);
     let run = folder.ladder(&[
@@ -113,5 +242,10 @@ fn a_merge_names_no_tag_that_is_gone() {
         "-o",
         "both.clad",
     ]);
-    expect![[""]].assert_eq(&run.to_string());
+    expect![[r#"
+        exit status 1
+        -- stderr
+        ours.clad:7:9: warning[undeclared-tag] `seal` is not declared
+    "#]]
+    .assert_eq(&run.to_string());
 }
