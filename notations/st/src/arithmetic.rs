@@ -128,6 +128,7 @@ impl Unit<'_, '_> {
             return if ty.is_real() { term.raw() } else { term };
         }
         let b = self.named(b, b_ty, checks);
+        let b = self.named_number(b, b_ty, checks);
         let zero = if b_ty.is_real() { "0.0" } else { "0" };
         checks.push(Check::Holds(Term::binary(
             &b,

@@ -331,7 +331,7 @@ impl Unit<'_, '_> {
             term.is_risky = is_risky;
             term
         };
-        let standard = self.project.is_standard(state);
+        let standard = self.project.is_standard(state, tag);
         Ok(match member {
             Member::In | Member::Cu if standard => of("IN"),
             Member::In | Member::Cu if state.is_timer() => of("RUNS"),

@@ -62,7 +62,7 @@ fn declaration(project: &Project<'_>, variable: &Variable<'_>, name: &str, with_
     if let Some(address) = variable.tag.address.as_ref().filter(|_| with_address) {
         line.push_str(&format!(" AT {address}"));
     }
-    line.push_str(&format!(" : {}", project.type_name(variable.ty)));
+    line.push_str(&format!(" : {}", project.type_of_variable(variable)));
     if let Some(value) = project.initial(variable) {
         line.push_str(&format!(" := {value}"));
     }

@@ -18,6 +18,7 @@ const MOST: i64 = i64::MAX / 1_000_000;
 /// A timer, counter or bistable that a block is about.
 struct State {
     kind: StateType,
+    is_standard: bool,
     variable: String,
     text: String,
 }
@@ -30,12 +31,18 @@ impl Unit<'_, '_> {
         let Some(kind) = self.project.state_of(argument) else {
             return self.stop("a block without its timer or counter");
         };
-        let (variable, text) = match argument {
-            Argument::State(tag) => self.path(*tag, &[]),
-            Argument::ChosenState(chosen) => self.chosen(chosen, checks)?,
+        let (tag, (variable, text)) = match argument {
+            Argument::State(tag) => (*tag, self.path(*tag, &[])),
+            Argument::ChosenState(chosen) => (chosen.first, self.chosen(chosen, checks)?),
             _ => return self.stop("a block without its timer or counter"),
         };
-        Ok(State { kind, variable, text })
+        let is_standard = self.project.is_standard(kind, tag);
+        Ok(State {
+            kind,
+            is_standard,
+            variable,
+            text,
+        })
     }
 
     pub(crate) fn timer(&mut self, block: &Block, en: usize, step: usize) -> Result<()> {
@@ -47,10 +54,10 @@ impl Unit<'_, '_> {
         let mut inputs = vec![("PT", self.preset(preset, &mut checks)?)];
         if let Some(reset) = self.named_bit(block, "R", &mut checks)? {
             inputs.push(("R", reset));
-        } else if !self.project.is_standard(state.kind) {
+        } else if !state.is_standard {
             inputs.push(("R", Term::whole("FALSE")));
         }
-        if !self.project.is_standard(state.kind) {
+        if !state.is_standard {
             let now = self.service(Service::Now);
             inputs.push(("NOW", Term::variable(&now)));
         }
@@ -120,7 +127,7 @@ impl Unit<'_, '_> {
         checks: Checks,
         (en, step): (usize, usize),
     ) {
-        if !self.project.is_standard(state.kind) {
+        if !state.is_standard {
             self.project.pieces.insert(piece_of(state.kind));
         }
         let power = self.entering(en, en);
@@ -132,7 +139,7 @@ impl Unit<'_, '_> {
                 .iter()
                 .map(|(name, term)| format!("{name} := {}", term.text)),
         );
-        if !self.project.is_standard(state.kind) {
+        if !state.is_standard {
             arguments.push("CLEAR := FALSE".into());
         }
         let call = format!("{}({});", state.text, arguments.join(", "));

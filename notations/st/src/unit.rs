@@ -146,8 +146,10 @@ impl<'a, 'p> Unit<'a, 'p> {
         } else if self.project.is_shared(name) {
             let shared = self.project.name_of_shared(name);
             if !self.externals.contains_key(&shared) {
-                let declared = self.project.declared_type(None, name);
-                let ty = self.project.type_name(declared.unwrap_or(Type::BOOL));
+                let ty = match self.project.declared_type(None, name) {
+                    Some(Type::State(state)) if self.project.is_standard(state, tag) => state.name().into(),
+                    declared => self.project.type_name(declared.unwrap_or(Type::BOOL)),
+                };
                 self.externals.insert(shared.clone(), ty);
             }
             return shared;

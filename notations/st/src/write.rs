@@ -93,14 +93,18 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     for variable in declare::variables(program, None) {
         if project.is_shared(variable.root) && !project.is_passed(variable.root) {
             let name = project.name_of_shared(variable.root);
-            let ty = project.type_name(variable.ty);
+            let ty = project.type_of_variable(&variable);
             bodies[0].shared.insert(name, ty);
         }
     }
-    let states = program.tags.iter().filter_map(|tag| match tag.ty {
-        Type::State(state) if !project.is_standard(state) => Some(piece_of(state)),
-        _ => None,
-    });
+    let states = program
+        .tags
+        .iter()
+        .enumerate()
+        .filter_map(|(index, tag)| match tag.ty {
+            Type::State(state) if !project.is_standard(state, TagId(index as u32)) => Some(piece_of(state)),
+            _ => None,
+        });
     let states: Vec<&str> = states.collect();
     project.pieces.extend(states);
     for network in program
@@ -183,7 +187,8 @@ fn body(project: &mut Project<'_>, kind: UnitKind, parse: &Parse) -> Result<Body
     };
     let first = unit.first_scan();
     unit.networks(&mut comments)?;
-    if unit.lines.is_empty() && !matches!(kind, UnitKind::Block(_)) {
+    let says_nothing = |line: &String| line.trim().is_empty() || line.trim().starts_with("(*");
+    if unit.lines.iter().all(says_nothing) && !matches!(kind, UnitKind::Block(_)) {
         // A body without statements does not compile everywhere.
         let nothing = unit.instance("nothing", "BOOL");
         unit.line(format!("{nothing} := FALSE;"));

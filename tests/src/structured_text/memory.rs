@@ -54,8 +54,12 @@ impl Memory {
                     }
                     Some(Declared::Members(members)) => {
                         let mut all = HashMap::new();
-                        for (name, spec) in members {
-                            all.insert(name.clone(), self.make(text, spec)?);
+                        for (name, spec, initial) in members {
+                            let cell = self.make(text, spec)?;
+                            if let Some(initial) = initial {
+                                self.start(cell, initial)?;
+                            }
+                            all.insert(name.clone(), cell);
                         }
                         return Ok(self.add(Cell::Members(None, all)));
                     }

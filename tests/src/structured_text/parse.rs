@@ -28,7 +28,13 @@ pub(super) fn parse(text: &str) -> Result<Text> {
                     while !parser.take_word("END_STRUCT") {
                         let name = parser.word()?;
                         parser.sign(":")?;
-                        members.push((name, parser.spec()?));
+                        let spec = parser.spec()?;
+                        let initial = if parser.take(":=") {
+                            Some(parser.initial()?)
+                        } else {
+                            None
+                        };
+                        members.push((name, spec, initial));
                         parser.sign(";")?;
                     }
                     Declared::Members(members)

@@ -57,7 +57,7 @@ pub(super) enum Declared {
     /// The values of an enumeration.
     Values(Vec<String>),
     /// The members of a structure.
-    Members(Vec<(String, Spec)>),
+    Members(Vec<(String, Spec, Option<Initial>)>),
     /// A name for an array.
     Array(Spec),
 }

@@ -6,10 +6,11 @@ mod shared;
 mod types;
 
 use crate::names::{self, Names};
+use declare::Variable;
 use ladder_analysis::context::Context;
 use ladder_analysis::names::named_types::NamedTypes;
 use ladder_analysis::program::{
-    Argument, Block, BlockKind, Clock, ExprKind, Location, Place, Program, SystemTag, Tag,
+    Argument, Block, BlockKind, Clock, ExprKind, Location, Place, Program, SystemTag, Tag, TagId,
 };
 use ladder_analysis::values::compound::{EnumId, TypeId};
 use ladder_analysis::values::types::{Scalar, Type};
@@ -128,8 +129,8 @@ pub(crate) struct Project<'p> {
     pub(crate) functions: Vec<String>,
     /// In the order in which they are declared.
     pub(crate) type_order: Vec<Declared>,
-    /// Kinds of timers and bistables that some block uses as the standard's do not work.
-    pub(crate) own_states: BTreeSet<&'static str>,
+    /// Timers and bistables that some block uses as the standard's do not work.
+    own_states: BTreeSet<TagId>,
     /// The tags that functions and blocks use as well.
     pub(crate) shared: Shared,
     /// The names of what holds the state of a function.
@@ -285,20 +286,21 @@ impl<'p> Project<'p> {
             .position(|own| own.eq_ignore_ascii_case(name))
     }
 
-    pub(crate) fn state_name(&self, state: StateType) -> String {
-        if self.is_standard(state) {
-            state.name().into()
-        } else {
-            format!("LADDER_{}", state.name())
+    /// The type of a variable as it is declared.
+    pub(crate) fn type_of_variable(&self, variable: &Variable<'_>) -> String {
+        let tag = TagId(variable.index as u32);
+        match variable.ty {
+            Type::State(state) if self.is_standard(state, tag) => state.name().into(),
+            ty => self.type_name(ty),
         }
     }
 
     /// Whether a timer or bistable is the standard's block.
-    pub(crate) fn is_standard(&self, state: StateType) -> bool {
+    pub(crate) fn is_standard(&self, state: StateType, tag: TagId) -> bool {
         matches!(
             state,
             StateType::Ton | StateType::Tof | StateType::Tp | StateType::Sr | StateType::Rs
-        ) && !self.own_states.contains(state.name())
+        ) && !self.own_states.contains(&tag)
     }
 
     /// A value as it is written.
@@ -353,11 +355,9 @@ impl<'p> Project<'p> {
                 let BlockKind::Instruction(row) = block.kind else {
                     continue;
                 };
-                let state = block
-                    .arguments
-                    .first()
-                    .and_then(|bound| self.state_of(&bound.argument));
-                let Some(state) = state else { continue };
+                let Some(Argument::State(tag)) = block.arguments.first().map(|bound| &bound.argument) else {
+                    continue;
+                };
                 let is_named = |name: &str| {
                     let mut all = block.arguments.iter();
                     all.any(|bound| bound.operand.is_some_and(|operand| operand.name == name))
@@ -371,7 +371,7 @@ impl<'p> Project<'p> {
                     _ => false,
                 };
                 if !fits {
-                    own.insert(state.name());
+                    own.insert(*tag);
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 use super::{Declared, Project, root};
 use crate::names::{self, Names};
+use crate::states::piece_of;
 use ladder_analysis::program::{Expr, ExprKind};
 use ladder_analysis::values::compound::{Compound, EnumId};
 use ladder_analysis::values::types::{Scalar, Type};
@@ -112,7 +113,7 @@ impl Project<'_> {
     pub(crate) fn spelled(&self, ty: Type) -> String {
         match ty {
             Type::Scalar(scalar) => self.scalar_name(scalar),
-            Type::State(state) => self.state_name(state),
+            Type::State(state) => piece_of(state).into(),
             Type::Array { first, last, element } => {
                 format!("ARRAY[{first}..{last}] OF {}", self.scalar_name(element))
             }
