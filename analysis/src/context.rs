@@ -6,6 +6,7 @@ use crate::names::joined::{Joined, NamedTags};
 use crate::names::named_types::NamedTypes;
 use crate::names::problem::NameProblem;
 use crate::names::scope::{Entry, Origin, Scope, TagFacts};
+use crate::names::unread_uses::UnreadUses;
 use crate::networks::network::BoundBlock;
 use crate::networks::use_place::Use;
 use crate::networks::user_block::UserBlockFacts;
@@ -55,6 +56,8 @@ pub struct Context {
     /// The other files of the workspace.
     pub others: Others,
     pub(crate) foreign_comments: OnceLock<ForeignComments>,
+    /// What its unread parts may do with its tags.
+    pub(crate) unread: UnreadUses,
     /// What the names of its networks mean.
     pub(crate) joined: Joined,
     /// The labels of each body by name, in the order of the text.

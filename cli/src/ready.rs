@@ -2,6 +2,7 @@
 
 use crate::findings::{FileRange, NotRead, Problem, Source, Workspaces, full};
 use crate::outcome::Outcome;
+use crate::run::unread;
 use annotate_snippets::Renderer;
 use ladder_analysis::program::Location;
 use ladder_analysis::{NotWhole, Severity};
@@ -130,6 +131,7 @@ fn compile(
             _ => errors(source, renderer),
         },
     })?;
+    unread::note(&source.file, &program);
     let mut options: Options = settings.simulate.options(&program);
     if let Some((interval, _)) = suite.interval {
         options.interval = interval;

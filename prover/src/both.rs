@@ -9,6 +9,7 @@ use crate::limits::End;
 use crate::model::{Followed, Model, follow_into};
 use crate::number::Number;
 use crate::shown_tags::{Shared, Watched};
+use crate::sure::depending;
 use ladder_analysis::values::types::Scalar;
 use ladder_simulator::compiled::{Bit, Cell, Word, counterparts};
 use ladder_simulator::expression::Expression;
@@ -22,6 +23,9 @@ pub(crate) struct Both {
     pub(crate) differs: Vec<Lit>,
     /// States of the old and of the new program that begin with the same value, may always hold the same, and have a variable each.
     pub(crate) pairs: Vec<(usize, usize)>,
+    /// Of each value that is compared whether what unread parts write decides about it, and whether that does about faults and
+    /// the end.
+    pub(crate) doubtful: (Vec<bool>, bool),
 }
 
 /// A bit of a cell of the old program, that of the new one which it may be the same as, and the bit's number.
@@ -189,16 +193,21 @@ impl Two {
         let mut assumed = std::mem::take(&mut world.valid);
         assumed.extend(&self.before.assumed);
         assumed.retain(|lit| *lit != Lit::TRUE);
-        differs.retain(|lit| *lit != Lit::FALSE);
-        differs.sort_unstable();
-        differs.dedup();
         let model = Model {
             world,
             properties: Vec::new(),
             assumed,
             lemmas: Vec::new(),
         };
+        let depends = depending(&model);
+        let depends = |lit: &Lit| depends[lit.node()];
+        let (values, ends) = differs.split_at(watched.len());
+        let doubtful = (values.iter().map(depends).collect(), ends.iter().any(depends));
+        differs.retain(|lit| *lit != Lit::FALSE);
+        differs.sort_unstable();
+        differs.dedup();
         Both {
+            doubtful,
             model,
             differs,
             pairs,

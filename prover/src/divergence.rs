@@ -68,6 +68,8 @@ pub(crate) struct Stage<'s> {
     pub(crate) assumed: &'s mut Assumed,
     /// How many blocks have run.
     pub(crate) blocks: u64,
+    /// Faults and ends are compared.
+    pub(crate) ends_count: bool,
 }
 
 /// A tag that goes in: where it does, and what it holds if nothing is given.
@@ -167,7 +169,8 @@ impl Stage<'_> {
             .watched
             .iter()
             .any(|watched| self.is_different(watched));
-        Some(differs || faulted[0] != faulted[1] || self.old.status() != self.new.status())
+        let ends = faulted[0] != faulted[1] || self.old.status() != self.new.status();
+        Some(differs || self.ends_count && ends)
     }
 
     fn is_different(&self, watched: &Watched) -> bool {

@@ -13,7 +13,7 @@ pub use crate::shown::Difference;
 use crate::shown::{Effect, shown};
 use crate::unrolled::{Found, From, Unrolled};
 use ladder_analysis::program::{Block, BlockKind, Program, Tag};
-use ladder_simulator::compiled::{Compiled, compile};
+use ladder_simulator::compiled::{Compiled, Instr, UnreadPlace, compile};
 use rustc_hash::FxHashMap;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -116,6 +116,18 @@ impl Form {
         }
     }
 
+    /// The unread parts of a network.
+    fn unread_parts(&self, network: usize) -> Vec<&UnreadPlace> {
+        let code = &self.compiled.code;
+        let stretch = self.compiled.stretch_of(network).unwrap_or_default();
+        let instrs = &code.instrs[stretch.start as usize..stretch.end as usize];
+        let parts = instrs.iter().filter_map(|instr| match *instr {
+            Instr::Unread { at } => Some(&code.unread[at as usize]),
+            _ => None,
+        });
+        parts.collect()
+    }
+
     /// Whether what a block of a network remembers has no name, and another network may find it: the state of the block is a tag.
     fn has_hidden(&self, model: &Model, network: usize) -> bool {
         let mut blocks = self.program.networks[network].blocks.iter();
@@ -179,6 +191,10 @@ impl Compared {
     }
 
     fn asked(&self, old: usize, new: usize, end: Instant) -> Result<Meaning, String> {
+        let parts = [(&self.old, old), (&self.new, new)].map(|(form, network)| form.unread_parts(network));
+        if let Some(name) = another_part(parts) {
+            return Err(is_another(name));
+        }
         let mut world = World::until(end.into());
         world.compares = true;
         let before = self.old.follow(&mut world, old)?;
@@ -304,6 +320,26 @@ impl Compared {
         add(Effect::GoesOn, before.goes_on, after.goes_on);
         Ok(Both { values })
     }
+}
+
+/// The name of the first unread part of two programs, or networks, that has no counterpart with the same text.
+pub(crate) fn another_part([mut old, mut new]: [Vec<&UnreadPlace>; 2]) -> Option<&str> {
+    old.retain(
+        |part| match new.iter().position(|other| other.text == part.text) {
+            Some(same) => {
+                new.remove(same);
+                false
+            }
+            None => true,
+        },
+    );
+    let first = new.first().or(old.first())?;
+    Some(&first.name)
+}
+
+/// Why nothing is said of two programs with different unread parts.
+pub(crate) fn is_another(name: &str) -> String {
+    format!("the unread part `{name}` is another one")
 }
 
 /// High where the memories of all edges of one tag hold the same.

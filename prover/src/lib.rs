@@ -27,6 +27,7 @@ mod never;
 mod number;
 mod programs;
 mod replay;
+mod resting;
 mod said;
 mod scenario_text;
 mod shown;
@@ -43,6 +44,7 @@ pub use programs::{
     Differing, Divergence, Limits, NotReproduced, Row, Which, Whole, compare_programs,
     compare_programs_assuming, outputs_of_one,
 };
+pub use resting::resting_on_unread;
 pub use said::drawn;
 pub use scenario_text::{found_scenario, rows_of, scenario_file, scenario_of_difference};
 pub use wanted::{Progress, is_wanted, telling, while_wanted};

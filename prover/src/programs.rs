@@ -10,6 +10,7 @@ use crate::both::{Both, both};
 use crate::decide::{CONFLICTS, Depth, Known, Run, Seeks, decide, dependents, inputs_of, reach};
 use crate::divergence::Stage;
 pub use crate::divergence::{Differing, Divergence, Row, Which};
+use crate::equal::{another_part, is_another};
 use crate::graph::Lit;
 use crate::lanes::Lanes;
 use crate::lemmas;
@@ -17,6 +18,7 @@ use crate::limits::End;
 use crate::merged::{drop_seen, keep, merge};
 use crate::model::Model;
 use crate::shown_tags::{self, shared};
+use crate::sure::doubtful_assumptions;
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::Watched as Assumed;
 use std::time::{Duration, Instant};
@@ -100,7 +102,7 @@ pub fn compare_programs_assuming(
     if old.options().interval != new.options().interval {
         return Ok(Whole::Unknown("the times between scans differ".into()));
     }
-    let shared = match shared(old, new) {
+    let mut shared = match shared(old, new) {
         Ok(shared) => shared,
         Err(why) => return Ok(Whole::Unknown(why)),
     };
@@ -108,12 +110,18 @@ pub fn compare_programs_assuming(
         Ok(both) => both,
         Err(why) => return Ok(Whole::Unknown(why)),
     };
+    // What the simulator does not have shows no difference.
+    let mut doubtful = both.doubtful.0.iter();
+    shared.watched.retain(|_| doubtful.next() != Some(&true));
+    let parts = [&*old, &*new].map(|simulation| simulation.compiled().code.unread.iter().collect());
+    let another = another_part(parts).map(is_another);
     let stage = Stage {
         old,
         new,
         shared: &shared,
         assumed,
         blocks: 0,
+        ends_count: !both.doubtful.1,
     };
     let whole = Search {
         stage,
@@ -122,7 +130,7 @@ pub fn compare_programs_assuming(
         open: None,
     }
     .search(both)?;
-    Ok(match (whole, shared.untracked.clone()) {
+    Ok(match (whole, another.or(shared.untracked.clone())) {
         (Whole::Same, Some(why)) => Whole::Unknown(why),
         (whole, _) => whole,
     })
@@ -147,6 +155,7 @@ impl Search<'_> {
             model,
             differs,
             mut pairs,
+            ..
         } = both;
         if differs.is_empty() {
             return Ok(Whole::Same);
@@ -270,7 +279,8 @@ impl Search<'_> {
 
 /// What was left open that one of these depends on.
 fn open(model: &Model, wanted: &[Lit]) -> Option<String> {
-    let nodes = reach(model, wanted.iter().copied());
+    let assumed = doubtful_assumptions(model);
+    let nodes = reach(model, wanted.iter().copied().chain(assumed));
     let open = model.world.open.iter();
     let open = open.filter(|(node, _)| nodes.contains(node)).map(|(_, gap)| *gap);
     Some(model.world.gaps[open.min()?].what.clone())

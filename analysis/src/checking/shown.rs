@@ -29,6 +29,7 @@ pub(super) fn shown(
     rules::syntax_errors::check(context, &mut of_text);
     all.extend(of_text.into_iter().map(Finding::from));
     hide_what_is_doubtful(context, &mut all);
+    rules::unread_part::hide_all_else(context, &mut all);
     let mut conflicts = Vec::new();
     rules::merge_conflict::check(context, &mut conflicts);
     all.extend(conflicts.into_iter().map(Finding::from));

@@ -34,5 +34,6 @@ mod type_by_form;
 pub mod type_section;
 pub mod type_spec;
 mod unread_body;
+pub(crate) mod unread_uses;
 pub(crate) mod uses;
 mod values_asked;

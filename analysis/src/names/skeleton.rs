@@ -11,6 +11,7 @@ use super::named_types::NamedTypes;
 use super::problem::NameProblem;
 use super::scope::{Origin, Scope, TagFacts};
 use super::type_section;
+use super::unread_uses::UnreadUses;
 use crate::context::{Body, Context, FunctionFacts, LabelFacts};
 use crate::networks::control_flow::ControlFlow;
 use crate::networks::kept::Kept;
@@ -109,10 +110,12 @@ pub(crate) fn skeleton(
         bodies: Vec::new(),
         foreign_comments: OnceLock::new(),
         joined: Joined::default(),
+        unread: UnreadUses::default(),
         labels_by_name: FxHashMap::default(),
         functions_by_name: FxHashMap::default(),
     };
     bodies(&mut context);
+    context.unread = UnreadUses::of(&context);
     Some(context)
 }
 

@@ -4,6 +4,7 @@
 use super::cold::{Cold, ColdFacts};
 use super::joined::Joined;
 use super::scope::{Origin, Scope, SectionKind, TagFacts, type_by_form};
+use super::unread_uses::UnreadUses;
 use super::values_asked::Asking;
 use crate::context::Context;
 use crate::networks::access::Access;
@@ -59,7 +60,7 @@ pub(crate) fn collect(context: &mut Context, wanted: &StillWanted<'_>) -> Option
     }
     context.types = types;
     context.joined = joined;
-    roles(&mut context.scopes[0], semantics.writers);
+    roles(&mut context.scopes[0], &context.unread, semantics.writers);
     Some(())
 }
 
@@ -95,9 +96,10 @@ pub(crate) fn undeclared(name: &str, semantics: &Semantics) -> TagFacts {
 /// An undeclared tag that is read and never written is an input; a BOOL that coils write and nothing reads is an
 /// output (LANGUAGE §4). Types are not known yet: infer checks them.
 /// A declared tag is an input, too, where other devices write tags.
-fn roles(scope: &mut Scope, writers: Writers) {
+fn roles(scope: &mut Scope, unread: &UnreadUses, writers: Writers) {
     for tag in &mut scope.tags[scope.declared..] {
-        if tag.origin == Origin::Undeclared {
+        // What an unread part says that it writes is no input.
+        if tag.origin == Origin::Undeclared && !unread.names(0, tag) {
             tag.role = role(&tag.uses);
         }
     }

@@ -86,7 +86,7 @@ impl Exported {
             || old.calls.symmetric_difference(&new.calls).any(is_called)
             || old.blocks.symmetric_difference(&new.blocks).any(is_block)
             || (!self.globals.is_empty() && old.differing_tags(new).any(is_global))
-            || old.has_unread != new.has_unread
+            || old.all_tags != new.all_tags
             || (self.have_types() && !old.uses_parts_like(new))
     }
 
@@ -180,7 +180,13 @@ impl Others {
             .filter_map(|exported| exported.uses.get(name))
             .flatten();
         uses.filter(|(file, _)| Some(*file as usize) != self.own)
-            .fold(TagUse::default(), |all, (_, used)| all.with(*used))
+            .fold(self.all_tags_use(), |all, (_, used)| all.with(*used))
+    }
+
+    /// What the unread parts of the others may do with every VAR_GLOBAL tag.
+    pub(crate) fn all_tags_use(&self) -> TagUse {
+        let files = self.files().map(|file| file.outward.all_tags);
+        files.fold(TagUse::default(), TagUse::with)
     }
 
     /// How the others use members of a name, of whatever structure.

@@ -44,10 +44,10 @@ pub(crate) struct Outward {
     /// Tags that it does not declare for itself. The words on lines that cannot be read are among them: tags of these names may
     /// be used in any way.
     pub(crate) tags: FxHashMap<Name, TagUse>,
+    /// What the unread parts that it defines may do with all tags that they see.
+    pub(crate) all_tags: TagUse,
     /// Functions that it calls and does not hold.
     pub(crate) calls: FxHashSet<Name>,
-    /// It defines an unread part that may write whatever it sees.
-    pub(crate) has_unread: bool,
     /// User-defined blocks that it uses and does not hold.
     pub(crate) blocks: FxHashSet<Name>,
     /// Members of whatever structures, and the words on lines that cannot be read.

@@ -11,7 +11,7 @@ use crate::networks::named::Named;
 use crate::networks::network::Meaning;
 use crate::networks::unread_line::identifiers;
 use crate::networks::use_kind::Extent;
-use crate::program::root_of;
+use crate::program::{Unread, root_of};
 use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Name, Part};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -26,14 +26,9 @@ pub(super) fn of(context: &Context) -> Outward {
         }
         blocks(context, network, &mut outward.blocks);
     }
-    let parts = context.user_blocks[..context.own_blocks].iter();
-    for part in parts.filter_map(|block| block.unread.as_deref()) {
-        match &part.directive.writes {
-            None => outward.has_unread = true,
-            Some(paths) => {
-                let names = paths.iter().map(|path| Name::new(root_of(path)));
-                outward.tags.extend(names.map(|name| (name, TagUse::BOTH)));
-            }
+    for block in &context.user_blocks[..context.own_blocks] {
+        if let Some(unread) = &block.unread {
+            parts(unread, &mut outward);
         }
     }
     for word in unread_words(context) {
@@ -43,6 +38,15 @@ pub(super) fn of(context: &Context) -> Outward {
         outward.calls.insert(word);
     }
     outward
+}
+
+/// What an unread part adds: it reads what it sees.
+fn parts(unread: &Unread, outward: &mut Outward) {
+    let written = unread.directive.writes.is_none();
+    outward.all_tags = outward.all_tags.with(TagUse { read: true, written });
+    for path in unread.directive.writes.iter().flatten() {
+        outward.tags.insert(Name::new(root_of(path)), TagUse::BOTH);
+    }
 }
 
 /// What the names of a network add.

@@ -1,7 +1,7 @@
 //! Unread parts (LANGUAGE §5.9): blocks in the place of what no reader of another system understands. None of it runs, and what
 //! it may write is not known: that is for each who says something of the program.
 
-use super::{Program, Role, Tag, TagId};
+use super::{Block, BlockKind, Network, ParameterKind, Program, Role, Tag, TagId};
 use crate::values::types::Type;
 use rustc_hash::FxHashSet;
 use std::borrow::Cow;
@@ -213,6 +213,47 @@ impl Program {
             .map(|other| other.tag)
             .filter(|tag| among.contains(tag))
             .collect()
+    }
+
+    /// The unread parts that may write a tag, or a part of one, by its name.
+    pub fn unread_writers(&self, name: &str) -> Vec<&str> {
+        let name = name.to_ascii_lowercase();
+        let is_it = |tag: &TagId| {
+            let tag = self.tags[tag.0 as usize].name.to_ascii_lowercase();
+            is_part(&tag, &name) || is_part(&name, tag.split("[]").next().unwrap_or(&tag))
+        };
+        let may_write = |unread: &Unread, tags: &[TagId]| match &unread.directive.writes {
+            None => tags.iter().any(|tag| is_it(tag) && self.may_be_written(*tag)),
+            Some(paths) => paths
+                .iter()
+                .any(|path| self.named_by(path, tags).iter().any(is_it)),
+        };
+        let mut writers: Vec<&str> = Vec::new();
+        for (number, part, unread) in self.unread_parts() {
+            let is_call = |block: &&Block| matches!(block.kind, BlockKind::User(index) if index == number);
+            let is_given = |block: &Block| {
+                let parameters = &self.blocks[number].parameters;
+                let written = block.arguments.iter().filter(|bound| {
+                    let kind = bound
+                        .parameter
+                        .and_then(|n| parameters.get(n))
+                        .map(|(_, kind)| *kind);
+                    kind != Some(ParameterKind::Input)
+                });
+                written
+                    .flat_map(|bound| bound.argument.root())
+                    .any(|tag| is_it(&tag))
+            };
+            let in_network = |(at, network): (usize, &Network)| {
+                let mut calls = network.blocks.iter().filter(is_call).peekable();
+                calls.peek().is_some() && (calls.any(is_given) || may_write(unread, &self.visible_in(at)))
+            };
+            let anywhere = unread.directive.at_any_time && may_write(unread, &self.visible_in_main());
+            if anywhere || self.networks.iter().enumerate().any(in_network) {
+                writers.push(part);
+            }
+        }
+        writers
     }
 
     /// Whether a tag keeps the state of a block.

@@ -125,7 +125,7 @@ fn written_elsewhere(units: &[Unit<'_>]) -> Elsewhere {
     for file in others.files().filter(|file| !by_name.contains_key(&*file.file)) {
         let tags = file.outward.tags.iter().filter(|(_, used)| used.written);
         written.names.extend(tags.map(|(name, _)| name.clone()));
-        written.all |= file.outward.has_unread;
+        written.all |= file.outward.all_tags.written;
         for (number, unit) in units.iter().enumerate() {
             let functions = unit.context.functions.iter().enumerate();
             let called = functions.filter(|(_, function)| file.outward.calls.contains(&function.key));

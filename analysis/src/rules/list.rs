@@ -106,6 +106,7 @@ const LIST: &[(Rule, Check)] = &[
     (redundant_element::RULE, Check::Power(redundant_element::check)),
     (contact_after_coil::RULE, Check::Wiring(contact_after_coil::check)),
     (latched_power::RULE, Check::Wiring(latched_power::check)),
+    (unread_part::RULE, Check::File(unread_part::check)),
     (complex_network::RULE, Check::Form(complex_network::check)),
     (double_coil::RULE, Check::Tag(double_coil::check)),
     (set_and_reset::RULE, Check::Tag(set_and_reset::check)),

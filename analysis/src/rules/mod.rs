@@ -98,6 +98,7 @@ pub(crate) mod unknown_member;
 pub(crate) mod unknown_type;
 pub(crate) mod unpaired_connector;
 pub(crate) mod unreachable;
+pub(crate) mod unread_part;
 pub(crate) mod unused_function;
 pub(crate) mod unused_label;
 pub(crate) mod unused_type;

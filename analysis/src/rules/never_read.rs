@@ -19,7 +19,7 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
         return;
     }
     if view.is_read() {
-        let is_plain = !tag.retain && tag.cold.address.is_none();
+        let is_plain = !tag.retain && tag.cold.address.is_none() && !view.unread.read;
         if is_plain && tag.origin == Origin::Declared(SectionKind::Var) {
             let elements = view
                 .parts()

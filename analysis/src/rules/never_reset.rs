@@ -15,7 +15,7 @@ pub(crate) const RULE: Rule =
 
 pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
     let keeps_state = view.tag.ty.is_some_and(Type::keeps_state);
-    if keeps_state && view.places.keeps > 0 && view.is_all_known() {
+    if keeps_state && view.places.keeps > 0 && view.is_all_known() && !view.unread.written {
         out.extend(view.parts().filter_map(|part| in_part(view, &part)));
     }
 }

@@ -22,7 +22,10 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
         return;
     }
     if view.is_written() {
-        if tag.origin == Origin::Declared(SectionKind::Var) && tag.cold.address.is_none() {
+        if tag.origin == Origin::Declared(SectionKind::Var)
+            && tag.cold.address.is_none()
+            && !view.unread.written
+        {
             let elements = view
                 .parts()
                 .filter(|part| part.is_element && part.touched.writes == 0);

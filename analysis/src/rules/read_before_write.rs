@@ -31,8 +31,13 @@ pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
         .map(|network| context.bodies[network.index])
         .collect();
     let circles = LazyCell::new(|| Circles::of(context));
-    for tag in context.scopes.iter().flat_map(|scope| &scope.tags) {
-        if tag.is_alias() || !is_own(context, tag) || !is_read_above(tag) {
+    let scopes = context.scopes.iter().enumerate();
+    for (scope, tag) in scopes.flat_map(|(n, scope)| scope.tags.iter().map(move |tag| (n, tag))) {
+        if context.unread.done_with(scope, tag).written
+            || tag.is_alias()
+            || !is_own(context, tag)
+            || !is_read_above(tag)
+        {
             continue;
         }
         let parts = Parts::of(context, tag, &Touched::of(context, tag));

@@ -33,7 +33,7 @@ const MOST: usize = 16;
 
 pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
     let is_latch = view.places.sets > 0 && view.places.writes > view.places.sets;
-    if is_latch && !view.around.any.has(ControlFlow::MCR) {
+    if is_latch && !view.unread.read && !view.around.any.has(ControlFlow::MCR) {
         for part in view.parts().filter(|part| !part.is_span) {
             in_part(view, &part, out);
         }

@@ -13,7 +13,7 @@ pub(crate) const RULE: Rule =
 pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
     // An input that is written is reported by input-written.
     let is_latched = view.places.sets > 0 || view.places.resets > 0;
-    if !is_latched || !view.is_all_known() || view.tag.role == Role::Input {
+    if !is_latched || view.unread.written || !view.is_all_known() || view.tag.role == Role::Input {
         return;
     }
     out.extend(view.parts().filter_map(|part| in_part(view, &part)));

@@ -24,6 +24,8 @@ pub(crate) struct TagView<'c> {
     parts: OnceCell<Parts>,
     /// How the other files of the workspace use it, if it is a VAR_GLOBAL tag.
     elsewhere: TagUse,
+    /// What unread parts may do with it.
+    pub(super) unread: TagUse,
 }
 
 /// What the rules about tags need to know of the rest of the file.
@@ -77,6 +79,7 @@ impl<'c> TagView<'c> {
             places: around.places(tag),
             parts: OnceCell::new(),
             elsewhere: TagUse::default(),
+            unread: around.context.unread.done_with(scope, tag),
         };
         if view.is_global() {
             view.elsewhere = around.context.others.tag_use(&Name::new(&tag.name));
@@ -91,12 +94,12 @@ impl<'c> TagView<'c> {
 
     /// Whether something reads it, in whichever file.
     pub(super) fn is_read(&self) -> bool {
-        self.places.reads > 0 || self.elsewhere.read
+        self.places.reads > 0 || self.elsewhere.read || self.unread.read
     }
 
     /// Whether something writes it, in whichever file.
     pub(super) fn is_written(&self) -> bool {
-        self.places.writes > 0 || self.elsewhere.written
+        self.places.writes > 0 || self.elsewhere.written || self.unread.written
     }
 
     /// The parts of it that places mean.

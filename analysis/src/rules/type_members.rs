@@ -30,7 +30,11 @@ pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
             .filter(|ty| matches!(ty.declaration.declared.spec.kind, SpecKind::Structure(_)))
     };
     // A file of declarations only has just been begun, unless others use them.
-    if structures().next().is_none() || (context.networks.is_empty() && !context.others.have_files()) {
+    let is_seen = context.unread.any() || context.others.all_tags_use().read;
+    if structures().next().is_none()
+        || is_seen
+        || (context.networks.is_empty() && !context.others.have_files())
+    {
         return;
     }
     let (used, kept) = (Members::used(context), Members::kept(context));

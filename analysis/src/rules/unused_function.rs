@@ -21,6 +21,10 @@ pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
     if context.functions.is_empty() || !survey.whole || !context.bodies.contains(&Body::Main) {
         return;
     }
+    // An unread part may call it.
+    if context.unread.any() {
+        return;
+    }
     let mut called: FxHashSet<usize> = FxHashSet::default();
     for network in survey.networks_with(ControlFlow::CALL) {
         for bound in network.blocks().filter(|bound| bound.op() == Some(Op::Call)) {

@@ -20,5 +20,6 @@ mod switched_off;
 mod tags;
 mod text;
 mod types;
+mod unread;
 mod values;
 mod wiring;

@@ -3,6 +3,7 @@
 mod program;
 mod retention;
 mod stimulus;
+pub(crate) mod unread;
 
 pub(crate) use program::{place, program, show_errors};
 pub(crate) use retention::{KeptIn, Retention};

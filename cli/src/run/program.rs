@@ -1,5 +1,6 @@
 //! The program of a file, if it can run.
 
+use super::unread;
 use crate::findings::{Problem, Source, full};
 use crate::terminal::{self, stderr_has_colours};
 use annotate_snippets::Renderer;
@@ -16,7 +17,10 @@ pub(crate) fn place(source: &Source, location: Location) -> String {
 /// The program with what it uses of other files, or the errors on stderr.
 pub(crate) fn program(source: &Source) -> Option<Arc<Program>> {
     let not_whole = match source.program() {
-        Ok(program) => return Some(program),
+        Ok(program) => {
+            unread::note(&source.file, &program);
+            return Some(program);
+        }
         Err(not_whole) => not_whole,
     };
     match not_whole {

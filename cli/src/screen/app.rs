@@ -35,8 +35,12 @@ pub(super) enum Next {
 
 impl<'r> App<'r> {
     pub(super) fn new(area: Rect, plant: Plant, theme: Theme, request: &'r Request<'r>) -> App<'r> {
+        let mut view = View::new(area, &plant);
+        if let Some(note) = plant.simulation().program().unread_note() {
+            view.say(note);
+        }
         App {
-            view: View::new(area, &plant),
+            view,
             plant,
             theme,
             stamp: request.stamp(),

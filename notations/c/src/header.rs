@@ -5,6 +5,7 @@ use crate::interface::{Field, Interface};
 use crate::names::{Names, identifier};
 use crate::retained;
 use ladder_simulator::compiled::{Compiled, Home};
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// Text that may stand in a comment of C.
@@ -64,6 +65,20 @@ pub(crate) fn header(p: &str, interface: &Interface, compiled: &Compiled) -> Str
          #ifndef {upper}_H\n#define {upper}_H\n\n#include <stdbool.h>\n#include <stddef.h>\n#include <stdint.h>\n\n\
          #ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n"
     );
+    let parts: BTreeSet<&str> = compiled
+        .code
+        .unread
+        .iter()
+        .map(|part| part.name.as_str())
+        .collect();
+    if !parts.is_empty() {
+        let parts: Vec<String> = parts.into_iter().map(comment).collect();
+        let _ = write!(
+            out,
+            "/* These unread parts of the program are not in it: {}. A scan runs past them. */\n\n",
+            parts.join(", ")
+        );
+    }
     out.push_str(&structure(
         &format!("{p}_inputs"),
         "Set before each scan. TIME is in nanoseconds.",

@@ -69,6 +69,11 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
             "{place}a C library does not have {what}; take this block out, or write the program in another notation"
         )));
     }
+    for part in &compiled.code.unread {
+        let at = part.location.map_or(LineColumn::START, place);
+        let why = "what it does is not known: a scan runs past it";
+        report.approximated(at, format!("unread part {}", part.name), why);
+    }
     // The file that is written may be called otherwise than the program.
     let file = &*analysis.context.name;
     let file = file.strip_suffix(".clad").unwrap_or(file);

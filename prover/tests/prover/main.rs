@@ -3,6 +3,7 @@
 mod equal;
 mod open;
 mod programs;
+mod unread;
 mod verdicts;
 
 use ladder_prover::{Answer, Options, prove};

@@ -32,7 +32,7 @@ pub(super) fn load(configuration: &Configuration, world: &World) -> Result<(Targ
         None => HistoryLimits::default(),
     };
     let mut session = Session::new(program, options, limits).map_err(|error| error.to_string())?;
-    let mut notes = Vec::new();
+    let mut notes: Vec<String> = session.simulation().program().unread_note().into_iter().collect();
     let retain = match asked.keeping()? {
         Keeping::Nothing => None,
         Keeping::In(file) => Some(file),

@@ -100,7 +100,8 @@ impl Engine {
             Keeping::In(file) => Some(file),
             Keeping::Nothing => None,
         };
-        let (retention, notes) = Retention::begin(world, file, revision.name(), &mut session);
+        let (retention, mut notes) = Retention::begin(world, file, revision.name(), &mut session);
+        notes.extend(session.simulation().program().unread_note());
         let mut engine = Engine {
             line_map: LineMap::new(revision.clone(), revision.clone()),
             session,

@@ -35,6 +35,7 @@ mod support;
 mod system_tags;
 mod timers;
 mod type_table;
+mod unread;
 mod user_block_rules;
 mod user_blocks;
 mod values_written;

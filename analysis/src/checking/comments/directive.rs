@@ -169,6 +169,18 @@ pub(super) fn no_unread_block(place: TextRange) -> Diagnostic {
     .help("write it on a line of its own between FUNCTION_BLOCK and END_FUNCTION_BLOCK, or remove it")
 }
 
+/// Names in the list of an unread part that mean no tag.
+pub(super) fn no_tags(names: &[&str], place: TextRange) -> Diagnostic {
+    let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    let are = if names.len() == 1 {
+        "is no tag"
+    } else {
+        "are no tags"
+    };
+    bad(place, format!("{} {are} of this block, nor where it is used", and_list(&names)))
+        .help("write the names of tags that it may write, or leave out the list: then it may write all that it sees")
+}
+
 fn bad(place: TextRange, message: impl Into<String>) -> Diagnostic {
     Diagnostic::new(crate::rules::bad_directive::RULE, place, message)
 }

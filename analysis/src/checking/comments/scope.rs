@@ -5,6 +5,7 @@ use crate::asked::may_ask;
 use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::Rule;
+use crate::names::unread_uses::unknown_names;
 use crate::networks::NetworkAt;
 use ladder_syntax::wiring::{PartKind, RungPart};
 use ladder_syntax::{LineKind, NodeOrToken, Part, TextRange, TextSize};
@@ -172,6 +173,21 @@ pub(super) fn idle_words(context: &Context, says: impl Iterator<Item = Says>) ->
     idle
 }
 
+/// Says which names in the list of an unread part mean no tag.
+fn unknown_tags(context: &Context, line: usize, comment: TextRange, wrong: &mut Vec<Diagnostic>) {
+    let blocks = &context.parse.frame().blocks;
+    let Some(item) = blocks.iter().position(|block| block.lines.contains(&line)) else {
+        return;
+    };
+    let unread = context
+        .user_blocks
+        .get(item)
+        .and_then(|block| block.unread.as_deref());
+    let names = unread.map(|unread| unknown_names(context, item, unread));
+    let names = names.unwrap_or_default();
+    wrong.extend((!names.is_empty()).then(|| directive::no_tags(&names, comment)));
+}
+
 /// Reads the comments of a line.
 fn read_line(context: &Context, line: usize, covers: impl Fn() -> Covers, directives: &mut Directives) {
     let parse = &context.parse;
@@ -205,7 +221,9 @@ fn read_line(context: &Context, line: usize, covers: impl Fn() -> Covers, direct
                 covers: if file { Covers::File } else { covers() },
                 removal: None,
             }),
-            Some(Directive::Unread) if directives.is_first_unread(context, line) => {}
+            Some(Directive::Unread) if directives.is_first_unread(context, line) => {
+                unknown_tags(context, line, comment, &mut directives.wrong);
+            }
             Some(Directive::Unread) => directives.wrong.push(directive::no_unread_block(comment)),
             Some(Directive::Known) | None => {}
         }

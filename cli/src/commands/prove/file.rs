@@ -3,6 +3,7 @@
 use crate::findings::{FileRange, Problem, Source, Workspaces};
 use crate::outcome::Outcome;
 use crate::ready::{Ready, place_of};
+use crate::run::unread;
 use crate::terminal;
 use annotate_snippets::Renderer;
 use ladder_prover::{Answer, Options, Progress, Verdict, found_scenario, prove, telling, while_wanted};
@@ -33,6 +34,8 @@ pub(super) struct FileAnswers {
     pub(super) file: String,
     /// The program as the file names it.
     pub(super) program: String,
+    /// Its unread parts.
+    pub(super) unread_parts: Vec<String>,
     /// Why nothing was decided.
     pub(super) problems: Vec<Problem>,
     pub(super) properties: Vec<PropertyAnswer>,
@@ -89,6 +92,7 @@ pub(super) fn answers(path: &Path, title: &str, wishes: &Wishes) -> FileAnswers 
     let mut answers = FileAnswers {
         file: path.display().to_string(),
         program: String::new(),
+        unread_parts: Vec::new(),
         problems: Vec::new(),
         properties: Vec::new(),
         interval: 0,
@@ -130,6 +134,7 @@ fn decide(
         ..
     } = ready.map_err(|(problems, _)| problems)?;
     answers.program = suite.program.map(|(name, _)| name).unwrap_or_default();
+    answers.unread_parts = unread::names(simulation.program());
     answers.interval = simulation.options().interval;
     let options = Options {
         time: wishes.time,

@@ -19,6 +19,8 @@ struct All<'a> {
 struct Suite<'a> {
     file: &'a str,
     program: &'a str,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    unread_parts: &'a [String],
     seconds: f64,
     interval_ns: i64,
     /// With the members of the findings of `ladder check`.
@@ -128,6 +130,7 @@ pub(super) fn write(all: &[FileAnswers], seconds: f64, out: &mut dyn Write) -> i
     let files = all.iter().map(|answers| Suite {
         file: &answers.file,
         program: &answers.program,
+        unread_parts: &answers.unread_parts,
         seconds: answers.seconds,
         interval_ns: answers.interval,
         errors: &answers.problems,

@@ -61,6 +61,8 @@ struct Summary {
 struct Suite<'a> {
     file: &'a str,
     program: Option<&'a str>,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    unread_parts: &'a [String],
     seconds: f64,
     /// With the members of the findings of `ladder check`.
     errors: &'a [Problem],
@@ -72,6 +74,7 @@ impl<'a> Suite<'a> {
         Suite {
             file: &report.file,
             program: report.program.as_ref().map(|program| program.file.as_str()),
+            unread_parts: &report.unread_parts,
             seconds: report.seconds,
             errors: &report.problems,
             scenarios: report.cases.iter().map(Scenario::new).collect(),

@@ -13,6 +13,8 @@ pub(super) struct FileReport {
     pub(super) file: String,
     /// The program, if it could be read.
     pub(super) program: Option<Arc<Source>>,
+    /// Its unread parts.
+    pub(super) unread_parts: Vec<String>,
     /// Why none of its scenarios ran.
     pub(super) problems: Vec<Problem>,
     /// In the order of the file.

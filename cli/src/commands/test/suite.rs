@@ -3,6 +3,7 @@
 use super::report::{CaseReport, DifferenceReport, FaultReport, FileReport, ViolationReport};
 use crate::findings::{FileRange, Problem, Source, Workspaces};
 use crate::ready::{Ready, place_of};
+use crate::run::unread;
 use annotate_snippets::Renderer;
 use ladder_simulator::coverage::Coverage;
 use ladder_simulator::scenario;
@@ -37,6 +38,7 @@ pub(super) fn run(path: &Path, wishes: &Wishes) -> FileReport {
     let mut report = FileReport {
         file: path.display().to_string(),
         program: None,
+        unread_parts: Vec::new(),
         problems: Vec::new(),
         cases: Vec::new(),
         seconds: 0.0,
@@ -77,6 +79,7 @@ fn play(path: &Path, source: &Source, wishes: &Wishes, report: &mut FileReport) 
         report.program = program;
         problems
     })?;
+    report.unread_parts = unread::names(simulation.program());
     let files = simulation.program().files.clone();
     let mut coverage = wishes.coverage.then(|| Coverage::of(&mut simulation));
     for case in &cases {

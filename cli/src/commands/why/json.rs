@@ -11,6 +11,9 @@ pub(super) struct Answer {
     missing: Vec<String>,
     unknown: Vec<Unknown>,
     constants: Vec<String>,
+    /// The unread parts that may write the tag.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    unread_parts: Vec<String>,
     reason: Followed,
 }
 
@@ -62,7 +65,12 @@ struct Read {
 }
 
 impl Answer {
-    pub(super) fn of(judged: &Judged, given: &Given, wording: &Wording<'_>) -> Answer {
+    pub(super) fn of(
+        judged: &Judged,
+        given: &Given,
+        unread_parts: Vec<String>,
+        wording: &Wording<'_>,
+    ) -> Answer {
         let unknown = given.unknown.iter().map(|(line, name)| Unknown {
             name: name.clone(),
             line: *line,
@@ -72,6 +80,7 @@ impl Answer {
             missing: missing(judged),
             unknown: unknown.collect(),
             constants: given.constants.clone(),
+            unread_parts,
             reason: tag(judged, wording),
         }
     }

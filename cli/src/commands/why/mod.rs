@@ -103,7 +103,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
             to_writer_pretty(
                 &mut out,
-                &json::Answer::of(&judged, &given, &Wording::new(&texts)),
+                &json::Answer::of(
+                    &judged,
+                    &given,
+                    unread_writers(program, &judged),
+                    &Wording::new(&texts),
+                ),
             )?;
             writeln!(out)?;
         }
@@ -127,6 +132,18 @@ fn texts(source: &Source, program: &Program) -> Vec<String> {
     std::iter::once(source.text.clone())
         .chain(others.map(text))
         .collect()
+}
+
+/// The unread parts that may write the tag, or one that it was followed back to.
+fn unread_writers(program: &Program, judged: &Judged) -> Vec<String> {
+    let own = program.unread_writers(&judged.point.name);
+    let mut names: Vec<String> = own.into_iter().map(str::to_owned).collect();
+    for because in &judged.because {
+        names.extend(unread_writers(program, because));
+    }
+    names.sort();
+    names.dedup();
+    names
 }
 
 /// Whether a value contradicts the program, of the tag or of one that it was followed back to.
@@ -184,6 +201,9 @@ fn people(
         }
         writeln!(out, "\n{what}: {}", shown::line(&names.join(", ")))
     };
+    let parts = unread_writers(program, judged);
+    let parts = parts.iter().map(|name| format!("`{name}`")).collect();
+    note("unread parts that may write what is seen here", parts)?;
     if contradicts(judged) {
         let why = "they were taken in mid-scan, something else writes the tag, or the controller runs another program";
         note("the values contradict the program", vec![why.to_owned()])?;

@@ -1,6 +1,7 @@
 //! Jumps, calls, loops, zones.
 
 use super::{Emitter, MOST_TURNS, b, w, width};
+use crate::header::comment;
 use ladder_simulator::compiled::{Bit, CALL_DEPTH, Instr, NOTHING_SAVED};
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -76,7 +77,19 @@ impl Emitter<'_> {
             Instr::EnterBody | Instr::LeaveBody => {}
             // What is shown of a scan: C shows nothing.
             Instr::Network { .. } | Instr::Left { .. } => {}
+            Instr::Unread { at } => self.unread(at),
             _ => self.body.missing.push((at, "a counterpart of it")),
+        }
+    }
+
+    /// Nothing is known of an unread part: it is for a person to write.
+    fn unread(&mut self, number: u32) {
+        let part = &self.code.unread[number as usize];
+        if part.power.is_some() {
+            self.line(format!(
+                "/* the unread part {} is not in it */",
+                comment(&part.name)
+            ));
         }
     }
 

@@ -23,7 +23,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
-use subject::{Subject, subjects};
+use subject::{Notice, Subject, subjects};
 
 /// What came of the changes of a program.
 pub(super) struct Mutated {
@@ -138,16 +138,20 @@ pub(super) fn mutate(
         .collect();
     let (done, missed) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let progress = Progress::new();
-    let caught: Vec<bool> = all
+    let caught: Vec<Notice> = all
         .par_iter()
         .map(|(n, change)| {
             let subject = &subjects[*n];
-            let is_caught = Instant::now() < end && subject.is_caught(&change.made_in(&subject.program));
+            let notice = match Instant::now() < end {
+                true => subject.notice(&change.made_in(&subject.program)),
+                false => Notice::No,
+            };
+            let is_caught = !matches!(notice, Notice::No);
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
             let missed =
                 missed.fetch_add(usize::from(!is_caught), Ordering::Relaxed) + usize::from(!is_caught);
             progress.say(|| format!("{done} of {} changes tried, {missed} not noticed", all.len()));
-            is_caught
+            notice
         })
         .collect();
     let left = missed.into_inner();
@@ -155,9 +159,11 @@ pub(super) fn mutate(
     let fates: Vec<Fate> = all
         .par_iter()
         .zip(&caught)
-        .map(|((n, change), is_caught)| {
-            if *is_caught {
-                return Fate::Caught;
+        .map(|((n, change), notice)| {
+            match notice {
+                Notice::Yes => return Fate::Caught,
+                Notice::Rests(why) => return Fate::Unknown(format!("a scenario notices it, but {why}")),
+                Notice::No => {}
             }
             let subject = &subjects[*n];
             let fate = fate::of_uncaught(subject, &change.made_in(&subject.program), end, wishes.width);

@@ -4,8 +4,11 @@ use super::super::suite::Wishes;
 use crate::findings::{Problem, Source};
 use crate::ready::{Ready, program_alone};
 use ladder_analysis::program::Program;
+use ladder_prover::resting_on_unread;
 use ladder_simulator::scenario::{self, Suite};
 use ladder_simulator::{Options, Simulation, value_text};
+use std::cell::OnceCell;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -17,6 +20,8 @@ pub(in super::super) struct Subject {
     pub(super) tested: Vec<Tested>,
     /// The first scenario that fails though nothing was changed.
     pub(super) fails: Option<String>,
+    /// What of it rests on unread parts, and why.
+    resting: BTreeMap<String, String>,
 }
 
 /// The scenarios of a file.
@@ -49,6 +54,7 @@ pub(super) fn subjects(files: &[PathBuf], wishes: &Wishes) -> Vec<Subject> {
             .position(|subject| is_one_file(&subject.source.file, &ready.program.file));
         let at = known.unwrap_or_else(|| {
             subjects.push(Subject {
+                resting: resting_on_unread(&ready.simulation),
                 program: Arc::clone(ready.simulation.program()),
                 source: Arc::clone(&ready.program),
                 tested: Vec::new(),
@@ -68,6 +74,14 @@ fn is_one_file(one: &str, other: &str) -> bool {
         || matches!((Path::new(one).canonicalize(), Path::new(other).canonicalize()), (Ok(one), Ok(other)) if one == other)
 }
 
+/// Whether scenarios notice a change.
+pub(super) enum Notice {
+    Yes,
+    No,
+    /// One fails, and that may be otherwise where an unread part runs: why.
+    Rests(String),
+}
+
 impl Subject {
     /// A program without scenarios.
     ///
@@ -85,6 +99,7 @@ impl Subject {
             limits: Vec::new(),
         };
         Ok(Subject {
+            resting: resting_on_unread(&simulation),
             program: Arc::clone(simulation.program()),
             source,
             tested: vec![tested],
@@ -93,8 +108,16 @@ impl Subject {
     }
 
     /// Whether a scenario notices that this program is in the place of the one that it tests: what cannot even run is noticed.
-    pub(super) fn is_caught(&self, changed: &Arc<Program>) -> bool {
-        self.tested.iter().any(|tested| tested.is_caught(changed))
+    pub(super) fn notice(&self, changed: &Arc<Program>) -> Notice {
+        let mut notice = Notice::No;
+        for tested in &self.tested {
+            match tested.notice(changed, &self.resting) {
+                Notice::Yes => return Notice::Yes,
+                Notice::No => {}
+                resting => notice = resting,
+            }
+        }
+        notice
     }
 
     /// How the program runs: as the first file of scenarios says.
@@ -161,16 +184,41 @@ impl Tested {
         step.max(1).unsigned_abs()
     }
 
-    fn is_caught(&self, changed: &Arc<Program>) -> bool {
+    /// `resting` is what of the program as it is rests on unread parts.
+    fn notice(&self, changed: &Arc<Program>, resting: &BTreeMap<String, String>) -> Notice {
         let Ok(mut simulation) = Simulation::new(Arc::clone(changed), self.options) else {
-            return true;
+            return Notice::Yes;
         };
         let (cases, _) = scenario::bind(&self.suite, &simulation);
         let (mut watched, _) = scenario::bind_properties(&self.suite, &simulation);
-        cases.iter().zip(&self.limits).any(|(case, limit)| {
-            let Some(limit) = *limit else { return false };
+        let also = OnceCell::new();
+        let mut notice = Notice::No;
+        for (case, limit) in cases.iter().zip(&self.limits) {
+            let Some(limit) = *limit else { continue };
             let ran = scenario::run_within(limit, case, &mut watched, &mut simulation, Simulation::scan);
-            !ran.passed()
-        })
+            if ran.passed() {
+                continue;
+            }
+            let also = also.get_or_init(|| resting_on_unread(&simulation));
+            let rests = |name: &str| {
+                let name = name.to_lowercase();
+                resting.get(&name).or_else(|| also.get(&name))
+            };
+            let mut whys = Vec::new();
+            whys.extend(ran.differences.iter().map(|difference| rests(&difference.tag)));
+            for violation in &ran.violations {
+                let mut properties = watched.properties.iter();
+                let property = properties.find(|property| property.name == violation.name);
+                let points = property.map(|property| property.points()).unwrap_or_default();
+                whys.push(points.iter().find_map(|point| rests(&point.name)));
+            }
+            match whys.into_iter().collect::<Option<Vec<&String>>>() {
+                Some(whys) if ran.stopped.is_none() && !whys.is_empty() => {
+                    notice = Notice::Rests(whys[0].clone());
+                }
+                _ => return Notice::Yes,
+            }
+        }
+        notice
     }
 }
