@@ -20,6 +20,5 @@ mod switched_off;
 mod tags;
 mod text;
 mod types;
-mod unread;
 mod values;
 mod wiring;
