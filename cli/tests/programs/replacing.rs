@@ -164,10 +164,10 @@ fn nothing_is_written_through_a_link() {
     ] {
         for behind in [None, Some("1,2\n")] {
             let folder = folder();
-            folder.write("other.clad", MOTOR.replace("run", "ran"));
+            folder.write("other.clad", MOTOR.replace("run", "ran").as_bytes());
             std::fs::create_dir(folder.path("out")).unwrap();
             if let Some(behind) = behind {
-                folder.write("behind", behind);
+                folder.write("behind", behind.as_bytes());
             }
             symlink("../behind", folder.path("out/link")).unwrap();
             let run = folder.ladder(command);

@@ -107,6 +107,7 @@ mod tests {
                 location,
                 arguments: calls.iter().map(bound).collect(),
                 works_in: None,
+                unread: None,
             }],
             elements: Vec::new(),
         };

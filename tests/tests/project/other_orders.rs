@@ -3,12 +3,13 @@
 
 use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_invariants::generator::{Dice, Mode, program};
 use ladder_invariants::trace::compile;
 use ladder_review::outline::{Entry, Kind};
 use ladder_review::whole::Whole;
 use ladder_review::{Limits, Outline, compare};
-use ladder_simulator::{Options as Running, Point, Simulation, Value};
+use ladder_simulator::{Options as Running, Point, Simulation};
 use std::time::Duration;
 
 fn simulation(text: &str) -> Option<Simulation> {
