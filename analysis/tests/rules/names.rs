@@ -37,9 +37,10 @@ fn in_a_file_that_declares() {
             > +--[ ]( warm )--[TON]( t, wait )--( )( pump )--+
                                         ^^^^ warning[undeclared-tag]: `wait` is not declared
                 help: declare it, so that a typing error cannot make a new tag
-                fix: Declare `wait : TIME` in VAR
-                      t    : TON;
+                fix: Declare `wait : TIME` in VAR_INPUT
+                  VAR_INPUT
                       wait : TIME;
+                  END_VAR
             > +--[ ]( warm )--[TON]( t, wait )--( )( pump )--+
                                                      ^^^^ warning[undeclared-tag]: `pump` is not declared
                 help: declare it, so that a typing error cannot make a new tag
@@ -196,8 +197,8 @@ fn the_new_section_finds_its_place() {
             > +--[GT]( n, limit )--( )( y )--+
                        ^ warning[undeclared-tag]: `n` is not declared
                 help: declare it, so that a typing error cannot make a new tag
-                fix: Declare `n : DINT` in VAR
-                  VAR
+                fix: Declare `n : DINT` in VAR_INPUT
+                  VAR_INPUT
                       n : DINT;
                   END_VAR
             > +--[GT]( n, limit )--( )( y )--+

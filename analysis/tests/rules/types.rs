@@ -162,10 +162,10 @@ fn enumerations_pass_to_themselves() {
             > +--[EQ]( step, FILING )--[MOV]( step, Phase.NONE )--[MOV]( n, IDLE )--[EQ]( step, n )--( )( Q1 )--+
                              ^^^^^^ warning[undeclared-tag]: `FILING` is not declared
                 help: declare it, so that a typing error cannot make a new tag
-                fix: Declare `FILING : Phase` in VAR
-                      step   : Phase;
-                      n      : INT;
+                fix: Declare `FILING : Phase` in VAR_INPUT
+                  VAR_INPUT
                       FILING : Phase;
+                  END_VAR
             > +--[EQ]( step, FILING )--[MOV]( step, Phase.NONE )--[MOV]( n, IDLE )--[EQ]( step, n )--( )( Q1 )--+
                                                     ^^^^^^^^^^ error[bad-operand]: Phase has no value `NONE`
                 help: its values are IDLE FILLING MIXING
@@ -175,8 +175,10 @@ fn enumerations_pass_to_themselves() {
             > +--[EQ]( step, FILING )--[MOV]( step, Phase.NONE )--[MOV]( n, IDLE )--[EQ]( step, n )--( )( Q1 )--+
                                                                             ^^^^ warning[undeclared-tag]: `IDLE` is not declared
                 help: declare it, so that a typing error cannot make a new tag
-                fix: Declare `IDLE : DINT` in VAR
+                fix: Declare `IDLE : DINT` in VAR_INPUT
+                  VAR_INPUT
                       IDLE : DINT;
+                  END_VAR
             > +--[EQ]( step, FILING )--[MOV]( step, Phase.NONE )--[MOV]( n, IDLE )--[EQ]( step, n )--( )( Q1 )--+
                                                                                     ^^^^^^^^^^^^^^^ error[type-mismatch]: Phase and INT cannot be compared
                 help: convert one of them with [TYP] first

@@ -38,6 +38,8 @@ fn a_project_goes_into_a_folder_and_runs_there() {
         0,0,1,0
         1,10,3,10
         2,20,5,20
+        -- stderr
+        note: cell/Cell.clad: the unread part `MSG` is not run, and what it may write is not known
     "#]]
     .assert_eq(
         &folder
@@ -54,7 +56,15 @@ fn a_project_goes_into_a_folder_and_runs_there() {
     expect![[r#"
         exit status 0
         -- stdout
-        Checked 5 files: no errors found.
+        warning[unread-part]: `MSG` is an unread part: it is not run, and may write any tag that it sees
+          --> cell/blocks.clad:25:16
+           |
+        25 | FUNCTION_BLOCK [$MSG]
+           |                ^^^^^^
+           |
+           = help: look in the program that it comes from, or write in its place what it does
+
+        Checked 5 files: 1 warning.
     "#]]
     .assert_eq(&folder.ladder(&["check", "cell"]).to_string());
 }
@@ -66,7 +76,8 @@ fn a_file_is_checked_run_and_tested_as_it_is() {
     expect![[r#"
         exit status 0
         -- stdout
-        Checked 1 file: no errors found.
+        cell.L5X:4:74: warning[unread-part] `MSG` is an unread part: it is not run, and may write any tag that it sees
+        Checked 1 file: 1 warning.
     "#]]
     .assert_eq(
         &folder
@@ -80,6 +91,8 @@ fn a_file_is_checked_run_and_tested_as_it_is() {
         scan,time_ms,all,timer.TT
         0,0,1,1
         1,10,3,1
+        -- stderr
+        note: cell.L5X: the unread part `MSG` is not run, and what it may write is not known
     "#]]
     .assert_eq(&run.to_string());
     let run = folder.ladder(&["test", "cell.ladder-test"]).to_string();

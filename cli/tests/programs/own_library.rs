@@ -120,10 +120,10 @@ fn what_is_wrong_in_it_is_said_where_it_is_checked() {
     expect![[r#"
         exit status 1
         -- stdout
-        blocks/hold.clad:9:24: info[latched-power] ( )( ENO ) is after (S): its power is `q`, and stays on when the rung before goes off
+        blocks/hold.clad:9:24: warning[latched-power] ( )( ENO ) is after (S): its power is `q`, and stays on when the rung before goes off
         blocks/hold.clad:12:20: error[bad-arity] [TON] takes 2 operands, 1 is given
         blocks/toggle.clad:1:16: info[library-name] the library has a block $Toggle too: programs of this workspace are given this one
-        Checked 2 files: 1 error, 2 infos.
+        Checked 2 files: 1 error, 1 warning, 1 info.
     "#]].assert_eq(
         &folder
             .ladder(&["check", "blocks", "--format", "concise"])

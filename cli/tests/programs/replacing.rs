@@ -157,7 +157,16 @@ fn nothing_is_written_through_a_link() {
     use std::os::unix::fs::symlink;
     for command in [
         &["convert", "motor.clad", "--to", "st", "-o", "out/link"][..],
-        &["convert", "motor.clad", "--to", "st", "--report", "out/link", "-o", "out/motor.st"],
+        &[
+            "convert",
+            "motor.clad",
+            "--to",
+            "st",
+            "--report",
+            "out/link",
+            "-o",
+            "out/motor.st",
+        ],
         &["render", "motor.clad", "--format", "svg", "-o", "out/link"],
         &["sim", "motor.clad", "--scans", "1", "-o", "out/link"],
         &["diff", "motor.clad", "other.clad", "-o", "out/link"],
@@ -178,7 +187,10 @@ fn nothing_is_written_through_a_link() {
             assert_ne!(run.status, Some(2), "{command:?}: {run}");
             assert!(!folder.path("out/link").is_symlink(), "{command:?}");
             assert_eq!(folder.path("behind").exists(), behind.is_some(), "{command:?}");
-            assert!(behind.is_none_or(|behind| folder.read("behind") == behind), "{command:?}");
+            assert!(
+                behind.is_none_or(|behind| folder.read("behind") == behind),
+                "{command:?}"
+            );
         }
     }
 }
@@ -203,7 +215,9 @@ fn a_project_stays_in_its_folder() {
     assert!(folder.read("out/motor.c").contains("#include \"motor.h\""));
     let run = folder.ladder(&["convert", "motor.clad", "--to", "c", "-o", "out/other.c"]);
     assert_eq!(run.status, Some(0), "{run}");
-    assert!(folder.read("out/other.c").contains("#include \"other.h\"") && folder.path("out/other.h").exists());
+    assert!(
+        folder.read("out/other.c").contains("#include \"other.h\"") && folder.path("out/other.h").exists()
+    );
 }
 
 #[test]

@@ -102,6 +102,7 @@ fn nothing_is_written_that_nobody_said_yes_to() {
           + *.[rR][uU][nN][gG] diff=ladder-text
           + *.[lL]5[xX] diff=ladder-text
           + *.[lL]5[kK] diff=ladder-text
+          + *.[iI][oO][tT] diff=ladder-text
           + *.[sS]7[dD][cC][lL] diff=ladder-text
           + *.[tT][cC][pP][oO][uU] diff=ladder-text
           + # ladder: end

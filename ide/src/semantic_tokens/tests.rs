@@ -70,7 +70,7 @@ fn rungs() {
             "t" variable
             "ET" property
             "3" number
-            "word" variable
+            "word" variable input
             "3" property
             "S" function defaultLibrary coil
             "%QX0.1" variable static modification output
@@ -79,33 +79,33 @@ fn rungs() {
     check(
         "+--[CALC]( y, SQRT(a[i]) + -2 * x MOD 3 )--[MOV]( row[k], 'text' )--[SEARCH]( n, EQ, 1, row[1..4], FOUND => hit )--+\n",
         expect![[r#"
-                "CALC" function defaultLibrary
-                "y" variable modification
-                "SQRT" function defaultLibrary
-                "a" variable
-                "i" variable
-                "+" operator
-                "-" operator
-                "2" number
-                "*" operator
-                "x" variable
-                "MOD" operator
-                "3" number
-                "MOV" function defaultLibrary
-                "row" variable modification
-                "k" variable
-                "'text'" string
-                "SEARCH" function defaultLibrary
-                "n" variable modification
-                "EQ" enumMember defaultLibrary
-                "1" number
-                "row" variable
-                "1" number
-                "4" number
-                "FOUND" parameter
-                "=>" operator
-                "hit" variable modification
-            "#]],
+            "CALC" function defaultLibrary
+            "y" variable modification
+            "SQRT" function defaultLibrary
+            "a" variable input
+            "i" variable input
+            "+" operator
+            "-" operator
+            "2" number
+            "*" operator
+            "x" variable input
+            "MOD" operator
+            "3" number
+            "MOV" function defaultLibrary
+            "row" variable modification
+            "k" variable input
+            "'text'" string
+            "SEARCH" function defaultLibrary
+            "n" variable modification
+            "EQ" enumMember defaultLibrary
+            "1" number
+            "row" variable
+            "1" number
+            "4" number
+            "FOUND" parameter
+            "=>" operator
+            "hit" variable modification
+        "#]],
     );
     check(
         "+--[ ]( a )--<JMP>( done )--<CALL>( dose )--+\n+--<LBL>( done )--+\n+--<FUN>( dose )--<RET>--+\n",

@@ -224,9 +224,9 @@ fn blocks_and_functions_of_other_files_are_written_along() {
             FUNCTION_BLOCK wash
             VAR_INPUT
                 on_tag : BOOL;  (* called on *)
+                x : DINT;
             END_VAR
             VAR
-                x : DINT;
                 y : DINT;
             END_VAR
             VAR

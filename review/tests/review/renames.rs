@@ -332,9 +332,9 @@ fn two_new_names_for_one_thing_are_a_conflict() {
         +--[ ]( beam )-------------------------------------------------( )( box_out )--+
 
         # <<<<<<< ours #
-        +--[ ]( box_gone )-----------------------------------[ADD]( total, total, 1 )--+
+        +--[ ]( box_gone )--[ADD]( total, total, 1 )--+
         # ======= #
-        +--[ ]( box_out )------------------------------------[ADD]( total, total, 1 )--+
+        +--[ ]( box_out )--[ADD]( total, total, 1 )--+
         # >>>>>>> theirs #
         conflict: both sides edited the network that writes total
         refused: ours renamed the tag passed to box_gone, and theirs to box_out
@@ -354,9 +354,9 @@ fn a_name_that_the_other_side_has_given_away_is_a_conflict() {
         END_VAR
 
         # <<<<<<< ours #
-        +--[ ]( beam )------------------------------------------------( )( box_gone )--+
+        +--[ ]( beam )-----------( )( box_gone )--+
         # ======= #
-        +--[ ]( passed )----------------------------------------------( )( box_gone )--+
+        +--[ ]( passed )--( )( box_gone )--+
         # >>>>>>> theirs #
 
         +--[ ]( box_gone )-----------------------------------[ADD]( total, total, 1 )--+

@@ -19,7 +19,10 @@ fn written(format: Format) -> String {
 #[test]
 fn enumerations_are_written_by_their_names() {
     let json = written(Format::Json);
-    assert!(json.contains("{ \"name\": \"p\", \"type\": \"Phase\" }"), "{json}");
+    assert!(
+        json.contains("{ \"name\": \"p\", \"type\": \"Phase\" }"),
+        "{json}"
+    );
     assert!(json.contains("\"values\": [\"RUN\", \"say \\\"on\\\""), "{json}");
     let csv = written(Format::Csv);
     assert!(csv.contains("0,0,RUN,\"say \"\"on\"\""), "{csv}");

@@ -11,7 +11,7 @@ fn check(text: &str, expect: Expect) {
     assert_eq!(parse.to_string(), text);
     let mut out = String::new();
     for line in parse.lines() {
-        let mark = if line.is_in_conflict() { '!' } else { ' ' };
+        let mark = if line.is_in_conflict() { '!' } else { '.' };
         let _ = writeln!(out, "{mark} {:?} {:?}", line.kind, line.text());
     }
     for conflict in parse.conflicts() {
@@ -36,7 +36,7 @@ fn of_git() {
             ! Conflict "<<<<<<< HEAD\r\n"
             ! Rung "+--[ ]( a )--+\r\n"
             ! Conflict "||||||| 1a2b\r\n+\r\n=======\r\n(\r\n>>>>>>> b\r\n"
-              Rung "+--+\r\n"
+            . Rung "+--+\r\n"
             0..70: Ours "<<<<<<< HEAD\r\n", Base "||||||| 1a2b\r\n", Theirs "=======\r\n", End ">>>>>>> b\r\n"
         "#]],
     );
@@ -47,10 +47,10 @@ fn of_ladder_merge() {
     check(
         "+--\\--+\n# <<<<<<< ours: removed #\n# ======= #\n|  /--+\n# >>>>>>> theirs #\n|  /--+\n",
         expect![[r##"
-              Rung "+--\\--+\n"
+            . Rung "+--\\--+\n"
             ! Conflict "# <<<<<<< ours: removed #\n"
             ! Conflict "# ======= #\n|  /--+\n# >>>>>>> theirs #\n"
-              Rung "|  /--+\n"
+            . Rung "|  /--+\n"
             8..73: Ours "# <<<<<<< ours: removed #\n", Theirs "# ======= #\n", End "# >>>>>>> theirs #\n"
         "##]],
     );
@@ -61,11 +61,11 @@ fn in_a_section_and_in_a_declaration() {
     check(
         "VAR\n    a :\n<<<<<<< HEAD\n    INT\n=======\n    DINT\n>>>>>>> b\n    ;\n    # <<<<<<< ours #\n    # ======= #\n    b : INT;\n    # >>>>>>> theirs #\nEND_VAR\n",
         expect![[r#"
-              SectionHeader "VAR\n"
+            . SectionHeader "VAR\n"
             ! Declaration "    a :\n<<<<<<< HEAD\n    INT\n=======\n    DINT\n>>>>>>> b\n    ;\n"
             ! Conflict "    # <<<<<<< ours #\n"
             ! Conflict "    # ======= #\n    b : INT;\n    # >>>>>>> theirs #\n"
-              SectionEnd "END_VAR\n"
+            . SectionEnd "END_VAR\n"
             12..60: Ours "<<<<<<< HEAD\n", Theirs "=======\n", End ">>>>>>> b\n"
             66..139: Ours "    # <<<<<<< ours #\n", Theirs "    # ======= #\n", End "    # >>>>>>> theirs #\n"
         "#]],
@@ -79,7 +79,7 @@ fn in_a_comment() {
         expect![[r##"
             ! Comment "# Pump\n<<<<<<< HEAD\none #\n"
             ! Conflict "=======\ntwo #\n>>>>>>> b\n"
-              Rung "+--+\n"
+            . Rung "+--+\n"
             ! Conflict "<<<<<<< HEAD\n"
             ! Comment "# one\n=======\n# two #\n>>>>>>> b\ngoes on #\n"
             7..50: Ours "<<<<<<< HEAD\n", Theirs "=======\n", End ">>>>>>> b\n"
@@ -98,7 +98,7 @@ fn inside_of_each_other() {
             ! Stray "x\n"
             ! Conflict "=======\ny\n>>>>>>> b\n"
             ! Conflict "=======\n<<<<<<< c\n=======\n>>>>>>> c\n>>>>>>> a\n"
-              Rung "+--+\n"
+            . Rung "+--+\n"
             0..88: Ours "<<<<<<< a\n", Theirs "=======\n", End ">>>>>>> a\n"
             20..21 UnexpectedCharacter { place: Rung, after_comment: false }
         "#]],
@@ -140,12 +140,12 @@ fn unfinished() {
     check(
         "+--+\n=======\n+--+\n>>>>>>> b\n>>>>>>> c\n+--+\n# >>>>>>> d #\n",
         expect![[r##"
-              Rung "+--+\n"
+            . Rung "+--+\n"
             ! Conflict "=======\n"
-              Rung "+--+\n"
+            . Rung "+--+\n"
             ! Conflict ">>>>>>> b\n"
             ! Conflict ">>>>>>> c\n"
-              Rung "+--+\n"
+            . Rung "+--+\n"
             ! Conflict "# >>>>>>> d #\n"
             5..28: Theirs "=======\n", End ">>>>>>> b\n"
             28..38: End ">>>>>>> c\n"
@@ -171,14 +171,14 @@ fn not_one() {
     check(
         "# Pumps #\n# ======= #\n|||||||\n# ||||||| #\n# <<<<<<<< #\n # a # # <<<<<<< b #\n# Drums\n=======\n>>>>>>> #\n# <<<<<<<\n #\n",
         expect![[r##"
-              Comment "# Pumps #\n"
-              Comment "# ======= #\n"
-              Rail "|||||||\n"
-              Comment "# ||||||| #\n"
-              Comment "# <<<<<<<< #\n"
-              Comment " # a # # <<<<<<< b #\n"
-              Comment "# Drums\n=======\n>>>>>>> #\n"
-              Comment "# <<<<<<<\n #\n"
+            . Comment "# Pumps #\n"
+            . Comment "# ======= #\n"
+            . Rail "|||||||\n"
+            . Comment "# ||||||| #\n"
+            . Comment "# <<<<<<<< #\n"
+            . Comment " # a # # <<<<<<< b #\n"
+            . Comment "# Drums\n=======\n>>>>>>> #\n"
+            . Comment "# <<<<<<<\n #\n"
         "##]],
     );
 }

@@ -100,7 +100,7 @@ fn manifest(text: &str) -> Option<Manifest> {
 fn may_use(name: &str, used: &str) -> bool {
     match name {
         // Tests use what they test; the fuzzer does nothing else.
-        "tests" | "invariants" | "fuzz" => true,
+        "tests" | "invariants" | "generator" | "fuzz" => true,
         "notations" => LANGUAGE.contains(&used) || used == "notation" || used.starts_with("notation-"),
         // What it writes is a picture.
         "notation-ascii" if used == "picture" => true,

@@ -125,8 +125,7 @@ fn what_was_changed_since_stays() {
         assert!(back.written.text.contains(is), "{}", back.written.text);
         let said: Vec<String> = back.report.remarks().map(|entry| format!("{entry:?}")).collect();
         assert!(
-            said.iter()
-                .any(|said| said.contains("ST is not read")),
+            said.iter().any(|said| said.contains("ST is not read")),
             "{said:?}"
         );
     }

@@ -38,7 +38,9 @@ enum Outcome {
 
 fn written(analysis: &Analysis) -> Result<String, String> {
     let notation = ladder_notations::by_name("st").expect("Structured Text is known");
-    let text = notation.write(analysis).map(|writing| String::from_utf8(writing.bytes).expect("text is UTF-8"));
+    let text = notation
+        .write(analysis)
+        .map(|writing| String::from_utf8(writing.bytes).expect("text is UTF-8"));
     keep(&analysis.context.parse.to_string(), text.as_deref().ok());
     text.map_err(|error| error.message)
 }

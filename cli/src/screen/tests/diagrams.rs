@@ -267,7 +267,7 @@ fn wide_characters_tabs_and_line_ends() {
             |   # 温度 🙂 #
             | > +══[ ]( 温度    )──( )( a )──+
             |
-            |   +══[GT]( level, 80 )──# heiß #──( )( é )──+  # note #  level=0
+            |   +══[GT]( level, 80 )══# heiß #══( )(●é )══+  # note #  level=95
             |
             |
             |

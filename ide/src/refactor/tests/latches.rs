@@ -141,15 +141,15 @@ fn declarations() {
 
             VAR_INPUT
                 start : BOOL;
+                wait  : TIME;
+                level : LREAL;
             END_VAR
             VAR_OUTPUT
                 pump : BOOL;
             END_VAR
             VAR
-                t     : TON;
-                wait  : TIME;
-                level : LREAL;
-                n     : DINT;
+                t : TON;
+                n : DINT;
             END_VAR
 
             +--[ ]( start )--[TON]( t, wait )--[GT]( level, 5.0 )--( )( pump )--+

@@ -151,8 +151,8 @@ fn operands_come_back() {
             format!("[GT]( {value}, {of}1 )"),
             format!("[EQ]( {of}1, {of}2, {value} )"),
             format!("[MOV]( {of}1, {value} )"),
-            format!("[LIMIT]( {of}1, {value}, {of}2, {value} )"),
-            format!("[SEL]( {of}1, go, {value}, {of}2 )"),
+            format!("[LIMIT]( {of}1, {value}, {of}1, {value} )"),
+            format!("[SEL]( {of}1, go, {value}, {of}1 )"),
         ]
     };
     let sums = |value: &str, of: &str| {
