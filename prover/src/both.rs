@@ -207,10 +207,10 @@ impl Two {
         differs.sort_unstable();
         differs.dedup();
         Both {
-            doubtful,
             model,
             differs,
             pairs,
+            doubtful,
         }
     }
 

@@ -224,7 +224,7 @@ impl Search<'_> {
     /// Proves that what is left never differs, or finds a run.
     fn decide(mut self, mut model: Model, wanted: Vec<Lit>) -> Result<Whole, NotReproduced> {
         // What depends on nothing that was left open first: a run of it is one.
-        let unsure = dependents(&model, model.world.open.iter().map(|(node, _)| *node));
+        let unsure = dependents(&model, model.world.open.keys().copied());
         let (unsure, sure): (Vec<Lit>, Vec<Lit>) = wanted.iter().partition(|lit| unsure[lit.node()]);
         let mut reached = usize::MAX;
         for (mut wanted, seeks) in [(sure, Seeks::One), (unsure, Seeks::Every)] {

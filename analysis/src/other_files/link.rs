@@ -1,15 +1,11 @@
 //! A program of several files: the file itself, and of others the functions and blocks that it reaches.
 
 use crate::analyze::Analysis;
-use crate::context::{Body, Callee, Context};
+use crate::context::Body;
 use crate::library;
-use crate::networks::facts::NodeKind;
-use crate::networks::network::Meaning;
-use crate::other_files::import::Import;
+use crate::other_files::targets::{Target, targets};
 use crate::program::Program;
 use crate::resolve::{self, numbers::Unit};
-use ladder_instructions::Op;
-use ladder_syntax::Name;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::sync::Arc;
 
@@ -47,17 +43,6 @@ struct Reached {
     by_name: FxHashMap<Arc<str>, usize>,
     /// For each file what each of its bodies uses.
     targets: Vec<FxHashMap<Body, Vec<Target>>>,
-}
-
-/// What a body calls, or holds.
-#[derive(Debug, Clone)]
-pub(crate) enum Target {
-    /// A body of its own file.
-    Own(Body),
-    /// A function of another file.
-    Function(Import),
-    /// A block of another file.
-    Block(Import),
 }
 
 /// The program of a file: see [`link_files`].
@@ -197,35 +182,4 @@ impl Reached {
         self.files.push((analysis, bodies));
         file
     }
-}
-
-/// What each body of a file uses.
-pub(crate) fn targets(context: &Context) -> FxHashMap<Body, Vec<Target>> {
-    let mut targets: FxHashMap<Body, Vec<Target>> = FxHashMap::default();
-    for (network, &body) in context.networks.iter().zip(context.bodies.iter()) {
-        for bound in network.blocks() {
-            let target = match bound.meaning {
-                Meaning::User(index) => match &context.user_blocks[index].import {
-                    Some(import) => Some(Target::Block(import.clone())),
-                    None => Some(Target::Own(Body::Block(index))),
-                },
-                Meaning::Instruction(row) if row.op == Op::Call => {
-                    let operand = bound.facts.operands.first();
-                    let callee = operand.and_then(|operand| match &operand.value.kind {
-                        NodeKind::Name(name) => context.callee(&Name::new(name)),
-                        _ => None,
-                    });
-                    callee.map(|callee| match callee {
-                        Callee::Own(function) => Target::Own(Body::Function(function)),
-                        Callee::Other(import) => Target::Function(import),
-                    })
-                }
-                _ => None,
-            };
-            if let Some(target) = target {
-                targets.entry(body).or_default().push(target);
-            }
-        }
-    }
-    targets
 }

@@ -8,4 +8,5 @@ pub mod others;
 pub(crate) mod outward;
 mod outward_uses;
 mod part_uses;
+pub(crate) mod targets;
 mod type_values;

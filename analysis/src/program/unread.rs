@@ -88,10 +88,10 @@ fn is_path(text: &str) -> bool {
 
 /// The name of the tag that a path begins with.
 pub fn root_of(path: &str) -> &str {
-    match path.starts_with('%') {
-        true => path,
-        false => path.split(['.', '[']).next().unwrap_or(path),
+    if path.starts_with('%') {
+        return path;
     }
+    path.split(['.', '[']).next().unwrap_or(path)
 }
 
 /// A text without white space that means nothing: between words one blank is left, in quotes all of it.
@@ -241,7 +241,7 @@ impl Program {
                     kind != Some(ParameterKind::Input)
                 });
                 written
-                    .flat_map(|bound| bound.argument.root())
+                    .filter_map(|bound| bound.argument.root())
                     .any(|tag| is_it(&tag))
             };
             let in_network = |(at, network): (usize, &Network)| {

@@ -8,7 +8,7 @@ use super::tags::{Ids, NOWHERE, is_global};
 use crate::context::Body;
 use crate::names::scope::{Origin, TagFacts};
 use crate::networks::access::Access;
-use crate::other_files::link::{Target, targets};
+use crate::other_files::targets::{Target, targets};
 use crate::program::{Program, Role, TagId, Unread, root_of};
 use crate::values::types::Type;
 use ladder_syntax::Name;

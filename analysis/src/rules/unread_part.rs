@@ -29,7 +29,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             .flat_map(crate::networks::NetworkAt::blocks);
         let mut places = blocks
             .filter(|bound| is_it(bound.meaning))
-            .map(|bound| bound.range());
+            .map(crate::networks::BlockAt::range);
         let at = places.next().unwrap_or(block.at);
         let name = unread_name(&block.name);
         let mut found = Diagnostic::new(

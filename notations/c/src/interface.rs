@@ -49,9 +49,10 @@ pub(crate) fn interface(library: &str, program: &Program, compiled: &Compiled) -
             Home::Words { at, .. } => written.contains(&(1, at.0)),
             _ => false,
         };
-        let is_output = match declares || tag.constant {
-            true => tag.role == Role::Output,
-            false => is_written(),
+        let is_output = if declares || tag.constant {
+            tag.role == Role::Output
+        } else {
+            is_written()
         };
         if tag.is_input {
             interface.inputs.extend(field(tag, *home, &mut inputs));

@@ -26,7 +26,7 @@ static TAKEN: LazyLock<HashSet<&str>> = LazyLock::new(|| words(&[KEYWORDS, MACRO
 /// The words of the runtime, and of what is written around it.
 static OWN: LazyLock<HashSet<String>> = LazyLock::new(|| {
     let runtime = PIECES.all();
-    let code = runtime.split("*/").flat_map(|piece| piece.split("/*").next());
+    let code = runtime.split("*/").filter_map(|piece| piece.split("/*").next());
     let is_in_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let words = code.flat_map(|code| code.split(|c: char| !is_in_word(c)));
     words

@@ -71,7 +71,7 @@ fn real(number: f64) -> String {
 
 /// A REAL of a program as a number whose decimals are the fewest that read back the same.
 pub(super) fn shortest(number: f64) -> f64 {
-    if f64::from(number as f32) == number {
+    if f64::from(number as f32).to_bits() == number.to_bits() {
         return real_text(number, Scalar::Real).parse().unwrap_or(number);
     }
     number

@@ -102,7 +102,7 @@ impl Outside {
         for item in &parse.structure().items {
             match *item {
                 Item::Decoration(line) => {
-                    above.extend(Some(on_line(parse, line)).filter(|said| !said.is_empty()))
+                    above.extend(Some(on_line(parse, line)).filter(|said| !said.is_empty()));
                 }
                 Item::BlockHeader(number) => {
                     outside.of_blocks.entry(number).or_default().append(&mut above);

@@ -100,7 +100,7 @@ impl Unit<'_, '_> {
                 let [chooser, no, yes] = terms.as_slice() else {
                     return self.stop("a choice of nothing");
                 };
-                Ok(self.chosen_value(&[chooser.clone()], &[yes, no], ty, checks))
+                Ok(self.chosen_value(std::slice::from_ref(chooser), &[yes, no], ty, checks))
             }
             Op::Limit | Op::Sel => {
                 let terms = self.settled_all(all, checks)?;

@@ -287,9 +287,10 @@ fn assembled(
     outside: &Outside,
 ) -> String {
     let said = |all: &[String], indent: &str| -> String {
-        all.iter()
-            .map(|one| format!("{indent}{}\n", comment::comment(one)))
-            .collect()
+        let lines = all
+            .iter()
+            .map(|one| [indent, &comment::comment(one), "\n"].concat());
+        lines.collect()
     };
     let program = project.program;
     // What more than the program asks for belongs to the configuration.

@@ -120,7 +120,7 @@ impl Scan<'_, '_> {
         let like = self.world.ran.remove(&key);
         let same = like
             .as_ref()
-            .map_or(Lit::FALSE, |like| self.gets_the_same(like, &reads));
+            .map_or(Lit::FALSE, |like| self.gets_the_same(like, reads.as_deref()));
         let mut written = FxHashMap::default();
         for ((name, number), cell) in cells {
             let known = like
@@ -196,8 +196,8 @@ impl Scan<'_, '_> {
     }
 
     /// High where a part gets the same as the one in the other program, now and in all scans before.
-    fn gets_the_same(&mut self, like: &Ran, reads: &Option<Vec<(String, Read)>>) -> Lit {
-        let (Some(old), Some(new)) = (&like.reads, reads) else {
+    fn gets_the_same(&mut self, like: &Ran, reads: Option<&[(String, Read)]>) -> Lit {
+        let (Some(old), Some(new)) = (like.reads.as_deref(), reads) else {
             return Lit::FALSE;
         };
         if old.len() != new.len() {

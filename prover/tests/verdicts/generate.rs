@@ -229,12 +229,13 @@ impl Maker {
             "BOOL" => format!("+--[ ]( I1 )--( )( {name} )--+\n"),
             _ => format!("+--[ ]( I1 )--[MOV]( {name}, {} )--+\n", literals(ty)[1]),
         };
-        let (declares, own) = match self.dice.one_in(2) {
-            true => (
+        let (declares, own) = if self.dice.one_in(2) {
+            (
                 format!("VAR_GLOBAL\n    {name} : {ty};\nEND_VAR\n"),
                 "VAR_EXTERNAL",
-            ),
-            false => (String::new(), "VAR_GLOBAL"),
+            )
+        } else {
+            (String::new(), "VAR_GLOBAL")
         };
         self.declare(own, format!("{name} : {ty};"));
         let names = [
@@ -335,9 +336,10 @@ END_VAR
             }
             ty => {
                 let is_plain = matches!(ty, "Phase" | "STRING" | "BYTE" | "WORD" | "DWORD" | "LWORD");
-                let compare = match is_plain {
-                    true => self.dice.of(&["EQ", "NE"]),
-                    false => self.dice.of(&["EQ", "NE", "GT", "GE", "LT", "LE"]),
+                let compare = if is_plain {
+                    self.dice.of(&["EQ", "NE"])
+                } else {
+                    self.dice.of(&["EQ", "NE", "GT", "GE", "LT", "LE"])
                 };
                 format!("[{compare}]( {operand}, {} )", self.dice.of(literals(ty)))
             }
@@ -346,7 +348,7 @@ END_VAR
 
     fn conditions(&mut self) -> String {
         let count = 1 + self.dice.below(2);
-        (0..count).map(|_| format!("{}--", self.condition())).collect()
+        (0..count).map(|_| self.condition() + "--").collect()
     }
 
     fn bool(&mut self) -> String {
@@ -363,9 +365,10 @@ END_VAR
             .filter(|source| source.ty == "INT")
             .map(|source| source.operand.as_str())
             .collect();
-        match self.dice.one_in(3) {
-            true => self.dice.of(literals("INT")).to_owned(),
-            false => self.dice.of(&integers).to_owned(),
+        if self.dice.one_in(3) {
+            self.dice.of(literals("INT")).to_owned()
+        } else {
+            self.dice.of(&integers).to_owned()
         }
     }
 
@@ -442,14 +445,13 @@ END_VAR
                         "+--{conditions}{INSTANCE}( i{number}, part := {part}, full => {out} )--{coil}--+\n"
                     );
                 }
-                match self.dice.one_in(2) {
-                    true => {
-                        format!("+--{conditions}{INSTANCE}( part := {part}, full => {out} )--{coil}--+\n")
-                    }
-                    false => format!(
+                if self.dice.one_in(2) {
+                    format!("+--{conditions}{INSTANCE}( part := {part}, full => {out} )--{coil}--+\n")
+                } else {
+                    format!(
                         "+--{conditions}{INSTANCE}( {part}, {}, {out} )--{coil}--+\n",
                         self.integer()
-                    ),
+                    )
                 }
             }
         }

@@ -13,9 +13,10 @@ pub(crate) fn properties(case: &Case, dice: &mut Dice) -> Option<String> {
     let (bools, others): (Vec<&Point>, Vec<&Point>) = points.partition(|point| point.ty == Scalar::Bool);
     let is_compared = |point: &&Point| !matches!(point.ty, Scalar::Enum(_)) && !point.ty.is_string();
     let others: Vec<&Point> = others.into_iter().filter(is_compared).collect();
-    let holds = |dice: &mut Dice| match others.is_empty() || dice.one_in(2) {
-        true => dice.of(&bools).name.clone(),
-        false => {
+    let holds = |dice: &mut Dice| {
+        if others.is_empty() || dice.one_in(2) {
+            dice.of(&bools).name.clone()
+        } else {
             let point = dice.of(&others);
             let compare = dice.of(&["=", "<>", "<", ">="]);
             let compare = if point.ty.is_bits() { "=" } else { compare };

@@ -18,10 +18,7 @@ const SCANS: usize = 40;
 pub(crate) fn value(dice: &mut Dice, ty: Scalar) -> Value {
     let number = |dice: &mut Dice, unit: i64| {
         let near = dice.of(numbers(ty)).saturating_add(dice.between(-1, 1) * unit);
-        match dice.one_in(8) {
-            true => dice.any() as i64,
-            false => near,
-        }
+        if dice.one_in(8) { dice.any() as i64 } else { near }
     };
     match ty {
         Scalar::Bool => Value::Bool(dice.one_in(2)),

@@ -212,9 +212,10 @@ impl Engine {
             kind: point.ty.to_string(),
             value: to_json(&value, point.ty),
             text: chart::reading(&value, point.ty),
-            role: match point.is_input {
-                true => messages::Role::Input,
-                false => role(point.role),
+            role: if point.is_input {
+                messages::Role::Input
+            } else {
+                role(point.role)
             },
             forced: self.session.simulation().is_forced(point),
             read_only: point.read_only,

@@ -109,9 +109,10 @@ impl Coverage {
         let has_mcr = (program.networks.iter())
             .flat_map(|network| &network.blocks)
             .any(|block| matches!(block.kind, BlockKind::Instruction(row) if row.op == Op::Mcr));
-        let always: Vec<Vec<bool>> = match has_mcr {
-            true => Vec::new(),
-            false => program.networks.iter().map(always_powered).collect(),
+        let always: Vec<Vec<bool>> = if has_mcr {
+            Vec::new()
+        } else {
+            program.networks.iter().map(always_powered).collect()
         };
         let part = |(index, element): (usize, &ElementPlace)| {
             let network = &program.networks[element.network as usize];

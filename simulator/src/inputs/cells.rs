@@ -27,8 +27,9 @@ pub fn table_cells(text: &str) -> Reader<&[u8]> {
 
 /// A real number with a point: `3,5` is 3.5.
 pub fn with_point(cell: &str) -> String {
-    match cell.contains('.') {
-        true => cell.to_owned(),
-        false => cell.replace(',', "."),
+    if cell.contains('.') {
+        cell.to_owned()
+    } else {
+        cell.replace(',', ".")
     }
 }

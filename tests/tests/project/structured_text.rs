@@ -27,6 +27,7 @@ struct Place {
     cell: usize,
     ty: Scalar,
     may_be_set: bool,
+    is_input: bool,
 }
 
 /// What comes of a program.
@@ -55,7 +56,9 @@ fn keep(program: &str, text: Option<&str>) {
                 .expect("the folder takes files");
         };
         keep("clad", program);
-        text.map(|text| keep("st", text));
+        if let Some(text) = text {
+            keep("st", text);
+        }
     }
 }
 
@@ -126,6 +129,7 @@ fn places(
                 cell,
                 ty,
                 may_be_set,
+                is_input: tag.is_input,
             });
             Ok::<(), String>(())
         };
@@ -253,9 +257,11 @@ fn compare(analysis: &Analysis, interval: i64, scans: usize, inputs: &mut Inputs
 
 fn with_dice(seed: u64) -> Box<Inputs> {
     let mut dice = Dice::new(seed);
-    Box::new(move |_, places, _| {
+    Box::new(move |_, places, scan| {
         let mut set = Vec::new();
-        for (number, place) in places.iter().enumerate().filter(|(_, place)| place.may_be_set) {
+        // What has its initial value by a statement of the first scan is set from outside after it.
+        let is_set = |place: &Place| place.may_be_set && (scan > 0 || place.is_input);
+        for (number, place) in places.iter().enumerate().filter(|(_, place)| is_set(place)) {
             if dice.one_in(3)
                 && let Some(value) = any_value(&mut dice, place.ty)
             {

@@ -33,7 +33,7 @@ pub(super) enum File<'c> {
         uses: Vec<Uses<'c>>,
         changes: Vec<Changed<'c>>,
         #[serde(skip_serializing_if = "Option::is_none")]
-        whole: Option<WholePrograms<'c>>,
+        whole: Option<Box<WholePrograms<'c>>>,
     },
     Settings {
         old: Option<&'c str>,
@@ -204,7 +204,7 @@ impl<'c> File<'c> {
                 })
                 .collect(),
             changes: shown(comparison).map(changed).collect(),
-            whole: comparison.whole.as_ref().map(whole),
+            whole: comparison.whole.as_ref().map(|it| Box::new(whole(it))),
         }
     }
 

@@ -98,9 +98,10 @@ fn value_of(text: &str, ty: Scalar) -> Result<Value, String> {
     } else {
         text
     };
-    let number = match ty.is_real() {
-        true => ladder_simulator::with_point(number),
-        false => number.to_owned(),
+    let number = if ty.is_real() {
+        ladder_simulator::with_point(number)
+    } else {
+        number.to_owned()
     };
     value_text::parse(&number, ty).map_err(|_| wrong)
 }

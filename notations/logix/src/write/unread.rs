@@ -106,7 +106,9 @@ impl Writer<'_> {
         let at = network.location.range.start().into();
         let routine = part.routine()?;
         Some(routine.map(|mut rungs| {
-            rungs.iter_mut().for_each(|rung| rung.at = at);
+            for rung in &mut rungs {
+                rung.at = at;
+            }
             rungs
         }))
     }
@@ -151,7 +153,7 @@ impl Writer<'_> {
             let why = "there a routine in another language has no rungs besides";
             self.report
                 .refused(self.lines.place(self.text, rung.at), "network", why);
-            rung.text = "NOP();".to_owned();
+            "NOP();".clone_into(&mut rung.text);
             rung.comment = Some(format!("not written: {why}"));
             rung.foreign = None;
         }

@@ -103,7 +103,7 @@ impl Project<'_> {
         is_of_values && parts.values().all(|tag| tag.initial.iter().all(is_in_reach))
     }
 
-    fn first_value<'v>(&self, path: &str, parts: &Parts<'v>, place: &[(i64, i64)]) -> Option<&'v Value> {
+    fn first_value<'v>(path: &str, parts: &Parts<'v>, place: &[(i64, i64)]) -> Option<&'v Value> {
         let tag = parts
             .get(path)
             .or_else(|| parts.get(path.trim_end_matches("[]")))?;
@@ -134,7 +134,7 @@ impl Project<'_> {
         };
         match part.ty {
             Type::Scalar(scalar) => {
-                let Some(value) = self.first_value(&part.path, parts, &part.place) else {
+                let Some(value) = Self::first_value(&part.path, parts, &part.place) else {
                     return;
                 };
                 let own = part.own.unwrap_or_else(|| Value::zero(scalar));
@@ -175,9 +175,7 @@ impl Project<'_> {
         let zero = Value::zero(scalar);
         let mut values: Vec<(&Value, i64)> = Vec::new();
         for number in 0..count {
-            let value = self
-                .first_value(&path, parts, &[(number, count)])
-                .unwrap_or(&zero);
+            let value = Self::first_value(&path, parts, &[(number, count)]).unwrap_or(&zero);
             match values.last_mut() {
                 Some((last, times)) if *last == value => *times += 1,
                 _ => values.push((value, 1)),

@@ -28,7 +28,7 @@ pub(super) fn compiler() -> Option<String> {
 /// All that are found.
 pub(super) fn compilers() -> Vec<String> {
     let works = |name: &String| Command::new(name).arg("--version").output().is_ok();
-    ["clang", "gcc", "cc"]
+    ["gcc", "cc", "clang"]
         .map(str::to_owned)
         .into_iter()
         .filter(works)

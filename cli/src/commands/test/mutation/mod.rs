@@ -142,9 +142,10 @@ pub(super) fn mutate(
         .par_iter()
         .map(|(n, change)| {
             let subject = &subjects[*n];
-            let notice = match Instant::now() < end {
-                true => subject.notice(&change.made_in(&subject.program)),
-                false => Notice::No,
+            let notice = if Instant::now() < end {
+                subject.notice(&change.made_in(&subject.program))
+            } else {
+                Notice::No
             };
             let is_caught = !matches!(notice, Notice::No);
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;

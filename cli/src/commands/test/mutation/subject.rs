@@ -114,7 +114,7 @@ impl Subject {
             match tested.notice(changed, &self.resting) {
                 Notice::Yes => return Notice::Yes,
                 Notice::No => {}
-                resting => notice = resting,
+                resting @ Notice::Rests(_) => notice = resting,
             }
         }
         notice
@@ -209,7 +209,9 @@ impl Tested {
             for violation in &ran.violations {
                 let mut properties = watched.properties.iter();
                 let property = properties.find(|property| property.name == violation.name);
-                let points = property.map(|property| property.points()).unwrap_or_default();
+                let points = property
+                    .map(ladder_simulator::scenario::Monitor::points)
+                    .unwrap_or_default();
                 whys.push(points.iter().find_map(|point| rests(&point.name)));
             }
             match whys.into_iter().collect::<Option<Vec<&String>>>() {
