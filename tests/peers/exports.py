@@ -64,7 +64,7 @@ def values(folder):
     assert tags["line"][1]["steps"].shape == (3,)
     assert tags["matrix"].value == [[1, 2, 3], [4, 5, 6]], tags["matrix"].value
     assert tags["start"].value == 0
-    assert tags["delay"]["PRE"].value == 0
+    assert tags["delay"]["PRE"].value == 5000
     # Changed there, read here.
     tags["count"].value = 41
     tags["pump"]["speed"].value = 2.5
