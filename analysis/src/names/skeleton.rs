@@ -115,7 +115,11 @@ pub(crate) fn skeleton(
         functions_by_name: FxHashMap::default(),
     };
     bodies(&mut context);
-    context.unread = UnreadUses::of(&context);
+    context.unread = UnreadUses::of(
+        context.scopes.len(),
+        (&context.user_blocks, context.own_blocks),
+        &context.networks,
+    );
     Some(context)
 }
 

@@ -1,8 +1,8 @@
 //! What the unread parts that a file defines or holds may do with its tags (LANGUAGE §5.9): such a tag counts as read, and it may be
 //! as written.
 
-use crate::context::Context;
-use crate::names::scope::{Scope, TagFacts};
+use crate::names::scope::TagFacts;
+use crate::networks::Networks;
 use crate::networks::network::{BoundBlock, Meaning};
 use crate::networks::user_block::UserBlockFacts;
 use crate::other_files::outward::TagUse;
@@ -55,14 +55,18 @@ impl Seen {
 }
 
 impl UnreadUses {
-    /// Of a file whose networks are known.
-    pub(crate) fn of(context: &Context) -> UnreadUses {
+    /// Of a file with so many scopes, the first blocks of which are its own.
+    pub(crate) fn of(
+        scopes: usize,
+        (blocks, own): (&[UserBlockFacts], usize),
+        networks: &Networks,
+    ) -> UnreadUses {
         let mut uses = UnreadUses::default();
-        if context.user_blocks.iter().all(|block| block.unread.is_none()) {
+        if blocks.iter().all(|block| block.unread.is_none()) {
             return uses;
         }
-        uses.scopes.resize_with(context.scopes.len(), Seen::default);
-        let own = context.user_blocks[..context.own_blocks].iter().enumerate();
+        uses.scopes.resize_with(scopes, Seen::default);
+        let own = blocks[..own].iter().enumerate();
         for (item, unread) in own.filter_map(|(item, block)| Some((item, block.unread.as_deref()?))) {
             let body = &mut uses.scopes[item + 1];
             (body.any, body.writes_all) = (true, true);
@@ -71,12 +75,8 @@ impl UnreadUses {
                 uses.scopes[0].add(unread);
             }
         }
-        for network in &context.networks {
-            for unread in network
-                .blocks
-                .iter()
-                .filter_map(|block| part(block, &context.user_blocks))
-            {
+        for network in networks {
+            for unread in network.blocks.iter().filter_map(|block| part(block, blocks)) {
                 uses.scopes[network.scope].add(unread);
                 uses.shared.add(unread);
             }
@@ -115,31 +115,4 @@ pub(crate) fn part<'b>(block: &BoundBlock, all: &'b [UserBlockFacts]) -> Option<
         Meaning::User(index) => all[index].unread.as_deref(),
         _ => None,
     }
-}
-
-/// The names in the list of an unread part that mean no tag: neither one of its body nor one where it is, as far as the file
-/// shows where that is.
-pub(crate) fn unknown_names<'u>(context: &Context, item: usize, unread: &'u Unread) -> Vec<&'u str> {
-    let mut callers: Vec<&Scope> = Vec::new();
-    for network in &context.networks {
-        let is_it = |block: &BoundBlock| matches!(block.meaning, Meaning::User(index) if index == item);
-        if network.blocks.iter().any(is_it) {
-            callers.push(&context.scopes[network.scope]);
-        }
-    }
-    if unread.directive.at_any_time {
-        callers.push(&context.scopes[0]);
-    }
-    let paths = unread.directive.writes.iter().flatten();
-    let is_unknown = |path: &&String| {
-        let root = root_of(path);
-        let name = Name::new(root);
-        let is_seen = |scope: &Scope| scope.find(&name).is_some();
-        let is_known = is_seen(&context.scopes[item + 1])
-            || callers.iter().any(|scope| is_seen(scope))
-            || context.others.globals(&name).next().is_some()
-            || super::scope::type_by_form(root).is_some();
-        !is_known && !callers.is_empty()
-    };
-    paths.filter(is_unknown).map(String::as_str).collect()
 }

@@ -3,6 +3,7 @@
 mod directive;
 mod scope;
 mod switches;
+mod unread_names;
 
 use scope::{Allow, Directives, directives, idle_words};
 
