@@ -2,7 +2,8 @@
 
     reads.py FOLDER
 
-blark knows no CONFIGURATION: what stands in one is read as the sections that it holds.
+blark knows no CONFIGURATION: what stands in one is read as the sections that it holds. Nor does it know that a list of values may
+follow the name of an array's type: there it is read without them.
 """
 
 import re
@@ -30,6 +31,7 @@ def main(folder):
             if part in known:
                 continue
             known.add(part)
+            part = re.sub(r"(: \w+_TO_\w+) := \[[^\]]*\];", r"\1;", part)
             try:
                 parser.parse(part, start="iec_source")
             except Exception as error:  # whatever its parser has to say
