@@ -7,7 +7,7 @@
 use crate::form::{self, Form};
 use crate::outcome::Failure;
 use ladder_analysis::program::{Location, Program};
-use ladder_analysis::{Analysis, Diagnostic, Linked, NotWhole};
+use ladder_analysis::{Analysis, Diagnostic, Linked, NotWhole, library};
 use ladder_notations::{Foreign, Mark, ReadError, conversion_of_cplc_draft};
 use ladder_syntax::{LineColumn, LineIndex, TextRange, TextSize};
 use ladder_workspace::{Workspace, shown};
@@ -197,6 +197,16 @@ impl Source {
         let program = workspace.program_named(name)?;
         let other = Source::new(name.to_owned(), program.text.clone());
         Some(other.within(Arc::clone(workspace)))
+    }
+
+    /// The texts of a program's files, this one's own first.
+    pub(crate) fn texts(&self, files: &[String]) -> Vec<String> {
+        let others = files.iter().skip(1).map(|name| {
+            let of_library = || library::source(name).map(|source| source.text.to_owned());
+            let other = self.other(name).map(|other| other.text);
+            other.or_else(of_library).unwrap_or_default()
+        });
+        std::iter::once(self.text.clone()).chain(others).collect()
     }
 
     /// The workspace around the file. Settings that cannot be used are reported by the commands, which read them first.

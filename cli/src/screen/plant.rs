@@ -191,7 +191,8 @@ impl Plant {
     /// Why a tag holds what it holds.
     pub(super) fn why(&mut self, point: &Point) -> String {
         let why = self.session.why(point);
-        why.text(&self.texts.iter().map(String::as_str).collect::<Vec<_>>())
+        let files = &self.session.simulation().program().files;
+        why.text(&self.texts.iter().map(String::as_str).collect::<Vec<_>>(), files)
     }
 
     /// What was done so far, as a scenario of the program's file that expects something of these tags.
@@ -393,8 +394,6 @@ pub(super) enum Restart {
 }
 
 fn drawing(source: &Source, simulation: &Simulation) -> Drawing {
-    let others = simulation.program().files.iter().skip(1);
-    let others = others.map(|name| source.other(name).map_or_else(String::new, |other| other.text));
-    let texts = std::iter::once(source.text.clone()).chain(others).collect();
+    let texts = source.texts(&simulation.program().files);
     (Sheet::new(source, simulation), texts)
 }

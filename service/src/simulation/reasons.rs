@@ -14,18 +14,16 @@ impl Engine {
     pub(super) fn why(&mut self, tag: &str) -> Result<messages::Why, Failure> {
         let point = point(self.session.simulation(), tag)?;
         let why = self.session.why(&point);
-        let texts = self
-            .line_map
-            .running()
-            .texts(&self.session.simulation().program().files);
+        let files = self.session.simulation().program().files.clone();
+        let texts = self.line_map.running().texts(&files);
         let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
         let tree = Tree {
             engine: self,
-            wording: Wording::new(&texts),
+            wording: Wording::new(&texts, &files),
         };
         Ok(messages::Why {
             tag: point.name,
-            text: why.text(&texts),
+            text: why.text(&texts, &files),
             blocks: tree.blocks(&why),
             reason: tree.tag(&why),
         })
@@ -98,7 +96,7 @@ impl Tree<'_> {
                         .collect()
                 })
                 .collect(),
-            read: readings(&write.read),
+            read: readings(&[&write.read[..], &write.indices].concat()),
             because: write.because.iter().map(|why| self.tag(why)).collect(),
         }
     }

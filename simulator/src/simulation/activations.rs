@@ -67,6 +67,12 @@ impl Simulation {
         self.options.watchdog.saturating_sub(budget)
     }
 
+    /// The block that is drawn at a place of the text.
+    pub(crate) fn block_at(&self, location: Location) -> Option<BlockAt> {
+        let bodies = self.bodies.get_or_init(|| self.find_bodies());
+        bodies.blocks.get(&location).copied()
+    }
+
     fn activations_at(&self, pc: u32, innermost: bool, found: &mut Vec<Activation>) {
         let bodies = self.bodies.get_or_init(|| self.find_bodies());
         let around: Vec<&Body> = bodies

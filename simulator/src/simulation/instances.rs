@@ -21,7 +21,7 @@ pub struct Instance {
     /// Where it is.
     pub location: Location,
     /// The block, after those in whose bodies it is.
-    pub(super) path: Vec<BlockAt>,
+    pub(crate) path: Vec<BlockAt>,
     tags: Vec<(TagId, Home)>,
 }
 

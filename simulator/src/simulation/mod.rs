@@ -10,6 +10,7 @@ mod pages;
 mod power;
 mod restart;
 mod scan;
+mod scope;
 mod state;
 
 use crate::compile::{Compiled, compile};
@@ -29,10 +30,10 @@ use std::sync::{Arc, OnceLock};
 pub(crate) use activations::Bodies;
 pub use activations::{Activation, Routine};
 pub use forces::ValueRefused;
-pub(crate) use indexed::{name, number};
 pub use instances::Instance;
 pub(crate) use power::PowerSource;
 pub use scan::Stepped;
+pub(crate) use scope::Scope;
 pub use state::State;
 
 /// How a program is run.

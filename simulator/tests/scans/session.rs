@@ -241,7 +241,7 @@ fn walk_about(name: &str, text: &str, seed: u64) {
         }
         // Asking changes nothing.
         let why = session.why(&points[dice.roll(points.len() as u64) as usize]);
-        assert!(!why.text(&[text]).is_empty());
+        assert!(!why.text(&[text], &[]).is_empty());
         assert_eq!(see(&session, &points), seen[at], "{}", context(at));
         assert_eq!(session.scans_behind(), at, "{}", context(at));
         let past = session.past(&points, 5);

@@ -3,7 +3,7 @@
 use crate::support::{simulation, stimulus};
 use expect_test::{Expect, expect};
 use ladder_simulator::value_text::parse;
-use ladder_simulator::{HistoryLimits, Session};
+use ladder_simulator::{HistoryLimits, Moment, Session, Wording};
 
 /// Runs a program and asks about tags.
 #[track_caller]
@@ -38,7 +38,7 @@ fn ask(session: &mut Session, text: &str, tags: &str) -> String {
             .simulation()
             .resolve(tag)
             .unwrap_or_else(|error| panic!("{error}"));
-        shown.push_str(&session.why(&point).text(&[text]));
+        shown.push_str(&session.why(&point).text(&[text], &[]));
         shown.push('\n');
     }
     shown
@@ -328,10 +328,12 @@ fn forces_system_tags_blocks_and_arrays() {
     let before = session.step_back(0);
     assert_eq!(before, 0);
     expect![[r#"
-        y is 1 since scan 1 (10 ms): line 8, [$Copy]( x, y ) wrote it (x is 1); power came straight from the rail
-          x is 1 since scan 1 (10 ms): it was given from outside
+        y is 1 since scan 1 (10 ms): line 8, [$Copy]( x, y ) wrote it ($Copy#1.b is 1); power came straight from the rail
+          $Copy#1.b is 1 since scan 1 (10 ms): line 4, ( )( b ) wrote it; power came through [ ]( a ) (line 4, column 4): $Copy#1.a is 1
+            $Copy#1.a is 1 since scan 1 (10 ms): line 8, [$Copy]( x, y ) wrote it (x is 1); power came straight from the rail
+              x is 1 since scan 1 (10 ms): it was given from outside
         f[1] is 0 since the start: nothing has written it
-        f[2] is 5 since scan 1 (10 ms): line 9, [MOV]( f[i], 5 ) wrote it; power came through [ ]( x ) (line 9, column 4): x is 1
+        f[2] is 5 since scan 1 (10 ms): line 9, [MOV]( f[i], 5 ) wrote it (i is 2); power came through [ ]( x ) (line 9, column 4): x is 1
           x is 1 since scan 1 (10 ms): it was given from outside
         f[3] is 6 since scan 1 (10 ms): line 9, [MOV]( f[3], 6 ) wrote it; power came through [ ]( x ) (line 9, column 4): x is 1, [MOV]( f[i], 5 ) (line 9, column 14)
           x is 1 since scan 1 (10 ms): it was given from outside
@@ -455,5 +457,180 @@ fn constants_are_no_news() {
           level is 25 since scan 1 (10 ms): it was given from outside
         FILL_B is 20 since the start: nothing has written it
     "#]],
+    );
+}
+
+const LOOP: &str = "\
+VAR_INPUT a : ARRAY[1..3] OF BOOL; go : BOOL; END_VAR\n\
+VAR q, r : ARRAY[1..3] OF BOOL; k : INT; END_VAR\n\
++--<FOR>( 3, I => k )--+\n\
++--[ ]( a[k] )--( )( q[k] )--+\n\
++--[ ]( go )--( )( r[k] )--+\n\
++--<NEXT>--+\n";
+
+const CALLED_TWICE: &str = "\
+VAR_INPUT a, b : BOOL; END_VAR\n\
+VAR x : BOOL; p : INT; q : ARRAY[1..2] OF BOOL; END_VAR\n\
++--[MOV]( p, 1 )--[ ]( a )--( )( x )--+\n\
++--<CALL>( part )--+\n\
++--[MOV]( p, 2 )--[ ]( b )--( )( x )--+\n\
++--<CALL>( part )--+\n\
++--<FUN>( part )--+\n\
++--[ ]( x )--( )( q[p] )--+\n\
++--<RET>--+\n";
+
+const MOTORS: &str = "\
+FUNCTION_BLOCK [$Motor]\nVAR_INPUT start, stop : BOOL; END_VAR\nVAR_OUTPUT run : BOOL; END_VAR\n\
+VAR t : TON; END_VAR\nVAR_IN_OUT count : INT; END_VAR\n\
++--[ ]( start )--[/]( stop )--[TON]( t, T#10ms )--( )( run )--+\n\
++--[ ]( run )--[ADD]( count, count, 1 )--+\n\
+END_FUNCTION_BLOCK\n\
+VAR_INPUT go : ARRAY[1..2] OF BOOL; halt : BOOL; END_VAR\n\
+VAR m1 : $Motor; m : ARRAY[1..2] OF $Motor; n : ARRAY[1..2] OF INT; c, k : INT; y : BOOL; END_VAR\n\
++--[$Motor]( m1, go[2], halt, y, c )--+\n\
++--<FOR>( 2, I => k )--+\n\
++--[$Motor]( m[k], go[k], halt, count := n[k] )--+\n\
++--<NEXT>--+\n";
+
+/// Each element tells of the turn that wrote it, whether it changed then or not, and a coil that has only written low tells so.
+#[test]
+fn the_turn_of_a_loop() {
+    check(
+        LOOP,
+        "a[1] _-\na[3] __-\ngo _____-",
+        "q[1] q[2] q[3] r[2] k",
+        expect![[r#"
+            q[1] is 1 since scan 1 (10 ms): line 4, ( )( q[k] ) wrote it (k is 1); power came through [ ]( a[k] ) (line 4, column 4): a[1] is 1
+              a[1] is 1 since scan 1 (10 ms): it was given from outside
+            q[2] is 0 since the start: line 4, ( )( q[k] ) wrote it (k is 2); blocked by [ ]( a[k] ) (line 4, column 4): a[2] is 0
+              a[2] is 0 since the start: nothing else was given
+            q[3] is 1 since scan 2 (20 ms): line 4, ( )( q[k] ) wrote it (k is 3); power came through [ ]( a[k] ) (line 4, column 4): a[3] is 1
+              a[3] is 1 since scan 2 (20 ms): it was given from outside
+            r[2] is 1 since scan 5 (50 ms): line 5, ( )( r[k] ) wrote it (k is 2); power came through [ ]( go ) (line 5, column 4): go is 1
+              go is 1 since scan 5 (50 ms): it was given from outside
+            k is 3 since scan 0 (0 ms): line 3, <FOR>( 3, I => k ) wrote it; power came straight from the rail
+        "#]],
+    );
+}
+
+/// A function that several blocks call, and the bodies of blocks.
+#[test]
+fn the_run_of_what_is_called_twice() {
+    check(
+        CALLED_TWICE,
+        "a _-\nb ___",
+        "q[1] q[2]",
+        expect![[r#"
+        q[1] is 1 since scan 1 (10 ms): line 8, ( )( q[p] ) wrote it, called by <CALL>( part ) (line 4) (p is 1); power came through [ ]( x ) (line 8, column 4): x is 1
+          x is 1 since scan 1 (10 ms): line 3, ( )( x ) wrote it; power came through [MOV]( p, 1 ) (line 3, column 4), [ ]( a ) (line 3, column 19): a is 1
+            a is 1 since scan 1 (10 ms): it was given from outside
+        q[2] is 0 since the start: line 8, ( )( q[p] ) wrote it, called by <CALL>( part ) (line 6) (p is 2); blocked by [ ]( x ) (line 8, column 4): x is 0
+          x is 0 since the start: line 5, ( )( x ) wrote it; blocked by [ ]( b ) (line 5, column 19): b is 0
+            b is 0 since the start: nothing else was given
+    "#]],
+    );
+    check(
+        MOTORS,
+        "go[2] _----\nhalt _____-",
+        "m1.run y m[1].run m[2].run m[2].start c n[2] n[1] m1.t.ET",
+        expect![[r#"
+            m1.run is 0 since scan 5 (50 ms): line 6, ( )( run ) wrote it; blocked by [/]( stop ) (line 6, column 18): m1.stop is 1 and by [TON]( t, T#10ms ) (line 6, column 31): m1.t.ET is T#0s
+              m1.stop is 1 since scan 5 (50 ms): line 11, [$Motor]( m1, go[2], halt, y, c ) wrote it (halt is 1); power came straight from the rail
+                halt is 1 since scan 5 (50 ms): it was given from outside
+              m1.t.ET is T#0s since scan 5 (50 ms): line 6, [TON]( t, T#10ms ) wrote it; blocked by [/]( stop ) (line 6, column 18): m1.stop is 1
+            y is 0 since scan 5 (50 ms): line 11, [$Motor]( m1, go[2], halt, y, c ) wrote it (m1.run is 0); power came straight from the rail
+              m1.run is 0 since scan 5 (50 ms): line 6, ( )( run ) wrote it; blocked by [/]( stop ) (line 6, column 18): m1.stop is 1 and by [TON]( t, T#10ms ) (line 6, column 31): m1.t.ET is T#0s
+                m1.stop is 1 since scan 5 (50 ms): line 11, [$Motor]( m1, go[2], halt, y, c ) wrote it (halt is 1); power came straight from the rail
+                  halt is 1 since scan 5 (50 ms): it was given from outside
+                m1.t.ET is T#0s since scan 5 (50 ms): line 6, [TON]( t, T#10ms ) wrote it; blocked by [/]( stop ) (line 6, column 18): m1.stop is 1
+            m[1].run is 0 since the start: line 6, ( )( run ) wrote it; blocked by [ ]( start ) (line 6, column 4): m[1].start is 0 and by [/]( stop ) (line 6, column 18): m[1].stop is 1 and by [TON]( t, T#10ms ) (line 6, column 31): m[1].t.ET is T#0s
+              m[1].start is 0 since the start: line 13, [$Motor]( m[k], go[k], halt, count := n[k] ) wrote it (go[1] is 0); power came straight from the rail
+                go[1] is 0 since the start: nothing else was given
+              m[1].stop is 1 since scan 5 (50 ms): line 13, [$Motor]( m[k], go[k], halt, count := n[k] ) wrote it (halt is 1); power came straight from the rail
+                halt is 1 since scan 5 (50 ms): it was given from outside
+              m[1].t.ET is T#0s since the start: line 6, [TON]( t, T#10ms ) wrote it; blocked by [ ]( start ) (line 6, column 4): m[1].start is 0 and by [/]( stop ) (line 6, column 18): m[1].stop is 1
+            m[2].run is 0 since scan 5 (50 ms): line 6, ( )( run ) wrote it; blocked by [/]( stop ) (line 6, column 18): m[2].stop is 1 and by [TON]( t, T#10ms ) (line 6, column 31): m[2].t.ET is T#0s
+              m[2].stop is 1 since scan 5 (50 ms): line 13, [$Motor]( m[k], go[k], halt, count := n[k] ) wrote it (halt is 1); power came straight from the rail
+                halt is 1 since scan 5 (50 ms): it was given from outside
+              m[2].t.ET is T#0s since scan 5 (50 ms): line 6, [TON]( t, T#10ms ) wrote it; blocked by [/]( stop ) (line 6, column 18): m[2].stop is 1
+            m[2].start is 1 since scan 1 (10 ms): line 13, [$Motor]( m[k], go[k], halt, count := n[k] ) wrote it (go[2] is 1); power came straight from the rail
+              go[2] is 1 since scan 1 (10 ms): it was given from outside
+            c is 3 since scan 4 (40 ms): line 7, [ADD]( count, count, 1 ) wrote it; power came through [ ]( run ) (line 7, column 4): m1.run is 1
+              m1.run is 1 since scan 2 (20 ms): line 6, ( )( run ) wrote it; power came through [ ]( start ) (line 6, column 4): m1.start is 1, [/]( stop ) (line 6, column 18): m1.stop is 0, [TON]( t, T#10ms ) (line 6, column 31): m1.t.ET is T#10ms
+                m1.start is 1 since scan 1 (10 ms): line 11, [$Motor]( m1, go[2], halt, y, c ) wrote it (go[2] is 1); power came straight from the rail
+                  go[2] is 1 since scan 1 (10 ms): it was given from outside
+                m1.stop is 0 since the start: line 11, [$Motor]( m1, go[2], halt, y, c ) wrote it (halt is 0); power came straight from the rail
+                  halt is 0 since the start: nothing else was given
+                m1.t.ET is T#10ms since scan 2 (20 ms): line 6, [TON]( t, T#10ms ) wrote it; power came through [ ]( start ) (line 6, column 4): m1.start is 1, [/]( stop ) (line 6, column 18): m1.stop is 0
+            n[2] is 3 since scan 4 (40 ms): line 7, [ADD]( count, count, 1 ) wrote it; power came through [ ]( run ) (line 7, column 4): m[2].run is 1
+              m[2].run is 1 since scan 2 (20 ms): line 6, ( )( run ) wrote it; power came through [ ]( start ) (line 6, column 4): m[2].start is 1, [/]( stop ) (line 6, column 18): m[2].stop is 0, [TON]( t, T#10ms ) (line 6, column 31): m[2].t.ET is T#10ms
+                m[2].start is 1 since scan 1 (10 ms): line 13, [$Motor]( m[k], go[k], halt, count := n[k] ) wrote it (go[2] is 1); power came straight from the rail
+                  go[2] is 1 since scan 1 (10 ms): it was given from outside
+                m[2].stop is 0 since the start: line 13, [$Motor]( m[k], go[k], halt, count := n[k] ) wrote it (halt is 0); power came straight from the rail
+                  halt is 0 since the start: nothing else was given
+                m[2].t.ET is T#10ms since scan 2 (20 ms): line 6, [TON]( t, T#10ms ) wrote it; power came through [ ]( start ) (line 6, column 4): m[2].start is 1, [/]( stop ) (line 6, column 18): m[2].stop is 0
+            n[1] is 0 since the start: nothing has written it
+            m1.t.ET is T#0s since scan 5 (50 ms): line 6, [TON]( t, T#10ms ) wrote it; blocked by [/]( stop ) (line 6, column 18): m1.stop is 1
+              m1.stop is 1 since scan 5 (50 ms): line 11, [$Motor]( m1, go[2], halt, y, c ) wrote it (halt is 1); power came straight from the rail
+                halt is 1 since scan 5 (50 ms): it was given from outside
+        "#]],
+    );
+}
+
+/// What a table of values says of them.
+#[track_caller]
+fn check_moment(text: &str, values: &str, tags: &str, expected: Expect) {
+    let simulation = simulation(text);
+    let given = values.split_whitespace().map(|given| {
+        let (tag, value) = given.split_once('=').unwrap();
+        let point = simulation.resolve(tag).unwrap();
+        let value = parse(value, point.ty).unwrap();
+        (point, value)
+    });
+    let given = given.collect();
+    let mut moment = Moment::new(simulation, given).unwrap();
+    let mut shown = String::new();
+    for tag in tags.split_whitespace() {
+        let point = moment.simulation().resolve(tag).unwrap();
+        let judged = moment.why(&point);
+        shown.push_str(&Wording::new(&[text], &[]).judged(&judged));
+        shown.push('\n');
+    }
+    expected.assert_eq(&shown);
+}
+
+#[test]
+fn of_one_moment_it_is_the_turn_that_writes_the_tag() {
+    check_moment(
+        LOOP,
+        "a[1]=1 a[2]=0 a[3]=0 go=0 q[1]=1 q[2]=0 q[3]=0 r[1]=0 k=3",
+        "q[1] q[3] r[1] k",
+        expect![[r#"
+            q[1] is 1: line 4, ( )( q[k] ) writes 1 (k is 1); power came through [ ]( a[k] ) (line 4, column 4): a[1] is 1
+            q[3] is 0: line 4, ( )( q[k] ) writes 0 (k is 3); blocked by [ ]( a[k] ) (line 4, column 4): a[3] is 0
+            r[1] is 0: line 5, ( )( r[k] ) writes 0 (k is 1); blocked by [ ]( go ) (line 5, column 4): go is 0
+            k is 3: line 3, <FOR>( 3, I => k ) writes 3; power came straight from the rail
+        "#]],
+    );
+    check_moment(
+        CALLED_TWICE,
+        "a=1 b=0 x=0 p=2 q[1]=1 q[2]=0",
+        "q[1] q[2]",
+        expect![[r#"
+            q[1] is 1: line 8, ( )( q[p] ) writes 1, called by <CALL>( part ) (line 4) (p is 1); power came through [ ]( x ) (line 8, column 4): x is 1
+            q[2] is 0: line 8, ( )( q[p] ) writes 0, called by <CALL>( part ) (line 6) (p is 2); blocked by [ ]( x ) (line 8, column 4): x is 0
+        "#]],
+    );
+    check_moment(
+        MOTORS,
+        "go[1]=1 go[2]=0 halt=0 m1.run=0 m[1].run=1 m[1].t.ET=T#10ms m[1].t.Q=1 m[2].run=0 k=2 y=0",
+        "m1.run m[1].run m[2].run m[2].start y",
+        expect![[r#"
+            m1.run is 0, as far as the table goes: line 6, ( )( run ) writes 0; blocked by [ ]( start ) (line 6, column 4): m1.start is 0 and by [TON]( t, T#10ms ) (line 6, column 31): m1.t.ET is T#0s
+            m[1].run is 1: line 6, ( )( run ) writes 1; power came through [ ]( start ) (line 6, column 4): m[1].start is 1, [/]( stop ) (line 6, column 18): m[1].stop is 0, [TON]( t, T#10ms ) (line 6, column 31): m[1].t.ET is T#10ms
+            m[2].run is 0, as far as the table goes: line 6, ( )( run ) writes 0; blocked by [ ]( start ) (line 6, column 4): m[2].start is 0 and by [TON]( t, T#10ms ) (line 6, column 31): m[2].t.ET is T#0s
+            m[2].start is 0, though not in the table: line 13, [$Motor]( m[k], go[k], halt, count := n[k] ) writes 0; power came straight from the rail
+            y is 0: line 11, [$Motor]( m1, go[2], halt, y, c ) writes 0; power came straight from the rail
+        "#]],
     );
 }

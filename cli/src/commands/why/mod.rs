@@ -99,7 +99,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Format::Text => people(&source, &moment, &judged, &given, &mut out)?,
         Format::Json => {
             let program = moment.simulation().program();
-            let texts = texts(&source, program);
+            let texts = source.texts(&program.files);
             let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
             to_writer_pretty(
                 &mut out,
@@ -107,7 +107,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
                     &judged,
                     &given,
                     unread_writers(program, &judged),
-                    &Wording::new(&texts),
+                    &Wording::new(&texts, &program.files),
                 ),
             )?;
             writeln!(out)?;
@@ -119,19 +119,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     } else {
         Outcome::Findings
     })
-}
-
-/// The texts of the program's files.
-fn texts(source: &Source, program: &Program) -> Vec<String> {
-    let others = program.files.iter().skip(1);
-    let text = |name: &String| {
-        source
-            .other(name)
-            .map_or_else(String::new, |other| other.text.clone())
-    };
-    std::iter::once(source.text.clone())
-        .chain(others.map(text))
-        .collect()
 }
 
 /// The unread parts that may write the tag, or one that it was followed back to.
@@ -179,10 +166,10 @@ fn people(
     out: &mut Stdout,
 ) -> io::Result<()> {
     let program = moment.simulation().program();
-    let texts = texts(source, program);
+    let texts = source.texts(&program.files);
     let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
     let mut lines = Vec::new();
-    reasons(&Wording::new(&texts), judged, 0, &mut lines);
+    reasons(&Wording::new(&texts, &program.files), judged, 0, &mut lines);
     for line in &lines {
         writeln!(out, "{}", shown::line(line))?;
     }

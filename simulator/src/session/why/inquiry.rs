@@ -320,9 +320,9 @@ impl Inquiry<'_> {
     }
 
     /// The blocks that may write what a question is about.
-    fn blocks_for(&self, question: usize) -> &[BlockAt] {
-        let tag = place::tag_of(self.simulation, &self.questions[question].point);
-        self.writers.of_tag(tag)
+    fn blocks_for(&self, question: usize) -> Vec<BlockAt> {
+        self.writers
+            .of_point(self.simulation, &self.questions[question].point)
     }
 
     /// The last write in the scan at whose start this is, up to a moment.
@@ -333,12 +333,12 @@ impl Inquiry<'_> {
         self.traces += 1;
         let point = self.questions[question].point.clone();
         let tag = place::tag_of(self.simulation, &point);
-        let blocks = self.writers.of_tag(tag);
+        let blocks = self.blocks_for(question);
         self.simulation.open = false;
         self.simulation.machine.faults.clear();
         rewind.restore(self.simulation);
         let scan = self.simulation.scans();
-        let traced = trace::last_write(self.simulation, self.writers, blocks, &point, when.limit)?;
+        let traced = trace::last_write(self.simulation, self.writers, &blocks, &point, when.limit)?;
         let program = self.simulation.program().clone();
         let network = &program.networks[traced.at.network];
         let lists = traced.ways(network);
@@ -351,8 +351,10 @@ impl Inquiry<'_> {
             ways.push(way);
         }
         // What a coil writes is its power; other blocks write what they make of their operands.
-        let of_itself = |(read, _): &(Point, Value)| place::tag_of(self.simulation, read) == tag;
-        let mut read = traced.values.get(&traced.at.block).cloned().unwrap_or_default();
+        let of_itself = |(read, _): &(Point, Value)| {
+            *read == point || (tag.is_some() && place::tag_of(self.simulation, read) == tag)
+        };
+        let mut read = traced.read.clone();
         read.retain(|value| !of_itself(value));
         let because = if traced.power {
             self.because(&read, &traced, traced.at.block, when.entry, question)
@@ -363,8 +365,10 @@ impl Inquiry<'_> {
         Some(FoundWrite {
             scan,
             block: network.blocks[traced.at.block].location,
+            called: traced.called,
             power: traced.power,
             ways,
+            indices: traced.indices,
             read,
             because,
         })

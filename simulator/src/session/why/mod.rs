@@ -9,6 +9,7 @@ mod moment;
 mod place;
 mod question;
 mod reasons;
+mod target;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -65,7 +66,7 @@ pub enum Cause {
     Forced,
     /// The simulation itself keeps it: a system tag.
     System,
-    /// What wrote it is not known any more: the scan is not kept, or a block's body did.
+    /// What wrote it is not known any more: the scan is not kept.
     Unknown,
     /// A block of the program wrote it.
     Block(Box<Write>),
@@ -78,11 +79,15 @@ pub struct Write {
     pub scan: u64,
     /// The block.
     pub block: Location,
+    /// The block that called the function in which it is, where several do.
+    pub called: Option<Location>,
     /// Whether power reached it.
     pub power: bool,
     /// With power: one list, of the blocks that passed it on, from left to right. Without: each list is one way in
     /// which power would reach the block, by letting it pass all blocks of the list; no list has more than it needs.
     pub reasons: Vec<Vec<Reason>>,
+    /// What the indices were of what it wrote: they tell the turns of a loop apart.
+    pub indices: Vec<(Point, Value)>,
     /// What it made its result of, where it writes more than its power.
     pub read: Vec<(Point, Value)>,
     /// Why that was so, as far as it was followed.

@@ -1,22 +1,23 @@
 //! Why tags hold what they hold at one moment of which only the values are known: taken from a controller, without a run.
 //!
-//! Each network is run once, from the values of the moment: what a network has written is put back to what was given before the next
-//! begins. No time passes. Edges hold what their operands hold, so that none of them comes through.
+//! Each network is run from the values of the moment: what a network has written is put back to what was given before the next
+//! begins. A loop is run as a whole, and so is what several blocks call: there the values of one turn are not those of the moment. No time passes. Edges hold what their operands hold, so that none of them comes through.
 
 use super::reasons::{self, Blocker};
 use super::trace::{self, Traced};
-use super::writers::Writers;
+use super::writers::{Writers, called_by};
 use super::{Reason, Write, place};
 use crate::fault::Fault;
 use crate::layout::Home;
+use crate::memory::Bit;
 use crate::places::BlockAt;
-use crate::simulation::{Simulation, State, Status};
+use crate::simulation::{Scope, Simulation, State, Status};
 use crate::tags::{Point, Within};
 use crate::timers::Timer;
-use ladder_analysis::program::{BlockKind, Network, Step, TagId};
+use ladder_analysis::program::{Block, BlockKind, Network, Program, Step};
 use ladder_analysis::values::value::Value;
 use ladder_instructions::{Group, Op, StateType};
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{HashMap, HashSet};
 
 /// So many tags are asked about for one question.
 const MOST_ASKED: usize = 40;
@@ -36,8 +37,15 @@ pub struct Moment {
     written: HashMap<usize, Vec<usize>>,
     /// The given values in the states of blocks.
     inside: Vec<usize>,
-    /// The first instruction of each network.
+    /// The first instruction of each network outside of the bodies of blocks.
     starts: HashMap<u32, usize>,
+    /// Of each network whether it goes on with the values of those that ran before it.
+    goes_on: Vec<bool>,
+    /// The given values that several networks write and a function reads which several blocks call: what it is called with.
+    /// They are not put back.
+    parameters: HashSet<usize>,
+    /// Inputs of bodies that were not given, and that blocks make of what was given.
+    handed_over: HashSet<String>,
     /// Before the scan in which the networks are seen.
     settled: State,
 }
@@ -106,17 +114,38 @@ impl Moment {
                 timers.push((Timer { bits, words }, state));
                 last = tag;
             }
-            let mut networks: Vec<usize> = writers.of_tag(tag).iter().map(|at| at.network).collect();
+            let mut networks: Vec<usize> = writers
+                .of_point(&simulation, point)
+                .iter()
+                .map(|at| at.network)
+                .collect();
             networks.dedup();
             for network in networks {
                 written.entry(network).or_default().push(index);
             }
         }
         let stretches = simulation.compiled.stretches.iter().enumerate();
-        let starts = stretches.filter(|(_, stretch)| stretch.start < stretch.end);
+        let program = simulation.program();
+        let is_of_body = |network: &usize| {
+            program
+                .blocks
+                .iter()
+                .any(|block| block.networks.contains(network))
+        };
+        let starts =
+            stretches.filter(|(network, stretch)| stretch.start < stretch.end && !is_of_body(network));
         let starts = starts
             .map(|(network, stretch)| (stretch.start, network))
             .collect();
+        let goes_on = networks_that_go_on(program);
+        let read = read_in_shared_functions(&simulation, &goes_on);
+        let is_parameter = |(index, (point, _)): (usize, &(Point, Value))| {
+            let tag = place::tag_of(&simulation, point).filter(|_| read.contains(&point.name))?;
+            let mut networks = writers.of_tag(Some(tag)).iter().map(|at| at.network);
+            let first = networks.next()?;
+            networks.any(|other| other != first).then_some(index)
+        };
+        let parameters = given.iter().enumerate().filter_map(is_parameter).collect();
         let settled = simulation.state();
         simulation.set_brake(None);
         let mut moment = Moment {
@@ -128,6 +157,9 @@ impl Moment {
             written,
             inside,
             starts,
+            goes_on,
+            parameters,
+            handed_over: HashSet::new(),
             settled,
         };
         // Edges and timers get to know the values.
@@ -149,31 +181,46 @@ impl Moment {
     /// Why a point holds its value, or what contradicts that.
     pub fn why(&mut self, point: &Point) -> Judged {
         let mut asked = HashSet::new();
-        self.judge(point, DEEPEST, &mut asked)
+        let mut powers = Vec::new();
+        let judged = self.judge(point, DEEPEST, &mut asked, &mut powers);
+        // What is shown is the turn that is told.
+        for (network, powers) in powers {
+            let slots = self.writers.slots(&self.simulation, network);
+            for (slot, power) in slots.into_iter().zip(&powers) {
+                if slot != Bit::LOW && slot != Bit::HIGH {
+                    self.simulation.machine.memory.set_bit(slot, *power);
+                }
+            }
+        }
+        judged
     }
 
-    fn judge(&mut self, point: &Point, depth: usize, asked: &mut HashSet<String>) -> Judged {
+    /// The powers are those of the networks that may write the point, as far as it is the first that is asked about.
+    fn judge(
+        &mut self,
+        point: &Point,
+        depth: usize,
+        asked: &mut HashSet<String>,
+        powers: &mut Vec<(usize, Vec<bool>)>,
+    ) -> Judged {
         asked.insert(point.name.clone());
-        let own = place::tag_of(&self.simulation, point).filter(|_| point.within != Within::Block);
-        // A tag of a body is written where the instance runs.
-        let is_written = |tag: &TagId| !self.writers.of_tag(Some(*tag)).is_empty();
-        let holder = || place::holder_of(&self.simulation, point);
-        let tag = own.filter(is_written).or_else(holder);
-        let blocks = self.writers.of_tag(tag).to_vec();
+        let blocks = self.writers.of_point(&self.simulation, point);
         let found = self.see(point, &blocks);
         let program = self.simulation.program().clone();
         let mut judgements = Vec::with_capacity(found.len());
         let (mut read, mut missing): (Vec<Point>, Vec<Point>) = (Vec::new(), Vec::new());
+        let mut is_handed_over = false;
         for (traced, writes, leaves) in found {
+            is_handed_over = traced.is_handed_over;
             let network = &program.networks[traced.at.network];
             for needed in self.open_values(network, &traced) {
                 if !missing.contains(&needed) {
                     missing.push(needed);
                 }
             }
-            let mut write = write_of(network, &traced, point);
-            if tag != own {
-                write.read.extend(self.held_with(point, tag));
+            let write = write_of(network, &traced, point);
+            if depth == DEEPEST {
+                powers.push((traced.at.network, traced.powers.clone()));
             }
             let reasons = write.reasons.iter().flatten().flat_map(|reason| &reason.values);
             for (point, _) in reasons.chain(&write.read) {
@@ -192,30 +239,28 @@ impl Moment {
         let mut because = Vec::new();
         read.retain(|point| depth > 0 && asked.len() < MOST_ASKED && asked.insert(point.name.clone()));
         for point in read {
-            because.push(self.judge(&point, depth - 1, asked));
+            because.push(self.judge(&point, depth - 1, asked, powers));
         }
+        missing.retain(|needed| !self.handed_over.contains(&needed.name));
+        if is_handed_over && missing.is_empty() {
+            self.handed_over.insert(point.name.clone());
+        }
+        // Of what no block of its body writes, the call of a block is not a writer.
+        let is_call = |at: &&BlockAt| {
+            let block = &program.networks[at.network].blocks[at.block];
+            matches!(block.kind, BlockKind::User(_))
+        };
+        let is_writer = |at: &&BlockAt| !judgements.is_empty() || !is_call(at);
+        let writers = blocks.iter().filter(is_writer).count();
         Judged {
             is_given: self.names.contains(&point.name),
             point: point.clone(),
             value,
             judgements,
-            writers: blocks.len(),
+            writers,
             missing,
             because,
         }
-    }
-
-    /// What else was given of the instance that holds a point: what its body does is not followed, and depends on that.
-    fn held_with(&self, point: &Point, holder: Option<TagId>) -> Vec<(Point, Value)> {
-        let Some(holder) = holder.map(|tag| &self.simulation.program().tags[tag.0 as usize].name) else {
-            return Vec::new();
-        };
-        let is_held = |name: &str| {
-            name.strip_prefix(holder.as_str())
-                .is_some_and(|rest| rest.starts_with('.'))
-        };
-        let is_with = |(other, _): &&(Point, Value)| other.name != point.name && is_held(&other.name);
-        self.given.iter().filter(is_with).cloned().collect()
     }
 
     /// What was not given and may decide what a block does.
@@ -247,13 +292,16 @@ impl Moment {
             written,
             inside,
             starts,
+            goes_on,
+            parameters,
             settled,
             ..
         } = self;
         simulation.restore(settled);
         simulation.machine.faults.clear();
-        let put_all = |simulation: &mut Simulation| {
-            for (point, value) in given.iter() {
+        let put_all = |simulation: &mut Simulation, but: &HashSet<usize>| {
+            let all = given.iter().enumerate();
+            for (_, (point, value)) in all.filter(|(index, _)| !but.contains(index)) {
                 simulation.write(point, value);
             }
             let now = simulation.time();
@@ -261,31 +309,43 @@ impl Moment {
                 timer.follow_members(&mut simulation.machine.memory, state, now);
             }
         };
-        put_all(simulation);
+        put_all(simulation, &HashSet::new());
         let asked: HashSet<usize> = blocks.iter().map(|at| at.network).collect();
         let also: Vec<u32> = starts.keys().copied().collect();
         let mut last: Option<usize> = None;
         let mut halted = |simulation: &mut Simulation, pc: u32| {
             let Some(&network) = starts.get(&pc) else { return };
-            if asked.contains(&network) {
-                put_all(simulation);
-            } else if let Some(last) = last {
+            let before = last.replace(network);
+            if goes_on[network] {
+                return;
+            }
+            if asked.contains(&network) || before.is_some_and(|before| goes_on[before]) {
+                put_all(simulation, parameters);
+            } else if let Some(last) = before {
                 let calls = simulation.program().networks[last].blocks.iter();
                 let has_body = calls
                     .into_iter()
                     .any(|block| matches!(block.kind, BlockKind::User(_)));
                 let own = written.get(&last).into_iter().flatten();
-                for &index in own.chain(inside.iter().filter(|_| has_body)) {
+                let own = own.chain(inside.iter().filter(|_| has_body));
+                for &index in own.filter(|index| !parameters.contains(index)) {
                     let (point, value) = &given[index];
                     simulation.write(point, value);
                 }
             }
-            last = Some(network);
         };
-        let mut found = BTreeMap::new();
+        let mut found: Vec<(Traced, bool, Value)> = Vec::new();
         let mut note = |simulation: &Simulation, traced: Traced, writes: bool| {
+            // Of several turns the last that writes the tag is told.
+            let earlier = found.iter().position(|(other, ..)| other.at == traced.at);
+            if let Some(earlier) = earlier {
+                if found[earlier].1 && !writes {
+                    return;
+                }
+                found.remove(earlier);
+            }
             let leaves = simulation.value(point);
-            found.insert((traced.at.network, traced.at.block), (traced, writes, leaves));
+            found.push((traced, writes, leaves));
         };
         trace::all_writes(
             simulation,
@@ -295,9 +355,63 @@ impl Moment {
             &mut halted,
             &mut note,
         );
-        put_all(simulation);
-        found.into_values().collect()
+        put_all(simulation, &HashSet::new());
+        found
     }
+}
+
+/// Of each network whether it runs with what those before it have left: in a loop, and in functions that several blocks
+/// call, or that are called there.
+fn networks_that_go_on(program: &Program) -> Vec<bool> {
+    let mut goes_on = vec![false; program.networks.len()];
+    let functions = program.functions.iter().map(|function| function.networks.clone());
+    for routine in std::iter::once(program.main.clone()).chain(functions.clone()) {
+        let mut loops = 0usize;
+        for network in routine {
+            goes_on[network] = loops > 0;
+            for block in &program.networks[network].blocks {
+                match block.kind {
+                    BlockKind::Instruction(row) if row.op == Op::For => loops += 1,
+                    BlockKind::Instruction(row) if row.op == Op::Next => loops = loops.saturating_sub(1),
+                    _ => {}
+                }
+            }
+        }
+    }
+    loop {
+        let mut calls = vec![0; program.functions.len()];
+        for (network, goes_on) in program.networks.iter().zip(&goes_on) {
+            for function in network.blocks.iter().flat_map(called_by) {
+                calls[function] += if *goes_on { 2 } else { 1 };
+            }
+        }
+        let mut is_new = false;
+        for (networks, _) in functions.clone().zip(calls).filter(|(_, calls)| *calls > 1) {
+            is_new |= goes_on[networks.clone()].contains(&false);
+            goes_on[networks].fill(true);
+        }
+        if !is_new {
+            return goes_on;
+        }
+    }
+}
+
+/// The names of what is read in functions which several blocks call.
+fn read_in_shared_functions(simulation: &Simulation, goes_on: &[bool]) -> HashSet<String> {
+    let program = simulation.program();
+    let functions = program.functions.iter();
+    let networks = functions.flat_map(|function| function.networks.clone());
+    let networks = networks.filter(|network| goes_on[*network]);
+    let blocks = networks.flat_map(|network| &program.networks[network].blocks);
+    let scope = Scope::default();
+    let read = |block: &Block| {
+        let mut read = place::values_read(simulation, &scope, block);
+        for bound in &block.arguments {
+            read.extend(place::index_values(simulation, &scope, &bound.argument));
+        }
+        read
+    };
+    blocks.flat_map(read).map(|(point, _)| point.name).collect()
 }
 
 /// Whether power comes to a block, or does not, whatever the blocks do of which not all values are known.
@@ -352,13 +466,15 @@ fn write_of(network: &Network, traced: &Traced, point: &Point) -> Write {
         },
     };
     let ways = traced.ways(network);
-    let mut read = of_block(traced.at.block);
+    let mut read = traced.read.clone();
     read.retain(|(read, _)| traced.power && read.name != point.name);
     Write {
         scan: 0,
         block: network.blocks[traced.at.block].location,
+        called: traced.called,
         power: traced.power,
         reasons: ways.iter().map(|way| way.iter().map(reason).collect()).collect(),
+        indices: traced.indices.clone(),
         read,
         because: Vec::new(),
     }

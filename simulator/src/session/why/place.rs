@@ -1,15 +1,11 @@
 //! From what blocks name to points, and back.
 
-use crate::memory::Bit;
-use crate::simulation::{Simulation, name, number};
+use crate::simulation::{Scope, Simulation};
 use crate::tags::Point;
-use ladder_analysis::program::{
-    Argument, Block, BlockKind, Expr, ExprKind, Member, Place, RangeRef, Step, Tag, TagId,
-};
+use ladder_analysis::program::{Argument, Block, BlockKind, Expr, ExprKind, Place, RangeRef, Tag, TagId};
 use ladder_analysis::values::types::Type;
 use ladder_analysis::values::value::Value;
 use ladder_instructions::Group;
-use std::ops::Range;
 
 /// The tag that a point is, or is a part of. None for system tags and ports.
 pub(super) fn tag_of(simulation: &Simulation, point: &Point) -> Option<TagId> {
@@ -43,100 +39,150 @@ pub(super) fn argument_tags(argument: &Argument) -> Vec<TagId> {
     }
 }
 
-/// The name of what an argument writes, if it is always the same: a tag, or an element with a constant index.
-pub(super) fn written_name(simulation: &Simulation, argument: &Argument) -> Option<String> {
-    match argument {
-        Argument::Place(place, _) => (!Simulation::has_index(place))
-            .then(|| name(simulation, place))
-            .flatten(),
-        Argument::State(tag) => Some(simulation.program().tags[tag.0 as usize].name.clone()),
-        _ => None,
+/// What a block reads, with the values of now. Of a timer or counter how far it has come.
+pub(super) fn values_read(simulation: &Simulation, scope: &Scope, block: &Block) -> Vec<(Point, Value)> {
+    let mut reads = Reads::of(simulation, scope);
+    for bound in &block.arguments {
+        let BlockKind::Instruction(row) = block.kind else {
+            reads.argument(&bound.argument);
+            continue;
+        };
+        match &bound.argument {
+            argument @ (Argument::State(_) | Argument::ChosenState(_)) if row.group == Group::State => {
+                let state = scope.argument_name(simulation, argument);
+                let members = state
+                    .into_iter()
+                    .flat_map(|state| ["ET", "CV"].map(|member| format!("{state}.{member}")));
+                reads.names.extend(members);
+            }
+            Argument::Place(place, _) if row.group == Group::Condition => {
+                reads.names.extend(scope.name(simulation, place));
+            }
+            argument => reads.argument(argument),
+        }
     }
+    reads.values()
 }
 
-/// What a block reads, with the values of now. Of a timer or counter how far it has come.
-pub(super) fn values_read(simulation: &Simulation, block: &Block) -> Vec<(Point, Value)> {
-    let mut names = Vec::new();
-    for bound in &block.arguments {
-        match &bound.argument {
-            Argument::Value(expr) => read_in(simulation, expr, &mut names),
-            Argument::Range(range) => range_names(simulation, range, &mut names),
-            Argument::State(tag) if matches!(block.kind, BlockKind::Instruction(row) if row.group == Group::State) =>
-            {
-                let tag = &simulation.program().tags[tag.0 as usize].name;
-                names.extend(["ET", "CV"].map(|member| format!("{tag}.{member}")));
-            }
-            Argument::ChosenState(chosen) if matches!(block.kind, BlockKind::Instruction(row) if row.group == Group::State) =>
-            {
-                let members = [Member::Et, Member::Cv].into_iter();
-                names.extend(
-                    members
-                        .filter_map(|member| name(simulation, &Place::ChosenMember(chosen.clone(), member))),
-                );
-            }
-            Argument::Place(place, _) if matches!(block.kind, BlockKind::Instruction(row) if row.group == Group::Condition) =>
-            {
-                names.extend(name(simulation, place));
-            }
+/// What an argument is made of, with the values of now.
+pub(super) fn argument_values(
+    simulation: &Simulation,
+    scope: &Scope,
+    argument: &Argument,
+) -> Vec<(Point, Value)> {
+    let mut reads = Reads::of(simulation, scope);
+    reads.argument(argument);
+    reads.values()
+}
+
+/// What the indices are made of in a place that an argument names.
+pub(super) fn index_values(
+    simulation: &Simulation,
+    scope: &Scope,
+    argument: &Argument,
+) -> Vec<(Point, Value)> {
+    let mut reads = Reads::of(simulation, scope);
+    match argument {
+        Argument::Place(place, _) => reads.indices(place),
+        Argument::ChosenState(chosen) => reads.expr(&chosen.number),
+        _ => {}
+    }
+    reads.values()
+}
+
+/// The names that are read somewhere.
+struct Reads<'s> {
+    simulation: &'s Simulation,
+    scope: &'s Scope,
+    names: Vec<String>,
+}
+
+impl<'s> Reads<'s> {
+    fn of(simulation: &'s Simulation, scope: &'s Scope) -> Reads<'s> {
+        Reads {
+            simulation,
+            scope,
+            names: Vec::new(),
+        }
+    }
+
+    fn argument(&mut self, argument: &Argument) {
+        match argument {
+            Argument::Value(expr) => self.expr(expr),
+            Argument::Range(range) => self.range(range),
+            Argument::Parts(parts) => parts.iter().for_each(|part| self.argument(part)),
             _ => {}
         }
     }
-    let mut values: Vec<(Point, Value)> = Vec::new();
-    for point in names.iter().filter_map(|name| simulation.resolve(name).ok()) {
-        if values.iter().all(|(known, _)| *known != point) {
-            let value = simulation.value(&point);
-            values.push((point, value));
+
+    fn indices(&mut self, place: &Place) {
+        match place {
+            Place::Element(_, index) => self.expr(index),
+            Place::Chosen(chosen) | Place::ChosenMember(chosen, _) => self.expr(&chosen.number),
+            Place::Bit(inner, ..) | Place::As(inner, ..) => self.indices(inner),
+            Place::Tag(_) | Place::Member(..) | Place::System(_) => {}
         }
     }
-    values
-}
 
-fn read_in(simulation: &Simulation, expr: &Expr, names: &mut Vec<String>) {
-    match &expr.kind {
-        ExprKind::Constant(_) => {}
-        ExprKind::Read(place) => names.extend(name(simulation, place)),
-        ExprKind::Pass(inner) | ExprKind::Unary(_, inner) => read_in(simulation, inner, names),
-        ExprKind::Binary(_, left, right) | ExprKind::Compare(_, left, right) => {
-            read_in(simulation, left, names);
-            read_in(simulation, right, names);
-        }
-        ExprKind::Call(_, arguments) => {
-            for argument in arguments {
-                read_in(simulation, argument, names);
+    fn expr(&mut self, expr: &Expr) {
+        match &expr.kind {
+            ExprKind::Constant(_) => {}
+            ExprKind::Read(place) => self.names.extend(self.scope.name(self.simulation, place)),
+            ExprKind::Pass(inner) | ExprKind::Unary(_, inner) => self.expr(inner),
+            ExprKind::Binary(_, left, right) | ExprKind::Compare(_, left, right) => {
+                self.expr(left);
+                self.expr(right);
             }
-        }
-        ExprKind::Sum(range) => range_names(simulation, range, names),
-        ExprKind::Offset(subscripts) => {
-            for subscript in subscripts {
-                read_in(simulation, &subscript.index, names);
+            ExprKind::Call(_, arguments) => arguments.iter().for_each(|argument| self.expr(argument)),
+            ExprKind::Sum(range) => self.range(range),
+            ExprKind::Offset(subscripts) => {
+                subscripts
+                    .iter()
+                    .for_each(|subscript| self.expr(&subscript.index));
             }
         }
     }
-}
 
-/// The first elements of a range stand for all.
-fn range_names(simulation: &Simulation, range: &RangeRef, names: &mut Vec<String>) {
-    const SHOWN: i64 = 16;
-    let tag = &simulation.program().tags[range.tag.0 as usize];
-    let first = number(simulation, &range.first);
-    let last = range.last.as_ref().and_then(|last| number(simulation, last));
-    if let (Some(first), Some(last)) = (first, last) {
-        let elements = first..=last.min(first.saturating_add(SHOWN - 1));
-        names.extend(elements.map(|index| tag.element_name(index)));
+    /// The first elements of a range stand for all.
+    fn range(&mut self, range: &RangeRef) {
+        const SHOWN: i64 = 16;
+        let names = range_names(self.simulation, self.scope, range, SHOWN);
+        self.names.extend(names);
+    }
+
+    fn values(self) -> Vec<(Point, Value)> {
+        let mut values: Vec<(Point, Value)> = Vec::new();
+        let points = self
+            .names
+            .iter()
+            .filter_map(|name| self.simulation.resolve(name).ok());
+        for point in points {
+            if values.iter().all(|(known, _)| *known != point) {
+                let value = self.simulation.value(&point);
+                values.push((point, value));
+            }
+        }
+        values
     }
 }
 
-/// The slot of each step's power in a network; where nothing is drawn there is no power.
-pub(super) fn slots(simulation: &Simulation, network: usize, elements: Range<usize>) -> Vec<Bit> {
-    let steps = &simulation.program().networks[network].steps;
-    let start = |step: &Step| match step {
-        Step::Start { rail: true } => Bit::HIGH,
-        _ => Bit::LOW,
+/// The names of the elements of a range, but of no more than this.
+pub(super) fn range_names(
+    simulation: &Simulation,
+    scope: &Scope,
+    range: &RangeRef,
+    most: i64,
+) -> Vec<String> {
+    let first = scope.number(simulation, &range.first);
+    let last = range
+        .last
+        .as_ref()
+        .and_then(|last| scope.number(simulation, last));
+    let (Some(first), Some(last)) = (first, last) else {
+        return Vec::new();
     };
-    let mut slots: Vec<Bit> = steps.iter().map(start).collect();
-    let elements = simulation.compiled.elements[elements].iter();
-    for element in elements.filter(|element| element.network as usize == network) {
-        slots[element.step as usize] = element.power;
-    }
-    slots
+    let elements = first..=last.min(first.saturating_add(most - 1));
+    elements
+        .map(|index| scope.element(simulation, range.tag, index))
+        .collect()
 }

@@ -54,8 +54,10 @@ pub(super) enum Found {
 pub(super) struct FoundWrite {
     pub(super) scan: u64,
     pub(super) block: Location,
+    pub(super) called: Option<Location>,
     pub(super) power: bool,
     pub(super) ways: Vec<Vec<FoundReason>>,
+    pub(super) indices: Vec<(Point, Value)>,
     pub(super) read: Vec<(Point, Value)>,
     pub(super) because: Vec<usize>,
 }
@@ -148,8 +150,10 @@ fn write_of(questions: &mut [Option<Question>], history: &History, found: FoundW
     Write {
         scan: found.scan,
         block: found.block,
+        called: found.called,
         power: found.power,
         reasons,
+        indices: found.indices,
         read: found.read,
         because: answers(found.because),
     }

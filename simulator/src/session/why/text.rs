@@ -10,10 +10,11 @@ use ladder_syntax::LineIndex;
 
 impl Why {
     /// The reasons for people, a line for each tag: `run is 0 since scan 12 (120 ms): line 3, ( )( run ) wrote it;
-    /// blocked by [/]( stop ) (line 3, column 20): stop is 1`. `texts` are those of the program's files.
-    pub fn text(&self, texts: &[&str]) -> String {
+    /// blocked by [/]( stop ) (line 3, column 20): stop is 1`. `texts` are those of the program's files, whose
+    /// names are in the same order.
+    pub fn text(&self, texts: &[&str], files: &[String]) -> String {
         let mut lines = Vec::new();
-        Wording::new(texts).lines(self, 0, &mut lines);
+        Wording::new(texts, files).lines(self, 0, &mut lines);
         lines.join("\n")
     }
 
@@ -31,14 +32,19 @@ impl Why {
 #[derive(Debug)]
 pub struct Wording<'t> {
     texts: &'t [&'t str],
+    files: &'t [String],
     indexes: Vec<LineIndex>,
 }
 
 impl<'t> Wording<'t> {
-    /// For a program whose files have these texts.
-    pub fn new(texts: &'t [&'t str]) -> Wording<'t> {
+    /// For a program whose files have these texts and names.
+    pub fn new(texts: &'t [&'t str], files: &'t [String]) -> Wording<'t> {
         let indexes = texts.iter().map(|text| LineIndex::new(text)).collect();
-        Wording { texts, indexes }
+        Wording {
+            texts,
+            files,
+            indexes,
+        }
     }
 
     /// Why a tag holds what it holds: one sentence, without what lies deeper.
@@ -94,13 +100,18 @@ impl<'t> Wording<'t> {
     }
 
     fn judgement(&self, point: &Point, judgement: &Judgement) -> String {
-        let (line, _, block) = self.place(judgement.write.block);
+        let (line, block) = self.line(judgement.write.block);
         let does = if judgement.writes {
             format!("writes {}", value(point, &judgement.leaves))
         } else {
             "does not write it".to_owned()
         };
-        format!("line {line}, {block} {does}; {}", self.way(&judgement.write))
+        let indices = in_brackets(&judgement.write.indices);
+        let called = self.called(&judgement.write);
+        format!(
+            "{line}, {block} {does}{called}{indices}; {}",
+            self.way(&judgement.write)
+        )
     }
 
     fn lines(&self, why: &Why, depth: usize, lines: &mut Vec<String>) {
@@ -120,13 +131,20 @@ impl<'t> Wording<'t> {
     }
 
     fn write(&self, write: &Write) -> String {
-        let (line, _, block) = self.place(write.block);
-        let read = if write.read.is_empty() {
-            String::new()
-        } else {
-            format!(" ({})", values(&write.read))
-        };
-        format!("line {line}, {block} wrote it{read}; {}", self.way(write))
+        let (line, block) = self.line(write.block);
+        let indices = write.indices.iter().filter(|index| !write.read.contains(index));
+        let read: Vec<(Point, Value)> = write.read.iter().chain(indices).cloned().collect();
+        let read = in_brackets(&read);
+        let called = self.called(write);
+        format!("{line}, {block} wrote it{called}{read}; {}", self.way(write))
+    }
+
+    /// Through which of the calls of a function.
+    fn called(&self, write: &Write) -> String {
+        write.called.map_or_else(String::new, |call| {
+            let (line, call) = self.line(call);
+            format!(", called by {call} ({line})")
+        })
     }
 
     /// How power came, or what blocked it.
@@ -150,11 +168,12 @@ impl<'t> Wording<'t> {
 
     /// What passes power on or stops it, and what it read: `[ ]( start ) (line 1, column 7): start is 1`.
     pub fn reason(&self, reason: &Reason) -> String {
-        let (line, column, block) = self.place(reason.block);
+        let (line, block) = self.line(reason.block);
         if reason.is_rail {
-            return format!("the left rail (line {line}): an <MCR> has switched it off");
+            return format!("the left rail ({line}): an <MCR> has switched it off");
         }
-        let place = format!("{block} (line {line}, column {column})");
+        let (_, column, _) = self.place(reason.block);
+        let place = format!("{block} ({line}, column {column})");
         if reason.values.is_empty() {
             place
         } else {
@@ -165,6 +184,20 @@ impl<'t> Wording<'t> {
     /// A block as it is drawn.
     pub fn drawn(&self, block: Location) -> &'t str {
         self.place(block).2
+    }
+
+    /// The line of a block in words, with its file where that is another; and the block as it is drawn.
+    fn line(&self, location: Location) -> (String, &'t str) {
+        let (line, _, block) = self.place(location);
+        let other = self
+            .files
+            .get(location.file as usize)
+            .filter(|_| location.file > 0);
+        let words = match other {
+            Some(file) => format!("line {line} of {file}"),
+            None => format!("line {line}"),
+        };
+        (words, block)
     }
 
     /// Line, column and text of a block, as far as its first line goes.
@@ -179,6 +212,15 @@ impl<'t> Wording<'t> {
         };
         let place = index.line_column(text, location.range.start());
         (place.line, place.column, drawn.lines().next().unwrap_or_default())
+    }
+}
+
+/// ` (x is 1, n is 7)`; nothing where there is none.
+fn in_brackets(of: &[(Point, Value)]) -> String {
+    if of.is_empty() {
+        String::new()
+    } else {
+        format!(" ({})", values(of))
     }
 }
 
