@@ -1,8 +1,12 @@
 //! What ladder text has and the standard does not: a project that uses it has units of its own for it, in ST. Three instructions
-//! are function blocks; the tags of `SYS` are globals, which a program sets before the others run. Remarks say what they are. The
-//! reader takes out again what is as it was written: what was changed since stays, and is said like any other text in ST.
+//! are function blocks; the tags of `SYS` are globals, which a function block sets: the program calls it before all else. Remarks say
+//! what they are. The reader takes out again what is as it was written: what was changed since stays, and is said like any other text
+//! in ST.
 
+use crate::arrays;
+use crate::graph::Kind;
 use crate::model::{Body, Project, Role, Type, Unit, UnitKind, Variable};
+use crate::own;
 use ladder_analysis::names::system_tag::SystemTag;
 use ladder_notation::LineColumn;
 use std::fmt::Write as _;
@@ -13,14 +17,23 @@ const ALONG: &str = "of ladder text: written along with what needs it";
 /// What the remark on a global ends with that stands for a tag of `SYS`.
 const SYSTEM: &str = " of ladder text";
 
-/// The name of the program that sets these globals.
-pub(crate) const PROGRAM: &str = "LADDER_SYS";
+/// The name of the block that sets these globals.
+pub(crate) const SYSTEM_BLOCK: &str = "LADDER_SYS";
+
+/// The output of this block that something asks for, so that generators run it.
+pub(crate) const RUNS: &str = "runs";
+
+/// What the function is called that passes on a value of an enumeration, before the name of the type: compilers have `MOVE` for
+/// elementary types alone.
+const MOVE: &str = "LADDER_MOVE_";
 
 const CLOCK: &str = "LADDER_CLOCK";
 
 /// A block: its name in the project, its variables with their types, and what it does.
 struct Row {
     name: &'static str,
+    /// Of a function.
+    returns: Option<&'static str>,
     inputs: &'static [(&'static str, &'static str)],
     outputs: &'static [(&'static str, &'static str)],
     locals: &'static [(&'static str, &'static str)],
@@ -32,13 +45,24 @@ const BLOCKS: &[Row] = &[
     // The time since the evaluation before, while it runs. It starts again after half an hour: a TIME of 32 bits ends after weeks.
     Row {
         name: CLOCK,
+        returns: None,
         inputs: &[("RUN", "BOOL")],
         outputs: &[("PASSED", "TIME")],
         locals: &[("timer", "TON"), ("before", "TIME")],
         text: include_str!("along/CLOCK.st"),
     },
+    // Some systems count seconds in TIME_TO_LREAL, others milliseconds.
+    Row {
+        name: own::MILLISECONDS,
+        returns: Some("LREAL"),
+        inputs: &[("SPAN", "TIME")],
+        outputs: &[],
+        locals: &[],
+        text: include_str!("along/MILLISECONDS.st"),
+    },
     Row {
         name: "LADDER_RTO",
+        returns: None,
         inputs: &[("IN", "BOOL"), ("PT", "TIME"), ("R", "BOOL")],
         outputs: &[("Q", "BOOL"), ("ET", "TIME")],
         locals: &[("clock", CLOCK)],
@@ -46,6 +70,7 @@ const BLOCKS: &[Row] = &[
     },
     Row {
         name: "LADDER_RTOF",
+        returns: None,
         inputs: &[("IN", "BOOL"), ("PT", "TIME"), ("R", "BOOL")],
         outputs: &[("Q", "BOOL"), ("ET", "TIME")],
         locals: &[("clock", CLOCK), ("was_high", "BOOL")],
@@ -53,6 +78,7 @@ const BLOCKS: &[Row] = &[
     },
     Row {
         name: "LADDER_CTC",
+        returns: None,
         inputs: &[("CU", "BOOL"), ("R", "BOOL"), ("PV", "DINT")],
         outputs: &[("Q", "BOOL"), ("CV", "DINT")],
         locals: &[("before", "BOOL")],
@@ -60,22 +86,27 @@ const BLOCKS: &[Row] = &[
     },
 ];
 
-/// Puts the units that a written project needs before all others: the program that sets these globals for tags of `SYS`, under this
+/// Puts the units that a written project needs before all others: the block that sets these globals for tags of `SYS`, under this
 /// name, and the blocks that units use.
-pub(crate) fn add(project: &mut Project, system: &[(SystemTag, String)], program: String) {
+pub(crate) fn add(project: &mut Project, system: &[(SystemTag, String)], name: String) {
     if !system.is_empty() {
-        for task in &mut project.tasks {
-            task.programs.insert(0, (LineColumn::START, program.clone()));
-        }
-        project.units.insert(0, system_program(program, system));
+        project.units.insert(0, system_block(name, system));
     }
+    let moves: Vec<Unit> = project
+        .types
+        .iter()
+        .filter(|declared| matches!(declared.ty, Type::Enumeration(_)))
+        .map(|declared| move_function(&declared.name))
+        .filter(|function| project.units.iter().any(|unit| calls(unit, &function.name)))
+        .collect();
+    project.units.splice(0..0, moves);
     for row in BLOCKS.iter().rev() {
         let of_units = project.units.iter().flat_map(|unit| &unit.variables);
         let mut types = of_units
             .chain(&project.globals)
             .map(|variable| &variable.ty)
             .chain(project.types.iter().map(|declared| &declared.ty));
-        if types.any(|ty| is_of(ty, row.name)) {
+        if types.any(|ty| is_of(ty, row.name)) || project.units.iter().any(|unit| calls(unit, row.name)) {
             project.units.insert(0, block(row));
         }
     }
@@ -83,31 +114,60 @@ pub(crate) fn add(project: &mut Project, system: &[(SystemTag, String)], program
 
 /// Takes these units out of a project, where they are as they were written. The globals of `SYS` have no meaning without theirs.
 pub(crate) fn take_out(project: &mut Project) {
+    arrays::take_out(project);
     let globals: Vec<(SystemTag, String)> = project
         .globals
         .iter()
         .filter_map(|global| Some((SystemTag::from_name(&system(global)?[4..])?, global.name.clone())))
         .collect();
-    let mut is_set = false;
+    let (mut is_set, mut called, mut moves) = (false, Vec::new(), Vec::new());
     let units = std::mem::take(&mut project.units);
     for unit in units {
         let written = match unit.kind {
             _ if unit.comment.as_deref() != Some(ALONG) => None,
-            UnitKind::Program => Some(system_program(unit.name.clone(), &globals)),
-            _ => BLOCKS.iter().find(|row| row.name == unit.name).map(block),
+            _ if unit
+                .variables
+                .iter()
+                .any(|variable| variable.role == Role::External) =>
+            {
+                Some(system_block(unit.name.clone(), &globals))
+            }
+            _ => match unit.name.strip_prefix(MOVE) {
+                Some(ty) => Some(move_function(ty)),
+                None => BLOCKS.iter().find(|row| row.name == unit.name).map(block),
+            },
         };
         if !written.is_some_and(|written| is_same(&written, &unit)) {
             project.units.push(unit);
             continue;
         }
-        is_set |= unit.kind == UnitKind::Program;
-        for task in &mut project.tasks {
-            task.programs
-                .retain(|(_, name)| !name.eq_ignore_ascii_case(&unit.name));
+        if unit
+            .variables
+            .iter()
+            .any(|variable| variable.role == Role::External)
+        {
+            is_set = true;
+            called.push(unit.name.clone());
+        }
+        if unit.name.starts_with(MOVE) {
+            moves.push(unit.name.clone());
         }
         project
             .report
             .translated(unit.place, format!("unit {}", unit.name));
+    }
+    for unit in &mut project.units {
+        called.iter().for_each(|name| without(unit, name));
+        let Body::Graph(graph) = &mut unit.body else {
+            continue;
+        };
+        for node in &mut graph.nodes {
+            if let Kind::Block { name, .. } = &mut node.kind
+                && moves.contains(name)
+            {
+                "MOVE".clone_into(name);
+            }
+        }
     }
     if !is_set {
         for global in project
@@ -116,6 +176,20 @@ pub(crate) fn take_out(project: &mut Project) {
             .filter(|global| system(global).is_some())
         {
             global.comment = global.comment.take().map(|said| format!("once {said}"));
+        }
+    }
+}
+
+/// Takes the calls of a block out of a unit, with its instances.
+fn without(unit: &mut Unit, block: &str) {
+    unit.variables.retain(|variable| !is_of(&variable.ty, block));
+    let Body::Graph(graph) = &mut unit.body else {
+        return;
+    };
+    for node in &mut graph.nodes {
+        if matches!(&node.kind, Kind::Block { name, .. } if name == block) {
+            node.kind = Kind::Joint;
+            node.inputs.clear();
         }
     }
 }
@@ -145,14 +219,14 @@ pub(crate) fn system(variable: &Variable) -> Option<&str> {
     SystemTag::from_name(said.strip_prefix("SYS.")?).map(|_| said)
 }
 
-/// The program that sets the globals of these tags.
-fn system_program(name: String, tags: &[(SystemTag, String)]) -> Unit {
+/// The block that sets the globals of these tags.
+fn system_block(name: String, tags: &[(SystemTag, String)]) -> Unit {
     let mut variables: Vec<Variable> = tags
         .iter()
         .map(|(tag, name)| system_variable(*tag, name, Role::External))
         .collect();
     variables.push(variable("clock", CLOCK, Role::Local));
-    variables.push(variable("runs", "BOOL", Role::Local));
+    variables.push(variable(RUNS, "BOOL", Role::Output));
     let mut text = "clock(RUN := TRUE);\n".to_owned();
     for (tag, name) in tags {
         let said = match tag {
@@ -175,7 +249,42 @@ fn system_program(name: String, tags: &[(SystemTag, String)]) -> Unit {
         debug_assert!(said.is_ok());
     }
     text.push_str("runs := TRUE;\n");
-    unit(name, UnitKind::Program, variables, text)
+    unit(name, UnitKind::FunctionBlock, variables, text)
+}
+
+/// The name of the function that passes on a value of an enumeration.
+pub(crate) fn move_name(ty: &str) -> String {
+    format!("{MOVE}{ty}")
+}
+
+fn move_function(ty: &str) -> Unit {
+    let name = move_name(ty);
+    let text = format!("{name} := IN;\n");
+    Unit {
+        returns: Some(Type::Named(ty.to_owned())),
+        ..unit(
+            name,
+            UnitKind::Function,
+            vec![variable("IN", ty, Role::Input)],
+            text,
+        )
+    }
+}
+
+/// Whether a unit calls a function.
+fn calls(unit: &Unit, function: &str) -> bool {
+    let Body::Graph(graph) = &unit.body else {
+        return false;
+    };
+    let is_call = |text: &str| {
+        text.strip_prefix(function)
+            .is_some_and(|rest| rest.starts_with('('))
+    };
+    graph.nodes.iter().any(|node| match &node.kind {
+        Kind::Value(text, _) => is_call(text),
+        Kind::Block { name, .. } => name == function,
+        _ => false,
+    })
 }
 
 /// Whether a type is this one, or has parts of it.
@@ -197,13 +306,19 @@ fn block(row: &Row) -> Unit {
     let variables = variables
         .iter()
         .flat_map(|(role, list)| list.iter().map(|(name, ty)| variable(name, ty, *role)));
-    let kind = UnitKind::FunctionBlock;
-    unit(
-        row.name.to_owned(),
-        kind,
-        variables.collect(),
-        row.text.to_owned(),
-    )
+    let kind = match row.returns {
+        Some(_) => UnitKind::Function,
+        None => UnitKind::FunctionBlock,
+    };
+    Unit {
+        returns: row.returns.map(|ty| Type::Named(ty.to_owned())),
+        ..unit(
+            row.name.to_owned(),
+            kind,
+            variables.collect(),
+            row.text.to_owned(),
+        )
+    }
 }
 
 fn unit(name: String, kind: UnitKind, variables: Vec<Variable>, text: String) -> Unit {

@@ -16,6 +16,7 @@
 #![forbid(unsafe_code)]
 
 mod along;
+mod arrays;
 mod brought;
 pub mod declarations;
 mod emit;

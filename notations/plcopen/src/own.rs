@@ -1,8 +1,10 @@
 //! What the writer adds to a project so that it means the same there, and the reader takes out again. The remark on a
 //! variable says so, for people and for the reader.
 
-use crate::graph::Kind;
+use crate::graph::{End, Kind, Node, Pin};
 use crate::model::{Body, Role, Unit, Variable};
+use ladder_analysis::values::types::Scalar;
+use std::collections::HashSet;
 
 /// The company of a project that is written: editors put something there. In such a project standard blocks mean those of
 /// ladder text, as counters that go on past PV.
@@ -18,24 +20,106 @@ pub(crate) const POWER_OUT: &str = "ENO of the block in ladder text";
 /// The remark on a variable that power ends in. Generators run a block when something after it asks for it.
 pub(crate) const SINK: &str = "takes power that nothing else takes, so that its block runs in its turn";
 
-/// What a TIME as a number is divided by: some systems count seconds there, others milliseconds.
-const ONE: &str = "TIME_TO_LREAL(T#1ms)";
+/// The function that makes a number of milliseconds of a TIME: it is written along.
+pub(crate) const MILLISECONDS: &str = "LADDER_MILLISECONDS";
 
 /// A TIME as a number of milliseconds, in any system.
 pub(crate) fn milliseconds(time: &str) -> String {
-    format!("TIME_TO_LREAL({time}) / {ONE}")
+    format!("{MILLISECONDS}({time})")
 }
 
 /// The TIME of which an expression is the number of milliseconds.
 pub(crate) fn in_milliseconds(text: &str) -> Option<&str> {
-    let time = text
-        .trim()
-        .strip_suffix(ONE)?
-        .trim_end()
-        .strip_suffix('/')?
-        .trim_end();
-    let time = time.strip_prefix("TIME_TO_LREAL(")?.strip_suffix(')')?;
+    let time = text.trim().strip_prefix(MILLISECONDS)?;
+    let time = time.trim_start().strip_prefix('(')?.strip_suffix(')')?;
     (!time.contains(['(', ')'])).then_some(time)
+}
+
+/// A bit of a number, which generators know no name for.
+pub(crate) fn bit(number: &str, ty: Scalar, bit: u8) -> String {
+    let bits = match ty.width() {
+        8 => "BYTE",
+        16 => "WORD",
+        32 => "DWORD",
+        _ => "LWORD",
+    };
+    let number = if ty.is_bits() {
+        number.to_owned()
+    } else {
+        format!("{}_TO_{bits}({number})", ty.name())
+    };
+    format!("({number} AND {}) <> 0", 1u64 << bit)
+}
+
+/// The bit that an expression is, as ladder text names it.
+pub(crate) fn as_bit(text: &str) -> Option<String> {
+    let inside = text.trim().strip_prefix('(')?.strip_suffix(") <> 0")?;
+    let (number, mask) = inside.split_once(" AND ")?;
+    let mask: u64 = mask.parse().ok().filter(|mask: &u64| mask.is_power_of_two())?;
+    let number = match number.split_once("_TO_") {
+        Some((_, call)) => call.split_once('(')?.1.strip_suffix(')')?,
+        None => number,
+    };
+    let is_path = number
+        .chars()
+        .all(|c| c.is_alphanumeric() || "_.[], ".contains(c));
+    is_path.then(|| format!("{number}.{}", mask.trailing_zeros()))
+}
+
+/// Makes blocks again of comparisons of names, which are expressions in a project: see the writer.
+pub(crate) fn with_comparisons(unit: &mut Unit) {
+    let Body::Graph(graph) = &mut unit.body else {
+        return;
+    };
+    let mut in_formulas = HashSet::new();
+    for node in &graph.nodes {
+        if matches!(&node.kind, Kind::Block { name, .. } if name == "MOVE") {
+            in_formulas.extend(
+                node.inputs
+                    .iter()
+                    .filter(|pin| pin.name == "IN")
+                    .flat_map(|pin| &pin.from)
+                    .map(|end| end.node),
+            );
+        }
+    }
+    for node in 0..graph.nodes.len() {
+        let Kind::Value(text, false) = &graph.nodes[node].kind else {
+            continue;
+        };
+        let Some((name, sides)) = comparison(text).filter(|_| !in_formulas.contains(&node)) else {
+            continue;
+        };
+        let (place, position) = (graph.nodes[node].place, graph.nodes[node].position);
+        for (side, pin) in sides.into_iter().zip(["IN1", "IN2"]) {
+            let value = Node::new(place, Kind::Value(side, false), Vec::new());
+            let from = vec![End {
+                node: graph.nodes.len(),
+                output: 0,
+            }];
+            graph.nodes.push(Node { position, ..value });
+            graph.nodes[node].inputs.push(Pin {
+                name: pin.to_owned(),
+                from,
+                ..Pin::default()
+            });
+        }
+        graph.nodes[node].kind = Kind::Block {
+            name: name.to_owned(),
+            instance: None,
+            code: None,
+        };
+    }
+}
+
+/// A comparison of two names: the block that does that, and the names.
+fn comparison(text: &str) -> Option<(&'static str, [String; 2])> {
+    let (name, (one, other)) = match text.split_once(" <> ") {
+        Some(sides) => ("NE", sides),
+        None => ("EQ", text.split_once(" = ")?),
+    };
+    let is_name = |side: &str| side.chars().all(|c| c.is_alphanumeric() || "_.[], ".contains(c));
+    (is_name(one) && is_name(other)).then(|| (name, [one.to_owned(), other.to_owned()]))
 }
 
 /// Which of EN and ENO a variable of a block stands for.
@@ -64,7 +148,7 @@ pub(crate) fn without_sinks(unit: &mut Unit) {
     }
     unit.variables.retain(|variable| !is_sink(variable));
     for node in &mut graph.nodes {
-        if matches!(&node.kind, Kind::Coil(tag, ..) if sinks.iter().any(|sink| sink.eq_ignore_ascii_case(tag)))
+        if matches!(&node.kind, Kind::Coil(tag, ..) | Kind::Variable(tag, _) if sinks.iter().any(|sink| sink.eq_ignore_ascii_case(tag)))
         {
             node.kind = Kind::Joint;
             node.inputs.clear();

@@ -98,6 +98,9 @@ fn unit(xml: &mut Xml, unit: Unit) {
     };
     xml.around("pou", &[("name", &unit.name), ("pouType", kind)], |xml| {
         xml.around("interface", &[], |xml| {
+            if let Some(returns) = &unit.returns {
+                xml.around("returnType", &[], |xml| ty(xml, returns));
+            }
             lists(xml, &unit.variables, |role| match role {
                 Role::Input => "inputVars",
                 Role::Output => "outputVars",
@@ -182,19 +185,8 @@ fn ty(xml: &mut Xml, of: &Type) {
                 });
             }
         }),
-        Type::Range(base, lower, upper) => {
-            let name = if base.starts_with('U') {
-                "subrangeUnsigned"
-            } else {
-                "subrangeSigned"
-            };
-            xml.around(name, &[], |xml| {
-                xml.empty("range", &[("lower", lower), ("upper", upper)]);
-                xml.around("baseType", &[], |xml| xml.empty(base, &[]));
-            });
-        }
         // The writer makes none.
-        Type::Other(_) => {}
+        Type::Range(..) | Type::Other(_) => {}
     }
 }
 

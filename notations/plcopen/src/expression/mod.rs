@@ -67,6 +67,14 @@ pub(crate) fn operand(text: &str, meaning: Meaning<'_>) -> Result<Operand, Strin
             ..inner
         });
     }
+    if let Some(bit) = own::as_bit(text)
+        && let Ok(bit) = operand(&bit, meaning)
+    {
+        return Ok(Operand {
+            ty: Some(named("BOOL")),
+            ..bit
+        });
+    }
     if let Some(time) = own::in_milliseconds(text) {
         let time = operand(time, meaning)?;
         let is_time = time.form != Form::Expression && time.ty == Some(named("TIME"));

@@ -34,6 +34,9 @@ pub fn reading(project: Project) -> Reading {
         ..Reading::default()
     };
     project.units.iter_mut().for_each(crate::own::without_sinks);
+    if project.is_own {
+        project.units.iter_mut().for_each(crate::own::with_comparisons);
+    }
     crate::brought::along(&mut project);
     let project = &project;
     let shared = Shared::of(project);

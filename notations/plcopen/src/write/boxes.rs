@@ -4,21 +4,24 @@ use super::declare::state_name;
 use super::element::{FAULT, Power, Writer};
 use super::functions::Function;
 use super::rung::{Rung, modifier, pin};
+use super::text::{OF_BITS, OF_REALS};
 use super::touched::Touched;
+use crate::along;
 use crate::graph::{Edge, End, Pin};
 use crate::own;
 use ladder_analysis::program::ParameterKind::{InOut, Input, Output};
-use ladder_analysis::program::{Argument, Bound, Expr};
-use ladder_analysis::values::types::Scalar;
+use ladder_analysis::program::{Argument, Bound, Expr, ExprKind};
+use ladder_analysis::values::types::{Scalar, common};
 use ladder_instructions::{Instruction, Op};
 
 impl Writer<'_> {
     /// The inputs of a function, from this operand on.
-    pub(super) fn inputs(
+    fn inputs_as(
         &self,
         rung: &mut Rung,
         function: &Function,
         from: usize,
+        ty: Option<Scalar>,
     ) -> Result<Vec<Pin>, String> {
         let given = &self.block.arguments[from.min(self.block.arguments.len())..];
         let names = function.pins.names(given.len());
@@ -26,9 +29,42 @@ impl Writer<'_> {
         let mut inputs = Vec::new();
         for (bound, name) in given.iter().zip(names) {
             let text = self.text(rung, bound)?;
+            let text = match (&bound.argument, ty) {
+                (Argument::Value(value), Some(ty))
+                    if value.ty.name() != ty.name() && !matches!(value.kind, ExprKind::Constant(_)) =>
+                {
+                    format!("{}_TO_{}({text})", value.ty.name(), ty.name())
+                }
+                _ => text,
+            };
             inputs.push(pin(&name, rung.value(text)));
         }
         Ok(inputs)
+    }
+
+    /// The inputs of a comparison, all of one type: compilers convert none.
+    pub(super) fn compared(&self, rung: &mut Rung, function: &Function) -> Result<Vec<Pin>, String> {
+        let value = |bound: &Bound| match &bound.argument {
+            Argument::Value(value) => Some((value.ty, matches!(value.kind, ExprKind::Constant(_)))),
+            _ => None,
+        };
+        let known: Vec<(Scalar, bool)> = self.block.arguments.iter().filter_map(value).collect();
+        let mut others = known
+            .iter()
+            .filter(|(_, is_constant)| !is_constant)
+            .map(|(ty, _)| *ty);
+        let Some(first) = others.next() else {
+            return self.inputs_as(rung, function, 0, None);
+        };
+        let meet = others.try_fold(first, common);
+        let meet = meet.ok_or("numbers of such types are not compared there: convert one")?;
+        if known
+            .iter()
+            .all(|(ty, is_constant)| *is_constant || ty.name() == meet.name())
+        {
+            return self.inputs_as(rung, function, 0, None);
+        }
+        self.inputs_as(rung, function, 0, Some(meet))
     }
 
     /// A function with EN and ENO, and the variable that takes its result.
@@ -52,8 +88,44 @@ impl Writer<'_> {
         {
             return self.formula(rung, op, power);
         }
-        let inputs = self.inputs(rung, function, 1)?;
-        self.call(rung, name, inputs, power)
+        self.is_taken(op)?;
+        let inputs = self.inputs_as(rung, function, 1, None)?;
+        match self.result_type() {
+            Some(ty) if ty.is_enumeration() => {
+                self.call(rung, &along::move_name(&type_name(ty)), inputs, power)
+            }
+            _ => self.call(rung, name, inputs, power),
+        }
+    }
+
+    fn result_type(&self) -> Option<Scalar> {
+        match self.block.arguments.first()?.argument {
+            Argument::Place(_, ty) => Some(ty),
+            _ => None,
+        }
+    }
+
+    /// Whether a function takes values of the type that its result has.
+    ///
+    /// # Errors
+    ///
+    /// Why not.
+    fn is_taken(&self, op: Op) -> Result<(), String> {
+        let Some(ty) = self.result_type() else {
+            return Err("whole arrays and structures are not written there: copy what is in them".to_owned());
+        };
+        let is_of_bits = matches!(
+            op,
+            Op::And | Op::Or | Op::Xor | Op::Not | Op::Shl | Op::Shr | Op::Rol | Op::Ror
+        );
+        match ty {
+            ty if is_of_bits && ty.is_integer() => Err(OF_BITS.to_owned()),
+            ty if op == Op::Exp && ty.is_integer() => Err(OF_REALS.to_owned()),
+            ty if ty.is_enumeration() && op != Op::Mov => {
+                Err("compilers have no such function for values of an enumeration: use MOV".to_owned())
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Whether the first of two operands is a TIME, and whether both are.
@@ -71,7 +143,15 @@ impl Writer<'_> {
         let result = self.first_text(rung)?;
         inputs.insert(0, pin("EN", power));
         let end = rung.block((name, None), inputs, &["ENO", "OUT"], self.touched(), true);
-        rung.variable(result, End { output: 1, ..end }, self.touched());
+        let out = End { output: 1, ..end };
+        // Generators find the type of a result by a variable that takes it, and no type in elements of arrays.
+        if result.contains('[')
+            && let Some(ty) = self.result_type()
+        {
+            let unused = rung.made("unused", &type_name(ty), own::SINK);
+            rung.variable(unused, out, Touched::default());
+        }
+        rung.variable(result, out, self.touched());
         Ok(vec![end])
     }
 
@@ -249,6 +329,14 @@ impl Writer<'_> {
             rung.ask(end);
         }
         Ok(vec![end])
+    }
+}
+
+/// A type by its name.
+fn type_name(ty: Scalar) -> String {
+    match ty {
+        Scalar::Enum(id) => super::names::identifier(&id.get().name),
+        other => other.name().to_owned(),
     }
 }
 

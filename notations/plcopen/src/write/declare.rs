@@ -2,7 +2,7 @@
 
 use super::names::{Names, identifier};
 use super::text::{self, Words};
-use crate::model::{Initial, Type, Variable};
+use crate::model::{Initial, Role, Type, Variable};
 use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::TagFacts;
 use ladder_analysis::names::type_spec::{Declared, SpecKind, TypeSpec};
@@ -46,6 +46,73 @@ fn scalar(scalar: Scalar) -> Type {
     }
 }
 
+/// Why a second name for a structure is not written.
+pub(super) const ALIAS: &str = "a structure has one name there: use that of its declaration";
+
+/// Whether the compilers that are built on matiec take a variable of a type. The generator of OpenPLC makes function blocks of
+/// structures, and instances of blocks are neither handed to a block nor held by arrays and other structures there.
+///
+/// # Errors
+///
+/// Why not.
+pub(super) fn is_taken(ty: OwnType, role: Role) -> Result<(), String> {
+    let is_plain = |ty: OwnType| match ty {
+        OwnType::Scalar(_) | OwnType::Array { .. } => true,
+        OwnType::State(_) => false,
+        OwnType::Compound(id) => {
+            matches!(id.get(), Compound::Array(array) if matches!(array.element, OwnType::Scalar(_)))
+        }
+    };
+    let is_held = match ty {
+        OwnType::Compound(id) => match id.get() {
+            Compound::Structure(structure) => structure.members.iter().all(|member| is_plain(member.ty)),
+            Compound::Array(_) => is_plain(ty),
+            Compound::Block(_) => true,
+        },
+        _ => true,
+    };
+    if !is_held {
+        return Err("compilers there have arrays of elementary values alone, and structures of such values and arrays: give each part \
+             a tag of its own"
+            .to_owned());
+    }
+    if !is_plain(ty) && matches!(role, Role::Input | Role::Output) {
+        return Err(
+            "compilers there hand no timer, counter, block or structure to a block: hand what is in it"
+                .to_owned(),
+        );
+    }
+    Ok(())
+}
+
+/// What a part with limits begins with where nothing else is said.
+pub(super) fn lowest(spec: &TypeSpec) -> Option<Initial> {
+    match spec.kind {
+        SpecKind::Subrange(_, (low, _)) if low != 0 => Some(Initial::Simple(low.to_string())),
+        _ => None,
+    }
+}
+
+/// Whether a declaration names a structure by another name than its own, which compilers take for another type.
+pub(super) fn is_alias(spec: &TypeSpec, ty: OwnType) -> bool {
+    let (SpecKind::Named(name), OwnType::Compound(id)) = (&spec.kind, ty) else {
+        return false;
+    };
+    matches!(id.get(), Compound::Structure(structure) if !structure.name.eq_ignore_ascii_case(name))
+}
+
+/// Whether a declaration only says which values of an elementary type a tag may have: generators have no functions for such types.
+fn is_limited(spec: &TypeSpec, ty: OwnType) -> bool {
+    match (&spec.kind, ty) {
+        (SpecKind::Subrange(..), _) => true,
+        (SpecKind::Named(_), OwnType::Scalar(ty)) => !ty.is_enumeration(),
+        (SpecKind::Array(_, element), OwnType::Array { element: ty, .. }) => {
+            is_limited(element, OwnType::Scalar(ty))
+        }
+        _ => false,
+    }
+}
+
 /// A block's name without its sign.
 pub(super) fn block_name(blocks: &Names, name: &str) -> String {
     blocks
@@ -86,9 +153,8 @@ pub(super) fn type_in(source: &Source<'_>, spec: &TypeSpec) -> Result<Type, Stri
     Ok(match &spec.kind {
         SpecKind::Known(ty) => type_of(source.blocks, *ty)?,
         SpecKind::Unread => return Err("its type means nothing".to_owned()),
-        SpecKind::Subrange(base, (low, high)) => {
-            Type::Range(base.name().to_owned(), low.to_string(), high.to_string())
-        }
+        // Generators have no functions for a type with limits, and no name for it in structures.
+        SpecKind::Subrange(base, _) => named(base.name()),
         SpecKind::Named(name) => named(identifier(name)),
         SpecKind::Block(name) => named(block_name(source.blocks, name)),
         SpecKind::Array(bounds, element) => {
@@ -114,7 +180,7 @@ pub(super) fn type_in(source: &Source<'_>, spec: &TypeSpec) -> Result<Type, Stri
                     identifier(&member.name),
                     type_in(source, &declared.spec)?,
                 );
-                variable.initial = declared_initial(source, declared)?;
+                variable.initial = declared_initial(source, declared)?.or_else(|| lowest(&declared.spec));
                 variable.comment = said(source.context, member.at.start());
                 Ok(variable)
             });
@@ -207,7 +273,9 @@ pub(super) struct Source<'s> {
 ///
 /// Why it has no counterpart.
 fn initial(source: &Source<'_>, tag: &TagFacts) -> Result<Option<Initial>, String> {
-    if let Some(declared) = &tag.cold.declared {
+    if let (Some(declared), Some(ty)) = (&tag.cold.declared, tag.ty)
+        && !is_limited(&declared.spec, ty)
+    {
         return declared_initial(source, declared);
     }
     let values = &tag.cold.initial;
@@ -232,19 +300,32 @@ fn initial(source: &Source<'_>, tag: &TagFacts) -> Result<Option<Initial>, Strin
     }
 }
 
-/// A tag as a variable of this name. Its role and qualifier are the caller's.
+/// A tag as a variable of this name. Its qualifier is the caller's.
 ///
 /// # Errors
 ///
 /// Why it has no counterpart.
-pub(super) fn variable(source: &Source<'_>, tag: &TagFacts, name: &str) -> Result<Variable, String> {
+pub(super) fn variable(
+    source: &Source<'_>,
+    tag: &TagFacts,
+    name: &str,
+    role: Role,
+) -> Result<Variable, String> {
+    tag.ty.map_or(Ok(()), |ty| is_taken(ty, role))?;
+    if let (Some(declared), Some(ty)) = (&tag.cold.declared, tag.ty)
+        && is_alias(&declared.spec, ty)
+    {
+        return Err(ALIAS.to_owned());
+    }
     let at = source.context.place_of(tag).start();
     let ty = match (&tag.cold.declared, tag.ty) {
+        (Some(declared), Some(ty)) if is_limited(&declared.spec, ty) => type_of(source.blocks, ty)?,
         (Some(declared), _) => type_in(source, &declared.spec)?,
         (None, Some(ty)) => type_of(source.blocks, ty)?,
         (None, None) => return Err("its type is not known".to_owned()),
     };
     let mut variable = Variable::local(place(source.context, at), name.to_owned(), ty);
+    variable.role = role;
     variable.address = tag.cold.address.as_deref().map(str::to_ascii_uppercase);
     variable.initial = initial(source, tag)?;
     if tag.is_declared() {

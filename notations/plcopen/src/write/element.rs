@@ -107,6 +107,17 @@ impl Writer<'_> {
         Ok(match row.op {
             Op::Contact | Op::NegatedContact | Op::RisingContact => {
                 let tag = self.first_text(rung)?;
+                if tag.contains(' ') {
+                    if row.op == Op::RisingContact {
+                        return Err("an edge of a bit of a number: write it into a BOOL first".to_owned());
+                    }
+                    let value = rung.value(tag);
+                    let value = match row.op {
+                        Op::NegatedContact => vec![invert(rung, value)],
+                        _ => value,
+                    };
+                    return Ok(self.with_power(rung, power, value));
+                }
                 let modifier = match row.op {
                     Op::NegatedContact => modifier(true, Edge::None),
                     Op::RisingContact => modifier(false, Edge::Rising),
@@ -142,14 +153,14 @@ impl Writer<'_> {
             }
             Op::Eq | Op::Ne | Op::Gt | Op::Ge | Op::Lt | Op::Le => {
                 let function = functions::of(row.op).ok_or("it has no counterpart")?;
-                let inputs = self.inputs(rung, &function, 0)?;
-                let result = rung.block((function.name, None), inputs, &["OUT"], touched, false);
-                if rung.is_rail(&power) {
-                    vec![result]
-                } else {
-                    let inputs = vec![pin("IN1", power), pin("IN2", vec![result])];
-                    vec![rung.block(("AND", None), inputs, &["OUT"], Touched::default(), false)]
-                }
+                let result = match self.of_names(rung, row.op)? {
+                    Some(value) => value,
+                    None => {
+                        let inputs = self.compared(rung, &function)?;
+                        vec![rung.block((function.name, None), inputs, &["OUT"], touched, false)]
+                    }
+                };
+                self.with_power(rung, power, result)
             }
             Op::Ton
             | Op::Tof
@@ -221,6 +232,38 @@ impl Writer<'_> {
                 None => return unknown(),
             },
         })
+    }
+
+    /// A condition in series with the power that comes to it.
+    fn with_power(&self, rung: &mut Rung, power: Vec<End>, condition: Vec<End>) -> Vec<End> {
+        if rung.is_rail(&power) {
+            return condition;
+        }
+        let inputs = vec![pin("IN1", power), pin("IN2", condition)];
+        vec![rung.block(("AND", None), inputs, &["OUT"], Touched::default(), false)]
+    }
+
+    /// A comparison of values of an enumeration, for which compilers have the operator and no function.
+    fn of_names(&self, rung: &mut Rung, op: Op) -> Result<Option<Vec<End>>, String> {
+        let is_name =
+            |bound: &Bound| matches!(&bound.argument, Argument::Value(value) if value.ty.is_enumeration());
+        match &self.block.arguments[..] {
+            [one, other] if is_name(one) && is_name(other) => {
+                let sign = if op == Op::Ne { "<>" } else { "=" };
+                let text = format!("{} {sign} {}", self.text(rung, one)?, self.text(rung, other)?);
+                let touched = self.touched();
+                Ok(Some(vec![rung.push(
+                    Kind::Value(text, false),
+                    Vec::new(),
+                    touched,
+                    false,
+                )]))
+            }
+            all if all.iter().any(is_name) => {
+                Err("more than two names are compared in pairs there".to_owned())
+            }
+            _ => Ok(None),
+        }
     }
 
     fn label(&self) -> Result<String, String> {

@@ -19,6 +19,7 @@ mod touched;
 mod unit;
 
 use super::along;
+use super::arrays;
 use super::emit;
 use super::model::{Project, Role, Task, TypeDeclaration, UnitKind};
 use declare::Source;
@@ -85,6 +86,7 @@ fn project(analysis: &Analysis, unwritable: &Unwritable) -> Result<(Project, Rep
         blocks: Names::default(),
         globals: Names::default(),
         faces: &Faces::default(),
+        sets_system: None,
     };
     let context = own.context();
     for ty in context.types.own() {
@@ -106,7 +108,8 @@ fn project(analysis: &Analysis, unwritable: &Unwritable) -> Result<(Project, Rep
             .iter()
             .map(|(tag, name)| along::system_variable(*tag, name, Role::Global)),
     );
-    let sets_system = shared.globals.fresh(along::PROGRAM);
+    let sets_system = shared.globals.fresh(along::SYSTEM_BLOCK);
+    shared.sets_system = (!system.is_empty()).then(|| sets_system.clone());
     let mut faces = faces(&own, &shared);
     let (mut broken, users) = broken(
         &own,
@@ -117,7 +120,7 @@ fn project(analysis: &Analysis, unwritable: &Unwritable) -> Result<(Project, Rep
     );
     broken.extend(unwritable.iter().map(|(block, why)| (block.clone(), why.clone())));
     faces.break_with(broken, &users);
-    let shared = Shared {
+    let mut shared = Shared {
         faces: &faces,
         ..shared
     };
@@ -148,6 +151,7 @@ fn project(analysis: &Analysis, unwritable: &Unwritable) -> Result<(Project, Rep
         programs: vec![(LineColumn::START, name)],
     });
     along::add(&mut project, &system, sets_system);
+    arrays::name_all(&mut project, |like| shared.globals.fresh(like));
     debug_assert!(
         project
             .units
@@ -213,8 +217,17 @@ fn types(own: &Unit<'_>, shared: &Shared<'_>, report: &mut Report) -> Vec<TypeDe
     for ty in context.types.own() {
         let declared = &ty.declaration.declared;
         let at = declare::place(context, ty.declaration.at.start());
-        let made = declare::type_in(&source, &declared.spec);
-        let made = made.and_then(|made| Ok((made, declare::declared_initial(&source, declared)?)));
+        let made = match ty.ty.map(|ty| declare::is_taken(ty, Role::Local)) {
+            Some(Err(why)) => Err(why),
+            Some(Ok(())) if ty.ty.is_some_and(|ty| declare::is_alias(&declared.spec, ty)) => {
+                Err(declare::ALIAS.to_owned())
+            }
+            _ => declare::type_in(&source, &declared.spec),
+        };
+        let made = made.and_then(|made| {
+            let initial = declare::declared_initial(&source, declared)?;
+            Ok((made, initial.or_else(|| declare::lowest(&declared.spec))))
+        });
         match made {
             Ok((made, initial)) => types.push(TypeDeclaration {
                 place: at,

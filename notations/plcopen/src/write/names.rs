@@ -1,6 +1,5 @@
 //! Names as IEC 61131-3 has them.
 
-use ladder_analysis::values::types::Type;
 use ladder_notation::is_reserved_in_iec;
 use ladder_syntax::Name;
 use std::collections::{HashMap, HashSet};
@@ -35,7 +34,6 @@ pub(super) struct Names {
     outer: Option<Rc<Names>>,
     taken: HashSet<String>,
     by_tag: HashMap<Name, String>,
-    types: HashMap<Name, Type>,
     refused: HashSet<Name>,
 }
 
@@ -63,7 +61,6 @@ impl Names {
         let own = Rc::make_mut(outer);
         own.taken.extend(added.taken);
         own.by_tag.extend(added.by_tag);
-        own.types.extend(added.types);
         own.refused.extend(added.refused);
     }
 
@@ -95,17 +92,6 @@ impl Names {
     pub(super) fn alias(&mut self, tag: &str, name: &str) {
         self.taken.insert(name.to_ascii_lowercase());
         self.by_tag.insert(Name::new(tag), name.to_owned());
-    }
-
-    /// Says what type a tag has.
-    pub(super) fn has_type(&mut self, tag: &str, ty: Type) {
-        self.types.insert(Name::new(tag), ty);
-    }
-
-    /// The type of a tag.
-    pub(super) fn type_of(&self, tag: &str) -> Option<Type> {
-        let own = self.types.get(&Name::new(tag)).copied();
-        own.or_else(|| self.outer.as_ref()?.type_of(tag))
     }
 
     /// A tag that is not declared there.

@@ -2,10 +2,12 @@
 
 use super::element::Writer;
 use super::names::Names;
-use super::rung::Rung;
+use super::rung::{Rung, pin};
 use super::unit::{Project, Unit};
-use crate::graph::{Graph, Kind, Node};
-use crate::model::Variable;
+use crate::along;
+use crate::graph::{End, Graph, Kind, Modifier, Node, Storage};
+use crate::model::{Type, Variable};
+use crate::own;
 use ladder_analysis::context::Body as OwnBody;
 use ladder_analysis::networks::NetworkAt;
 use ladder_analysis::program::{Network, Program};
@@ -38,17 +40,72 @@ enum Under {
 impl Networks<'_, '_> {
     /// What a block's ENO begins with: its EN.
     pub(super) fn power(&mut self, enters: &str, leaves: &str) {
-        use super::rung::pin;
-        use crate::graph::{End, Modifier, Storage};
-        let none = Modifier::default();
+        let contact = Kind::Contact(enters.to_owned(), Modifier::default());
+        self.network_of(Some(contact), leaves.to_owned());
+    }
+
+    /// Calls the block that sets the globals of `SYS`.
+    pub(super) fn calls_system(&mut self, name: &str) {
+        let instance = self.variable("system", name, "sets what is SYS in ladder text");
+        let block = Kind::Block {
+            name: name.to_owned(),
+            instance: Some(instance),
+            code: None,
+        };
+        let sink = self.sink();
+        self.network_of(Some(block), sink);
+    }
+
+    /// Adds a network that has no effect to a body that has none: compilers take no body without statements.
+    pub(super) fn does_something(&mut self) {
+        let is_done = |node: &Node| {
+            matches!(
+                node.kind,
+                Kind::Coil(..) | Kind::Variable(..) | Kind::Block { .. }
+            )
+        };
+        if !self.graph.nodes.iter().any(is_done) {
+            let sink = self.sink();
+            self.network_of(None, sink);
+        }
+    }
+
+    /// The variable that power ends in.
+    fn sink(&mut self) -> String {
+        if let Some(name) = self.names.get(own::SINK) {
+            return name.to_owned();
+        }
+        let name = self.variable("unused", "BOOL", own::SINK);
+        Rc::make_mut(&mut self.names).alias(own::SINK, &name);
+        name
+    }
+
+    fn variable(&mut self, like: &str, ty: &str, comment: &str) -> String {
+        let name = Rc::make_mut(&mut self.names).fresh(like);
         let at = self.unit.place(TextSize::default());
-        let from = |node| vec![pin("", vec![End { node, output: 0 }])];
-        for (kind, inputs) in [
-            (Kind::LeftRail, Vec::new()),
-            (Kind::Contact(enters.to_owned(), none), from(0)),
-            (Kind::Coil(leaves.to_owned(), none, Storage::None), from(1)),
-        ] {
-            self.graph.nodes.push(Node::new(at, kind, inputs));
+        let variable = Variable::local(at, name.clone(), Type::Named(ty.to_owned()));
+        self.made.push(Variable {
+            comment: Some(comment.to_owned()),
+            ..variable
+        });
+        name
+    }
+
+    /// A network with at most one element before its coil.
+    fn network_of(&mut self, element: Option<Kind>, coil: String) {
+        let at = self.unit.place(TextSize::default());
+        let coil = Kind::Coil(coil, Modifier::default(), Storage::None);
+        let mut from = None;
+        for kind in [Some(Kind::LeftRail), element, Some(coil)].into_iter().flatten() {
+            let is_block = matches!(kind, Kind::Block { .. });
+            let name = if is_block { "EN" } else { "" };
+            let inputs = from.map(|node| pin(name, vec![End { node, output: 0 }]));
+            let mut node = Node::new(at, kind, inputs.into_iter().collect());
+            if is_block {
+                node.outputs[0].name = along::RUNS.to_owned();
+            }
+            from = Some(self.graph.nodes.len());
+            self.graph.nodes.push(node);
         }
     }
 

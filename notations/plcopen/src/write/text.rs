@@ -2,10 +2,10 @@
 
 use super::names::{Names, identifier};
 use super::system;
+use crate::own;
 use ladder_analysis::networks::facts::{Node, NodeKind, Operator};
 use ladder_analysis::program::{BinaryOperator, Expr, ExprKind, Member, Place, SystemTag, UnaryOperator};
-use ladder_analysis::values::compound::Compound;
-use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::{Value, real_text};
 use ladder_instructions::Op;
 use ladder_syntax::{TextRange, TextSize};
@@ -23,6 +23,12 @@ pub(super) struct Words<'w> {
 type Piece = Result<(String, u8), String>;
 
 const WHOLE: u8 = 9;
+
+/// Why a network is not written that computes with the bits of integers.
+pub(super) const OF_BITS: &str = "what works on bits takes bit strings there: use BYTE, WORD, DWORD or LWORD";
+
+/// Why a network is not written that has powers of integers.
+pub(super) const OF_REALS: &str = "powers are of real numbers there: use REAL or LREAL, or multiply";
 
 impl Words<'_> {
     fn slice(&self, range: TextRange) -> &str {
@@ -68,54 +74,15 @@ impl Words<'_> {
         })
     }
 
-    /// An element of an array. The indices of an array of arrays are one list or several here; there each array has its own.
+    /// An element of an array: its indices are one list or several here, and one list there.
     fn element(&self, node: &Node) -> Result<String, String> {
-        let (base, indices) = indices_of(node);
-        let mut path = self.node(base)?;
-        let mut array = self.type_of(base).and_then(Type::array);
-        let mut given = 0;
-        for (at, index) in indices {
-            let index = self.node(index)?;
-            if given > 0 && (array.is_some() || self.is_one_list(at)) {
-                path.pop();
-                path.push_str(&format!(", {index}]"));
-            } else {
-                path.push_str(&format!("[{index}]"));
-            }
-            given += 1;
-            if let Some((_, element)) = array.take_if(|(dimensions, _)| dimensions.len() == given) {
-                array = element.array();
-                given = 0;
-            }
+        let (mut base, mut indices) = (node, Vec::new());
+        while let NodeKind::Index(inner, index) = &base.kind {
+            indices.push(self.node(index)?);
+            base = inner;
         }
-        Ok(path)
-    }
-
-    /// The type of a tag or of a part of one; none inside of blocks.
-    fn type_of(&self, node: &Node) -> Option<Type> {
-        match &node.kind {
-            NodeKind::Name(name) => self.names.type_of(name),
-            NodeKind::Member(base, word) => match self.type_of(base)? {
-                Type::Compound(id) => id.with(|ty| match ty {
-                    Compound::Structure(structure) => {
-                        structure.member(&word.text).map(|(_, member)| member.ty)
-                    }
-                    _ => None,
-                }),
-                _ => None,
-            },
-            NodeKind::Index(..) => {
-                let (base, indices) = indices_of(node);
-                let (mut ty, mut left) = (self.type_of(base)?, indices.len());
-                while left > 0 {
-                    let (dimensions, element) = ty.array()?;
-                    left = left.checked_sub(dimensions.len())?;
-                    ty = element;
-                }
-                Some(ty)
-            }
-            _ => None,
-        }
+        indices.reverse();
+        Ok(format!("{}[{}]", self.node(base)?, indices.join(", ")))
     }
 
     /// A tag of `SYS`, by its word.
@@ -151,18 +118,6 @@ impl Words<'_> {
             .map_or_else(|| identifier(name), str::to_owned)
     }
 
-    /// Whether an index follows the one before it after a comma.
-    fn is_one_list(&self, node: &Node) -> bool {
-        let NodeKind::Index(base, index) = &node.kind else {
-            return false;
-        };
-        let NodeKind::Index(_, before) = &base.kind else {
-            return false;
-        };
-        let between = TextRange::new(before.range.end(), index.range.start()) + self.base;
-        self.slice(between).contains(',')
-    }
-
     /// A value as an operand, already in the type that its place asks for.
     ///
     /// # Errors
@@ -181,15 +136,28 @@ impl Words<'_> {
                     Some(NodeKind::Literal(_)) => {}
                     Some(_) if matches!(expression.ty, Scalar::Enum(_)) => {
                         let node = found(node, expression.range, self.base).unwrap_or(node);
-                        return self.enumerator(node).and_then(whole);
+                        let text = self.enumerator(node)?;
+                        return whole(text.rsplit('#').next().unwrap_or_default().to_owned());
                     }
                     _ => return value(known, expression.ty).and_then(whole),
+                }
+                // Generators read what is before a `#` as a type.
+                if text.contains('#')
+                    && !matches!(
+                        expression.ty,
+                        Scalar::Time | Scalar::Date | Scalar::Tod | Scalar::Dt
+                    )
+                {
+                    return value(known, expression.ty).and_then(whole);
                 }
                 whole(literal(text, Some((known, expression.ty))))
             }
             ExprKind::Read(place) => {
                 let at = found(node, expression.range, self.base);
                 let at = at.ok_or("such an expression has no counterpart")?;
+                if let (Place::Bit(_, ty, bit), NodeKind::Member(base, _)) = (place, &at.kind) {
+                    return Ok((own::bit(&self.node(base)?, *ty, *bit), 4));
+                }
                 self.place(place, at).and_then(whole)
             }
             ExprKind::Pass(inner) => {
@@ -205,7 +173,14 @@ impl Words<'_> {
             }
             ExprKind::Unary(operator, inner) => {
                 let (text, holds) = self.expression(inner, node)?;
-                let text = if holds < 8 { format!("({text})") } else { text };
+                if *operator == UnaryOperator::Not && expression.ty.is_integer() {
+                    return Err(OF_BITS.to_owned());
+                }
+                let text = if holds < 8 || text.starts_with('-') {
+                    format!("({text})")
+                } else {
+                    text
+                };
                 let sign = match operator {
                     UnaryOperator::Minus => "-",
                     UnaryOperator::Not => "NOT ",
@@ -213,6 +188,16 @@ impl Words<'_> {
                 Ok((format!("{sign}{text}"), 8))
             }
             ExprKind::Binary(operator, left, right) => {
+                let is_of_bits = matches!(
+                    operator,
+                    BinaryOperator::Or | BinaryOperator::Xor | BinaryOperator::And
+                );
+                if is_of_bits && expression.ty.is_integer() {
+                    return Err(OF_BITS.to_owned());
+                }
+                if *operator == BinaryOperator::Power && expression.ty.is_integer() {
+                    return Err(OF_REALS.to_owned());
+                }
                 let (sign, rank) = match operator {
                     BinaryOperator::Or => ("OR", 1),
                     BinaryOperator::Xor => ("XOR", 2),
@@ -290,23 +275,13 @@ impl Words<'_> {
                 };
                 Ok(format!("{}.{name}", self.node(base)?))
             }
+            (Place::Bit(..), _) => Err("a bit of a number cannot be written there: use a BOOL".to_owned()),
             (Place::Member(..) | Place::ChosenMember(..), _) => {
                 Err("a timer or counter is no value there".to_owned())
             }
             _ => self.node(node),
         }
     }
-}
-
-/// What is indexed, and the indices in their order, each with the node that it is the index of.
-fn indices_of(node: &Node) -> (&Node, Vec<(&Node, &Node)>) {
-    let (mut base, mut indices) = (node, Vec::new());
-    while let NodeKind::Index(inner, index) = &base.kind {
-        indices.push((base, &**index));
-        base = inner;
-    }
-    indices.reverse();
-    (base, indices)
 }
 
 /// A member; a bit is its number.
@@ -348,6 +323,7 @@ pub(super) fn literal(text: &str, known: Option<(&Value, Scalar)>) -> String {
     let is_digits = text.bytes().all(|c| c.is_ascii_digit() || c == b'_');
     match known {
         Some((Value::Int(nanoseconds), Scalar::Time)) if is_digits => time(*nanoseconds),
+        _ if text.starts_with('\'') && !text.is_ascii() => ascii(text),
         Some((_, Scalar::Real | Scalar::Lreal)) if is_digits => format!("{text}.0"),
         _ => {
             let is_span = text.starts_with(|c: char| c.is_ascii_digit())
@@ -360,6 +336,15 @@ pub(super) fn literal(text: &str, known: Option<(&Value, Scalar)>) -> String {
             }
         }
     }
+}
+
+/// A text with the bytes of what is not in ASCII, which compilers do not take.
+fn ascii(text: &str) -> String {
+    let byte = |byte: u8| match byte {
+        byte if byte.is_ascii() => char::from(byte).to_string(),
+        byte => format!("${byte:02X}"),
+    };
+    text.bytes().map(byte).collect()
 }
 
 /// A value that a tag begins with.
@@ -385,11 +370,12 @@ pub(super) fn value(value: &Value, ty: Scalar) -> Result<String, String> {
         (Value::Real(number), _) => real_text(*number, ty),
         (Value::Text(bytes), _) => {
             let mut out = String::from("'");
-            for c in String::from_utf8_lossy(bytes).chars() {
-                match c {
-                    '$' | '\'' => out.extend(['$', c]),
-                    c if c.is_control() => out.push_str(&format!("${:02X}", u32::from(c))),
-                    c => out.push(c),
+            for byte in bytes.iter() {
+                match byte {
+                    b'$' | b'\'' => out.extend(['$', char::from(*byte)]),
+                    b' '..=b'~' => out.push(char::from(*byte)),
+                    // Compilers take signs of ASCII alone.
+                    byte => out.push_str(&format!("${byte:02X}")),
                 }
             }
             out + "'"

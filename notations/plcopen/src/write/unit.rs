@@ -27,6 +27,8 @@ pub(super) struct Project<'p> {
     /// The names of globals.
     pub(super) globals: Names,
     pub(super) faces: &'p Faces,
+    /// The block that sets the globals of `SYS`, if there are any.
+    pub(super) sets_system: Option<String>,
 }
 
 /// A file whose units are written.
@@ -121,9 +123,6 @@ impl<'u> Unit<'u> {
                 continue;
             }
             let global = self.global(tag);
-            if let Some(ty) = global.unwrap_or(tag).ty {
-                names.has_type(&tag.name, ty);
-            }
             match global.and_then(|global| project.globals.get(&global.name)) {
                 Some(global) => names.alias(&tag.name, global),
                 None => drop(names.declare(&tag.name)),
@@ -172,16 +171,22 @@ impl<'u> Unit<'u> {
                 continue;
             };
             let global = self.global(tag);
-            match declare::variable(&source, global.unwrap_or(tag), name) {
+            let role = match (global, role(tag)) {
+                (Some(_), _) => Role::External,
+                // What is at an address is neither an input nor an output: the address says it.
+                (None, Role::Input | Role::Output) if tag.cold.address.is_some() => Role::Local,
+                (None, role) => role,
+            };
+            match declare::variable(&source, global.unwrap_or(tag), name, role) {
                 Ok(mut variable) => {
-                    if global.is_some() {
-                        variable.role = Role::External;
+                    variable.qualifier = match role {
+                        Role::InOut => None,
+                        Role::External => global.and_then(qualifier).filter(|it| *it == Qualifier::Constant),
+                        _ => qualifier(tag),
+                    };
+                    if role == Role::External {
                         variable.initial = None;
                         variable.address = None;
-                    } else {
-                        variable.role = role(tag);
-                        // A VAR_IN_OUT has neither.
-                        variable.qualifier = qualifier(tag).filter(|_| variable.role != Role::InOut);
                     }
                     variables.push(variable);
                 }
@@ -210,9 +215,8 @@ impl<'u> Unit<'u> {
                     blocks: &project.blocks,
                     globals: &project.globals,
                 };
-                match declare::variable(&source, global, &name) {
+                match declare::variable(&source, global, &name, Role::Global) {
                     Ok(mut variable) => {
-                        variable.role = Role::Global;
                         variable.qualifier = qualifier(global);
                         variables.push(variable);
                     }
@@ -264,7 +268,13 @@ impl<'u> Unit<'u> {
         {
             body.power(enters, leaves);
         }
+        if block.is_none()
+            && let Some(name) = &project.sets_system
+        {
+            body.calls_system(name);
+        }
         let comment = body.draw(block);
+        body.does_something();
         let Networks {
             graph,
             made,
@@ -281,7 +291,6 @@ impl<'u> Unit<'u> {
                 variable.qualifier = Some(Qualifier::Retain);
             }
         }
-        let is_empty = graph.nodes.is_empty();
         Made {
             place: self.place(TextSize::default()),
             name,
@@ -293,7 +302,7 @@ impl<'u> Unit<'u> {
             returns: None,
             variables,
             comment,
-            body: if is_empty { Body::Empty } else { Body::Graph(graph) },
+            body: Body::Graph(graph),
             parts: Vec::new(),
         }
     }

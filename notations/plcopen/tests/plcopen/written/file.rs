@@ -42,13 +42,13 @@ VAR  t : TON;  END_VAR
                       </type>
                     </variable>
                   </inputVars>
-                  <outputVars>
+                  <localVars>
                     <variable name="lamp" address="%QX0.0">
                       <type>
                         <BOOL/>
                       </type>
                     </variable>
-                  </outputVars>
+                  </localVars>
                   <localVars>
                     <variable name="t">
                       <type>

@@ -252,7 +252,7 @@ VAR  a : BOOL;  i : INT;  n, m : DINT;  r : REAL;  t : TIME;  s : STRING;  w : W
                 bits : ARRAY[1..4] OF BOOL;
             END_VAR
 
-            +--[ ]( a )-------------------[ADD]( n, i, m, 16#FF )--[CALC]( n, n - m - 1 )--[DIV]( r, r, 2.0 )--+
+            +--[ ]( a )---------------------[ADD]( n, i, m, 255 )--[CALC]( n, n - m - 1 )--[DIV]( r, r, 2.0 )--+
 
             +---------------[CALC]( r, (r + 1.0) * i - r / 3.0 )--[LIMIT]( n, 0, m, 99 )--[SEL]( n, a, 1, m )--+
 
