@@ -2,6 +2,7 @@
 //! as tab stops.
 
 use super::item::{Completion, CompletionKind, Snippet, Topic};
+use super::likeness::{Likeness, likeness};
 use super::proposals::Proposals;
 use crate::typing::{Head, Operand, Typing};
 use crate::wanted::Called;
@@ -81,21 +82,21 @@ fn propose_row(typing: &Typing<'_>, row: &'static Instruction, around: Around<'_
         _ => name,
     };
     // Another spelling leads to the one that is written, and so does a word that says what it is for.
-    let prefix = typing.prefix().to_ascii_uppercase();
-    let spelled = |spelling: &&str| !prefix.is_empty() && spelling.starts_with(&*prefix);
-    let mut fit = 0;
-    let filter = if spelled(&filter) {
-        filter
-    } else if let Some(spelling) = row.spellings().find(spelled) {
-        spelling
-    } else if let Some(purpose) = purpose(row, typing.prefix()) {
-        fit = match purpose {
-            Purpose::Title => 1,
-            Purpose::Sentence => 2,
-        };
-        typing.prefix()
+    let prefix = typing.prefix();
+    let begins = |spelling: &str| {
+        !prefix.is_empty()
+            && likeness(spelling, prefix).is_some_and(|likeness| likeness <= Likeness::Beginning)
+    };
+    let (filter, fit, is_meant) = if begins(filter) {
+        (filter, 0, false)
+    } else if let Some(spelling) = row.spellings().find(|spelling| begins(spelling)) {
+        (spelling, 1, false)
     } else {
-        filter
+        match purpose(row, prefix) {
+            Some(Purpose::Title) => (row.title, 1, true),
+            Some(Purpose::Sentence) => (row.title, 2, true),
+            None => (filter, 0, false),
+        }
     };
     let (range, text) = written(
         typing,
@@ -105,18 +106,20 @@ fn propose_row(typing: &Typing<'_>, row: &'static Instruction, around: Around<'_
         acts(row),
         around,
     );
-    out.add_at(
-        (fit, rank(row)),
-        Completion {
-            label: row.block(),
-            detail: row.title.to_owned(),
-            kind: CompletionKind::Instruction,
-            range: typing.absolute(range),
-            filter: filter.to_owned(),
-            text,
-            topic: Topic::Instruction(row.op, typing.context.profile),
-        },
-    );
+    let item = Completion {
+        label: row.block(),
+        detail: row.title.to_owned(),
+        kind: CompletionKind::Instruction,
+        range: typing.absolute(range),
+        filter: filter.to_owned(),
+        text,
+        topic: Topic::Instruction(row.op, typing.context.profile),
+    };
+    if is_meant {
+        out.add_like(Likeness::Word, (fit, rank(row)), item);
+    } else {
+        out.add_at((fit, rank(row)), item);
+    }
 }
 
 fn propose_user(
@@ -131,9 +134,9 @@ fn propose_user(
     let (open, close) = block.shape.brackets();
     let of_library = file.and_then(library::source);
     // A program's own blocks are meant more often than instructions, those of the library less often.
-    let rank = if of_library.is_some() { u8::MAX } else { 0 };
+    let fit = if of_library.is_some() { 3 } else { 0 };
     out.add_at(
-        (0, rank),
+        (fit, 0),
         Completion {
             label: format!("{open}{}{close}", block.name),
             detail: match (file, of_library) {

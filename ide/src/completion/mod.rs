@@ -10,6 +10,7 @@ mod expression;
 mod initial;
 mod item;
 mod keywords;
+mod likeness;
 mod members;
 mod names;
 mod operands;

@@ -1,6 +1,7 @@
 //! Tags, by the type and the direction that the operand needs.
 
 use super::item::{CompletionKind, Topic};
+use super::likeness::Likeness;
 use super::proposals::{MOST, Order, Proposals};
 use crate::typing::{Operand, Typing};
 use crate::wanted::{Kind, Wanted, rank, scalar_rank};
@@ -23,9 +24,8 @@ const ITSELF: u8 = 6;
 /// A duration is written out more often than it is a count of milliseconds or a member of another timer.
 const WRITTEN: (u8, u8) = (0, 9);
 
-/// A tag, whether its name only holds the letters that are written instead of beginning with them, how well it fits, and what
-/// else speaks for it.
-type Ranked<'c> = (&'c TagFacts, (bool, Order));
+/// A tag, how its name is like what is written, how well it fits, and what else speaks for it.
+type Ranked<'c> = (&'c TagFacts, (Likeness, Order));
 
 pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, out: &mut Proposals<'_>) {
     // What is in the list already is less likely meant.
@@ -54,12 +54,12 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
     };
     // A large program has more tags than anybody reads. One more than is shown says that there are others.
     let tags = best(&scope.tags, MOST + 1, |tag, enough_begin| {
-        let begins = out.begins(&tag.name);
-        if !begins && (enough_begin || !out.may_be(&tag.name)) {
+        let likeness = out.likeness(&tag.name)?;
+        if enough_begin && likeness > Likeness::Beginning {
             return None;
         }
         let (tag, order) = ranked(tag)?;
-        Some((tag, (!begins, order)))
+        Some((tag, (likeness, order)))
     });
     for (tag, (_, order)) in tags {
         propose_tag(typing, tag, order, out);
@@ -94,9 +94,7 @@ pub(super) fn states(typing: &Typing<'_>, block: &str, wanted: Option<&Wanted>, 
             () if ty.column_list().iter().any(|column| is_state(column.ty)) => 2,
             () => continue,
         };
-        if out.may_be(&tag.name) {
-            propose_tag(typing, tag, (fits, 0), out);
-        }
+        propose_tag(typing, tag, (fits, 0), out);
     }
 }
 
@@ -112,8 +110,8 @@ fn best<'c>(
     let mut begin = 0;
     let ranked = tags.iter().filter_map(|tag| {
         let found = ranked(tag, begin >= most)?;
-        let (_, (only_holds, _)) = found;
-        begin += usize::from(!only_holds);
+        let (_, (likeness, _)) = found;
+        begin += usize::from(likeness <= Likeness::Beginning);
         Some(found)
     });
     ranked.k_smallest_by(most, order).collect()
@@ -138,6 +136,8 @@ fn second_thought(tag: &TagFacts, wanted: &Wanted) -> u8 {
         Role::Output if wanted.writes => 0,
         Role::Internal if wanted.writes => 1,
         _ if tag.origin == Origin::Implicit => 2,
+        // What is declared is meant to be used.
+        _ if tag.origin == Origin::Undeclared => 1,
         _ => 0,
     }
 }
@@ -176,7 +176,7 @@ fn globals(typing: &Typing<'_>, wanted: &Wanted, out: &mut Proposals<'_>) {
         else {
             continue;
         };
-        if known || global.constant && wanted.writes || !out.may_be(&global.name) {
+        if known || global.constant && wanted.writes || out.likeness(&global.name).is_none() {
             continue;
         }
         let ty = global.ty.map(|ty| ty.to_string()).unwrap_or_default();

@@ -3,6 +3,7 @@
 mod blocks;
 mod declarations;
 mod operands;
+mod ranking;
 mod types;
 
 use super::{Completions, completions};
