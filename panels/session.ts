@@ -13,6 +13,13 @@ export interface SimulatedText {
     readonly version: number;
 }
 
+/** Something that a person did to a simulation, and after how many scans. */
+export interface Deed {
+    readonly scan: number;
+    readonly name: 'set' | 'force' | 'unforce' | 'pulse';
+    readonly argument: object;
+}
+
 export class Session<Document extends SimulatedText = SimulatedText> {
     readonly document: Document;
     /** The last one; of the drawing it tells only what has changed. */
@@ -46,6 +53,8 @@ export class Session<Document extends SimulatedText = SimulatedText> {
     readonly first: Range | undefined;
     /** Breakpoints are the debugger's. */
     isDebugged = false;
+    /** What was done since the start, in its order: with it a simulation can be made again as it was. */
+    deeds: readonly Deed[] = [];
 
     readonly #send: Send;
     #last: Promise<unknown> = Promise.resolve();
@@ -132,8 +141,38 @@ export class Session<Document extends SimulatedText = SimulatedText> {
     /** Sent once the commands before it are answered: the server may work on several at once. */
     command<Name extends keyof Commands>(name: Name, argument: Commands[Name]['argument']): Promise<Commands[Name]['answer']> {
         const sent = this.#last.then(() => this.#send(name, { ...argument, session: this.id }));
-        this.#last = sent.catch(() => undefined);
+        this.#last = sent.then(
+            (answer) => this.#note(name, argument, answer),
+            () => undefined,
+        );
         return sent;
+    }
+
+    #note(name: keyof Commands, argument: object, answer: object): void {
+        if (name === 'reset' || name === 'warmRestart') {
+            this.deeds = [];
+        } else if ('scan' in answer && typeof answer.scan === 'number') {
+            const { scan } = answer;
+            // What was stepped back over is done no more.
+            const deeds = this.deeds.filter((deed) => deed.scan <= scan);
+            const isDeed = name === 'set' || name === 'force' || name === 'unforce' || name === 'pulse';
+            this.deeds = isDeed ? [...deeds, { scan, name, argument }] : deeds;
+        }
+    }
+
+    /** Does again what was done in another simulation of the text, and goes on to a scan. @returns the last state */
+    async repeat(deeds: readonly Deed[], scan: number): Promise<State> {
+        const stepTo = async (to: number): Promise<void> => {
+            if (to > this.state.scan) {
+                this.state = await this.command('step', { scans: to - this.state.scan });
+            }
+        };
+        for (const deed of deeds) {
+            await stepTo(deed.scan);
+            await this.command(deed.name, deed.argument as Commands['set']['argument']);
+        }
+        await stepTo(scan);
+        return this.state;
     }
 
     /** As `command`, but at once: a pause must not wait for the end of what it pauses. */

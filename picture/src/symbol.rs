@@ -281,8 +281,13 @@ impl<'c> Words<'c> {
             Op::Lbl => Symbol::Target(format!("{}:", self.target(bound))),
             Op::Ret => Symbol::Flow("RETURN".to_owned()),
             _ if row.group == Group::Flow => {
-                let name = self.target(bound);
-                let words = format!("{} {name}", row.mnemonic);
+                let mut words = format!("{} {}", row.mnemonic, self.target(bound));
+                // What a loop says of itself: the tag that has the number of the turn.
+                for (operand, formal) in bound.facts.operands.iter().zip(&bound.formals).skip(1) {
+                    if let Formal::Operand(formal) = formal {
+                        words.push_str(&format!(", {} => {}", formal.name, self.operand(bound, operand)));
+                    }
+                }
                 Symbol::Flow(words.trim_end().to_owned())
             }
             _ if row.group == Group::State => {

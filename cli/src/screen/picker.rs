@@ -1,6 +1,7 @@
 //! Finding a tag by typing some of its name.
 
 use super::plant::Plant;
+use ladder_analysis::program::{Place, Program, TagId};
 use ladder_simulator::{Entry, Group, Point};
 use std::collections::HashSet;
 
@@ -20,6 +21,8 @@ pub(super) struct Picker {
     near: Vec<Point>,
     /// The paths of those that are open.
     open: HashSet<String>,
+    /// What blocks name, which is offered before what none does.
+    in_blocks: HashSet<String>,
 }
 
 /// A line of the list.
@@ -64,6 +67,7 @@ impl Picker {
             chosen: 0,
             near,
             open: HashSet::new(),
+            in_blocks: named_in_blocks(plant.simulation().program()),
         };
         picker.search(plant);
         picker
@@ -153,6 +157,14 @@ impl Picker {
         }
     }
 
+    /// Whether a block names a tag, or the timer, array or structure that it is a part of.
+    fn is_in_block(&self, point: &Point) -> bool {
+        let name = point.name.as_str();
+        let ends = name.match_indices(['.', '[']).map(|(end, _)| end);
+        let mut wholes = ends.map(|end| &name[..end]);
+        self.in_blocks.contains(name) || wholes.any(|whole| self.in_blocks.contains(whole))
+    }
+
     fn search(&mut self, plant: &Plant) {
         self.chosen = 0;
         let simulation = plant.simulation();
@@ -162,13 +174,12 @@ impl Picker {
             self.add(simulation.entries(""), 0, plant);
             return;
         }
-        let mut found: Vec<(Likeness, usize, &Point)> = simulation
+        let mut found: Vec<(Likeness, bool, &Point)> = simulation
             .points()
             .iter()
-            .enumerate()
-            .filter_map(|(index, point)| Some((likeness(&point.name, &wanted)?, index, point)))
+            .filter_map(|point| Some((likeness(&point.name, &wanted)?, !self.is_in_block(point), point)))
             .collect();
-        found.sort_by_key(|(likeness, index, _)| (*likeness, *index));
+        found.sort_by_key(|(likeness, is_in_none, _)| (*likeness, *is_in_none));
         found.truncate(OFFERED);
         let found = found.into_iter().map(|(_, _, point)| Row::of(point.clone()));
         self.matches = found.collect();
@@ -186,6 +197,23 @@ impl Picker {
             self.matches.insert(0, Row::of(point));
         }
     }
+}
+
+/// What the blocks of a program name.
+fn named_in_blocks(program: &Program) -> HashSet<String> {
+    let blocks = program.networks.iter().flat_map(|network| &network.blocks);
+    let name = |tag: TagId| program.tags[tag.0 as usize].name.clone();
+    let mut names = HashSet::new();
+    for bound in blocks.flat_map(|block| &block.arguments) {
+        names.extend(bound.argument.root().map(name));
+        for (place, _) in bound.places() {
+            names.extend(match place {
+                Place::Member(tag, member) => Some(format!("{}.{}", name(*tag), member.name())),
+                place => place.root().map(name),
+            });
+        }
+    }
+    names
 }
 
 /// How a name matches, the best first.

@@ -173,6 +173,7 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.diagram.reveal': (context) => views.diagrams.reveal(context),
         'ladder.diagram.breakpoint': (context) => views.diagrams.toggleBreakpoint(context),
         'ladder.test': (uri?: unknown) => tests.runFile(typeof uri === 'string' ? uri : undefined),
+        'ladder.test.whatMatters': () => tests.whatMatters(),
         'ladder.prove': (uri?: unknown, name?: unknown) =>
             tests.prove(typeof uri === 'string' ? uri : undefined, typeof name === 'string' ? name : undefined),
         'ladder.simulation.breakOnChange': (tag) => breakOnChange(simulation, tag),

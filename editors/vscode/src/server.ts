@@ -5,7 +5,7 @@ import { homedir } from 'node:os';
 import { promisify } from 'node:util';
 
 import * as vscode from 'vscode';
-import { CodeLensRequest, LanguageClient, State as ClientState } from 'vscode-languageclient/node';
+import { CloseAction, CodeLensRequest, ErrorAction, LanguageClient, State as ClientState } from 'vscode-languageclient/node';
 
 import {
     fromDebuggerNotification,
@@ -34,6 +34,10 @@ function isFile(path: string): boolean {
     return statSync(path, { throwIfNoEntry: false })?.isFile() ?? false;
 }
 
+/** A server that ends so often in so short a time, in milliseconds, is not started again by itself. */
+const MOST_DEATHS = 5;
+const IN_TIME = 180_000;
+
 type Answer = { readonly version: string } | { readonly failed: string };
 
 /** What a program answers when it is asked for its version. */
@@ -56,6 +60,8 @@ export class Server implements vscode.Disposable {
     readonly #debuggerSaid = new vscode.EventEmitter<DebuggerMessage>();
     readonly #started = new vscode.EventEmitter<void>();
     readonly #stopped = new vscode.EventEmitter<void>();
+    /** When it ended without being asked to. */
+    #deaths: readonly number[] = [];
     readonly #typedAhead = new TypedAhead();
     #client: LanguageClient | undefined;
     #waiting: vscode.Disposable | undefined;
@@ -152,6 +158,10 @@ export class Server implements vscode.Disposable {
                     { pattern: '**/ladder.toml' },
                 ],
                 outputChannel: this.log,
+                errorHandler: {
+                    error: () => ({ action: ErrorAction.Continue }),
+                    closed: () => ({ action: this.#died() ? CloseAction.DoNotRestart : CloseAction.Restart, handled: true }),
+                },
                 middleware: {
                     provideCodeLenses: (document, token, next) => lensesOf(document, token, next, this.isSimulated(document)),
                     provideOnTypeFormattingEdits: async (document, position, character, options, token, next) => {
@@ -184,6 +194,39 @@ export class Server implements vscode.Disposable {
         this.#client = client;
         // The client itself tells the user if this fails; the extension's commands stay, "Restart" among them.
         await client.start().catch((error: unknown) => this.log.error(String(error)));
+    }
+
+    /** It ended without being asked to. @returns whether it did so too often */
+    #died(): boolean {
+        const now = Date.now();
+        this.#deaths = [...this.#deaths.filter((then) => now - then < IN_TIME), now];
+        if (this.#deaths.length < MOST_DEATHS) {
+            return false;
+        }
+        this.#deaths = [];
+        const [again, log] = ['Restart', 'Show Log'];
+        const message = `Ladder: the language server has ended ${MOST_DEATHS} times in three minutes, and is not started again by itself.`;
+        void vscode.window.showErrorMessage(message, again, log).then((chosen) => {
+            if (chosen === again) {
+                void this.restart();
+            } else if (chosen === log) {
+                this.log.show();
+            }
+        });
+        return true;
+    }
+
+    /** Settles when the server runs. */
+    whenRunning(): Promise<void> {
+        if (this.isRunning()) {
+            return Promise.resolve();
+        }
+        return new Promise((resolve) => {
+            const waiting = this.onDidStart(() => {
+                waiting.dispose();
+                resolve();
+            });
+        });
     }
 
     async restart(): Promise<void> {

@@ -65,8 +65,10 @@ export class Simulation implements vscode.Disposable {
     /**
      * Starts a simulation of the document's text as it is now, else of the active one's, and lets it run; one that was there
      * is ended.
+     *
+     * @param prepare what is done before, and says whether it runs then; else the settings do
      */
-    async start(given?: vscode.TextDocument): Promise<void> {
+    async start(given?: vscode.TextDocument, prepare?: (session: Session) => Promise<boolean>): Promise<void> {
         const document = given ?? this.#lastDocument;
         this.#lastDocument = document;
         if (!document) {
@@ -87,7 +89,8 @@ export class Simulation implements vscode.Disposable {
         }
         this.#announce(document);
         this.look();
-        if (!vscode.workspace.getConfiguration('ladder.start', document.uri).get<boolean>('paused', false)) {
+        const paused = vscode.workspace.getConfiguration('ladder.start', document.uri).get<boolean>('paused', false);
+        if (await (prepare?.(session) ?? !paused)) {
             const state = await this.#tell(session.command('run', {}));
             if (state) {
                 this.#show(session, state);
@@ -428,12 +431,32 @@ export class Simulation implements vscode.Disposable {
         }
     }
 
+    /** The server has ended, and with it what it simulated: each can be had again as it was. */
     #dropAll(): void {
-        const documents = [...this.#sessions.values()].map(({ document }) => document);
+        const lost = [...this.#sessions.values()];
         this.#sessions.clear();
-        for (const document of documents) {
-            this.#announce(document);
+        for (const session of lost) {
+            this.#announce(session.document);
+            void this.#offerAgain(session);
         }
+    }
+
+    async #offerAgain({ document, state, deeds, isDebugged }: Session): Promise<void> {
+        const again = 'Start It Again as It Was';
+        const name = vscode.workspace.asRelativePath(document.uri);
+        const message = `Ladder: the language server has ended, and the simulation of ${name} with it, after ${state.scan} scans.`;
+        const chosen = await vscode.window.showWarningMessage(message, ...(isDebugged ? [] : [again]));
+        if (chosen !== again) {
+            return;
+        }
+        await this.#server.whenRunning();
+        await this.start(document, async (session) => {
+            const repeated = await this.#tell(session.repeat(deeds, state.scan));
+            if (repeated) {
+                this.#show(session, repeated);
+            }
+            return state.status === 'running';
+        });
     }
 }
 

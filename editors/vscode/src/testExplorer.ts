@@ -16,6 +16,7 @@ import type { Server } from './server.ts';
 const PATTERN = '**/*.ladder-test';
 /** What makes scenarios run again. */
 const WATCHED = '**/{*.ladder-test,*.clad,ladder.toml}';
+const WHAT_MATTERS = ['--coverage', '--mutate'];
 /** So much may be said of a file. */
 const MOST_OUTPUT = 64 << 20;
 
@@ -28,6 +29,7 @@ export class TestExplorer implements vscode.Disposable {
     readonly #disposables: vscode.Disposable[] = [this.#controller, this.#findings];
     /** The files, whose children are their scenarios and properties. */
     readonly #files = new Map<string, vscode.TestItem>();
+    readonly #whatMatters: vscode.TestRunProfile;
     #isSearched = false;
 
     constructor(server: Server) {
@@ -38,12 +40,13 @@ export class TestExplorer implements vscode.Disposable {
             const made = this.#controller.createRunProfile(name, kind, run, isDefault);
             made.supportsContinuousRun = isDefault;
             made.loadDetailedCoverage = async (_, covered) => (covered instanceof CoveredFile ? details(covered) : []);
+            return made;
         };
         profile('Run', Run, [], true);
         this.#controller.createRunProfile('Debug', Debug, (request, token) => this.#debug(request, token), true);
         profile('Coverage', Coverage, ['--coverage'], true);
         // This takes a run of all scenarios for each contact.
-        profile('Coverage and What Matters', Coverage, ['--coverage', '--mutate'], false);
+        this.#whatMatters = profile('Coverage and What Matters', Coverage, WHAT_MATTERS, false);
         this.#controller.resolveHandler = async (item) => (item ? this.#read(item) : this.#search());
         this.#controller.refreshHandler = () => this.#search();
         const watcher = vscode.workspace.createFileSystemWatcher(PATTERN);
@@ -65,6 +68,11 @@ export class TestExplorer implements vscode.Disposable {
             await document.save();
             await this.#run(new vscode.TestRunRequest([this.#item(document.uri)]), []);
         }
+    }
+
+    /** Runs all scenarios of the workspace, with what they exercise and which contacts matter. */
+    async whatMatters(): Promise<void> {
+        await this.#run(new vscode.TestRunRequest(undefined, undefined, this.#whatMatters), WHAT_MATTERS);
     }
 
     /** Proves the properties of a file, that of the active editor if none is named, or one of them. */

@@ -291,8 +291,10 @@ fn drawn(value: Option<&Value>, ty: Scalar, none: &'static str) -> Drawn {
 
 /// The columns of the drawing.
 struct Table {
-    /// How wide each step is.
+    /// How wide each step is, with what is between it and the next.
     widths: Vec<usize>,
+    /// How much that is.
+    gap: usize,
     /// The steps that are shown.
     from: usize,
     to: usize,
@@ -311,14 +313,18 @@ impl Table {
                 }
             }
         }
-        if has_texts {
-            // A blank after each value.
-            for width in &mut widths {
-                *width += 1;
-            }
+        // A blank between values.
+        let gap = usize::from(has_texts);
+        for width in widths.iter_mut().rev().skip(1) {
+            *width += gap;
         }
         let (from, to) = window(&widths, first, room);
-        Table { widths, from, to }
+        Table {
+            widths,
+            gap,
+            from,
+            to,
+        }
     }
 
     fn row(&self, cells: &[Drawn]) -> String {
@@ -344,13 +350,11 @@ impl Table {
         if self.from > 0 {
             text.push(' ');
         }
-        let spaced = self.widths.iter().all(|&width| width > 1);
         for (step, &width) in self.widths.iter().enumerate().take(self.to).skip(self.from) {
             let mark = if steps.contains(&step) { '^' } else { ' ' };
-            // The blank after a value is not part of it.
-            let marked = if spaced { width - 1 } else { width };
-            text.extend(std::iter::repeat_n(mark, marked));
-            text.extend(std::iter::repeat_n(' ', width - marked));
+            let gap = if step + 1 < self.widths.len() { self.gap } else { 0 };
+            text.extend(std::iter::repeat_n(mark, width - gap));
+            text.extend(std::iter::repeat_n(' ', gap));
         }
         text.trim_end().to_owned()
     }

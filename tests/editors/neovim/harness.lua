@@ -140,7 +140,9 @@ function M.seen(bufnr)
     if details.virt_lines then
       lines[row] = text .. '\n' .. lines[row]
     else
-      M.equal('the place of a value', 'overlay', details.virt_text_pos)
+      local is_at_end = col == #lines[row]
+      M.equal('the place of a value', is_at_end and 'eol' or 'overlay', details.virt_text_pos)
+      text = is_at_end and ' ' .. text or text
       lines[row] = lines[row]:sub(1, col) .. text .. lines[row]:sub(col + #text + 1)
     end
   end

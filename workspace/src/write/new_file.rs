@@ -1,7 +1,8 @@
 //! A new file that takes the name of the old one when it is whole.
 //!
-//! On Linux it has no name until then: whatever ends the process before leaves nothing behind. On other systems, and
-//! on file systems that know no such files, it has a temporary name from the beginning.
+//! On Linux it has no name until then: whatever ends the process before leaves nothing. To replace a file it takes a temporary
+//! name for a moment, since a file without a name cannot be renamed. On other systems, and on file systems that know no such files,
+//! it has that from the beginning.
 
 use super::folder_of;
 use super::temporary::Temporary;

@@ -44,8 +44,8 @@ Exit status: 0 no errors, 1 errors (with --deny warnings: errors or warnings), 2
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// Programs, or folders to search for them; `-` reads a text from stdin
-    #[arg(value_name = "PATH", required = true)]
+    /// Programs, or folders to search for them (without any: this folder); `-` reads a text from stdin
+    #[arg(value_name = "PATH", default_value = ".", hide_default_value = true)]
     paths: Vec<PathBuf>,
 
     /// How the findings are written

@@ -19,6 +19,13 @@ pub(super) fn named(name: &str) -> Option<&str> {
     Some(name.trim()).filter(|name| name.starts_with('$'))
 }
 
+/// The page of a block whose name was given without its `$`, if there is one in this folder or in the library.
+pub(super) fn without_sign(name: &str) -> Option<String> {
+    let (_, name) =
+        super::instruction::bracketed(name).unwrap_or((ladder_instructions::Shape::Logical, name));
+    page(&format!("${}", name.trim()), None).ok()
+}
+
 /// The block's page, from the program or another file of its workspace; without a program from the programs in the current
 /// folder and below it.
 ///

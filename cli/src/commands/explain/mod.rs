@@ -74,7 +74,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let rows = instruction::find(name);
     if rows.is_empty() {
-        return Err(unknown(name));
+        // A block, without its `$`.
+        let Some(page) = block::without_sign(name) else {
+            return Err(unknown(name));
+        };
+        block::print(&page, &look, &mut out)?;
+        out.flush()?;
+        return Ok(Outcome::Fine);
     }
     for (index, row) in rows.into_iter().enumerate() {
         if index > 0 {

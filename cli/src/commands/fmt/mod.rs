@@ -38,8 +38,8 @@ Exit status: 0 fine, 1 a file would change (--check, --diff), 2 a file cannot be
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// Programs and scenarios, or folders to search for programs; `-` reads stdin and writes stdout
-    #[arg(value_name = "PATH", required = true)]
+    /// Programs and scenarios, or folders to search for programs (without any: this folder); `-` reads stdin and writes stdout
+    #[arg(value_name = "PATH", default_value = ".", hide_default_value = true)]
     paths: Vec<PathBuf>,
 
     /// Write nothing; exit with 1 if a file would change, and name it

@@ -67,8 +67,8 @@ asked for.";
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// Scenario files, or folders to search for them
-    #[arg(value_name = "PATH", required = true)]
+    /// Scenario files, or folders to search for them (without any: this folder)
+    #[arg(value_name = "PATH", default_value = ".", hide_default_value = true)]
     paths: Vec<PathBuf>,
 
     /// Run only the scenarios whose name contains this, in any case

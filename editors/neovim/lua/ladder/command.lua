@@ -21,13 +21,14 @@ local function session()
 end
 
 --- The tag under the cursor.
-local function tag_here(wants_bool)
-  return require('ladder.operands').tag_here(session(), wants_bool)
-end
-
 --- Thrown as a string without a place: `run` shows it to the user as it is.
 local function refuse(message)
   error(message, 0)
+end
+
+local function tag_here(wants_bool)
+  local running = session() or refuse('no simulation runs for this buffer; ":Ladder start" starts one.')
+  return require('ladder.operands').tag_here(running, wants_bool)
 end
 
 local function count(text, default)

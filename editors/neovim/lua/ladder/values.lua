@@ -79,21 +79,22 @@ local function put_over(bufnr, row, pieces)
   table.sort(pieces, function(a, b)
     return a.column < b.column
   end)
-  local function put(column, chunks)
-    local options = { virt_text = chunks, virt_text_pos = 'overlay', undo_restore = false, strict = false }
+  local function put(column, chunks, position)
+    local options = { virt_text = chunks, virt_text_pos = position, undo_restore = false, strict = false }
     vim.api.nvim_buf_set_extmark(bufnr, namespace, row, column, options)
   end
   -- Past the end of the line one piece of text holds them all: a second one would cover the first.
   local trailing = {}
   for _, it in ipairs(pieces) do
     if it.column < width then
-      put(vim.fn.byteidx(line, it.column), { { it.text, it.group } })
+      put(vim.fn.byteidx(line, it.column), { { it.text, it.group } }, 'overlay')
     else
       table.insert(trailing, it)
     end
   end
   if #trailing > 0 then
-    put(#line, joined(trailing, width))
+    -- At the end of a line texts make room for each other: the messages of diagnostics come after. Neovim puts a blank in front.
+    put(#line, joined(trailing, width + 1), 'eol')
   end
 end
 
