@@ -142,8 +142,8 @@ starts => 1 2 2
             time             . 1s . 3s . 70ms
             start            --_____.  . .
             stop             _____--_____.
-            run    expected  --___--___--_____
-                   got       -----____________
+            run    expected  --___--___--____
+                   got       -----___________
                                ^^ ^    ^
             run is TRUE in step 1 (at 1s), FALSE was expected; 3 of 6 steps differ
             time              . 1s . 3s . 70ms
@@ -182,7 +182,7 @@ text =>    ''    'it runs' . . . 'it ran'
                                  ^  ^^
             run is TRUE in step 4 (at 40ms), FALSE was expected; 3 of 9 steps differ
             FAILED numbers, 6 scans
-            start                ___----------__________.         __________----------
+            start                ___----------__________.         __________---------
             starts     expected  0  1         2         .         100       1
                        got       0  1         1         1         1         1
                                               ^^^^^^^^^           ^^^^^^^^^
@@ -242,7 +242,7 @@ hours => 0.1 0.2 0.32 ± 0.01
 ",
         expect![[r#"
             FAILED exact, 3 scans
-            start            ----________________________
+            start            ----_______________________
             hours  expected  0.1 0.2 0.3
                    got       0.1 0.2 0.30000000000000004
                                      ^^^^^^^^^^^^^^^^^^^
@@ -251,7 +251,7 @@ hours => 0.1 0.2 0.32 ± 0.01
             ok in ASCII, and in parts, 3 scans
             ok of times and integers, 3 scans
             FAILED too far, 3 scans
-            start            ----________________________
+            start            ----_______________________
             hours  expected  0.1 0.2 0.32
                    got       0.1 0.2 0.30000000000000004
                                      ^^^^^^^^^^^^^^^^^^^
@@ -280,13 +280,13 @@ fn a_step_is_a_number_of_scans() {
     check(
         &text("interval 20ms\nstep 40ms"),
         expect![[r#"
-        FAILED a, 4 scans
-        start                -----_____
-        warmup.ET  expected  30ms 50ms
-                   got       20ms 50ms
-                             ^^^^
-        warmup.ET is T#20ms in step 0 (at 20ms), T#30ms was expected
-    "#]],
+            FAILED a, 4 scans
+            start                -----____
+            warmup.ET  expected  30ms 50ms
+                       got       20ms 50ms
+                                 ^^^^
+            warmup.ET is T#20ms in step 0 (at 20ms), T#30ms was expected
+        "#]],
     );
     check(
         &text("interval 40ms\nstep 60ms"),
