@@ -18,6 +18,10 @@
 //!      --network--> rungs with connectors
 //! ```
 //!
+//! ```text
+//! XIC(start)XIO(stop)OTE(run); --neutral--> its parts --rung_text--> a network
+//! ```
+//!
 //! Nothing is guessed: an element that cannot be read is a comment in its place, a network whose wires cannot be followed stays as comments,
 //! and [`Read::problems`] says where and why.
 #![forbid(unsafe_code)]
@@ -29,8 +33,10 @@ mod frame;
 mod label;
 mod marks;
 mod network;
+pub mod neutral;
 mod operand;
 mod part;
+mod rung_text;
 mod sheet;
 mod sides;
 mod symbol;
@@ -38,3 +44,4 @@ mod text;
 mod wires;
 
 pub use drawing::{Look, Problem, Read, Shown, look, read};
+pub use rung_text::{RungText, may_be_rung_text, read_rung_text};

@@ -63,13 +63,14 @@ const drawing = ViewPlugin.fromClass(
 const stop =
     (isBackwards: boolean): StateCommand =>
     ({ state, dispatch }) => {
-        const { head } = state.selection.main;
+        const { from, to, head } = state.selection.main;
         const line = state.doc.lineAt(head);
-        if (!isDrawn(line.text)) {
+        if (!isDrawn(line.text) || from < line.from || to > line.to) {
             return false;
         }
-        const to = line.from + nextStop(line.text, head - line.from, isBackwards);
-        dispatch(state.update({ selection: EditorSelection.cursor(to), scrollIntoView: true }));
+        const next = nextStop(line.text, { start: from - line.from, end: to - line.from }, isBackwards);
+        const selection = EditorSelection.range(line.from + next.start, line.from + next.end);
+        dispatch(state.update({ selection: EditorSelection.create([selection]), scrollIntoView: true }));
         return true;
     };
 

@@ -51,6 +51,7 @@ fn hide_what_is_doubtful(context: &Context, all: &mut Vec<Finding>) {
     let parse = &context.parse;
     if !rules::cplc_draft::is_it(parse) {
         rules::drawn::hide_all_else(parse, all);
+        rules::neutral_text::hide_all_else(parse, all);
     }
     let has_errors = || all.iter().any(|found| found.severity == Severity::Error);
     if parse.unclosed_comment().is_none() && !(has_errors() && rules::cplc_draft::is_it(parse)) {

@@ -194,7 +194,7 @@ fn values_that_do_not_pass() {
             literal-out-of-range: 40000 is outside of INT, which holds -32768 to 32767 `40000`
             constant-write: the tags of SYS are read only: the controller sets them `SYS.SCAN`
             bad-operand: a member of a timer or counter is written by its own block only: use (RES) or R := to clear it `n.ET`
-            bad-operand: a tag is expected here: the block writes its result to it `5`
+            bad-operand: the result `i` is last here `5, i, i`
             bad-operand: an expression belongs in [CALC] only: a tag or a literal is expected here `i + 1`
         "#]],
     );

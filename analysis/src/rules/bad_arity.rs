@@ -8,13 +8,13 @@ use crate::networks::BlockAt;
 use crate::networks::network::{Formal, Meaning};
 use crate::networks::user_block::UserBlockFacts;
 use crate::program::ParameterKind;
-use ladder_instructions::{Instruction, Operand};
+use ladder_instructions::{Accepts, Instruction, Operand};
 use ladder_syntax::{Parse, TextRange};
 
 pub(crate) const RULE: Rule =
     Rule(&RuleFacts::new(RuleGroup::Blocks, "bad-arity", Severity::Error).fixed(Applicability::Unsafe));
 
-/// What stands for an operand until a person writes the right one. It is an error, so that nothing runs with it.
+/// What holds the place of an operand until a person writes the right one. It is an error, so that nothing runs with it.
 pub(super) const PLACEHOLDER: &str = "?";
 
 pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
@@ -118,8 +118,19 @@ fn add_missing(bound: BlockAt<'_>, row: &'static Instruction, given: usize, foun
         .collect();
     let names: Vec<&str> = missing.iter().map(|operand| operand.name).collect();
     let title = format!("Add {}", names.join(" and "));
-    let (at, text) = insertion(bound, given, &vec![PLACEHOLDER; missing.len()].join(", "));
+    let values: Vec<&str> = missing.iter().map(|operand| value(operand)).collect();
+    let (at, text) = insertion(bound, given, &values.join(", "));
     found.fix(Applicability::Unsafe, title, bound.absolute(at), text)
+}
+
+/// What is written for a missing operand: a preset that works until a person writes another one. What a tag or another value is
+/// nobody else can know.
+fn value(operand: &Operand) -> &'static str {
+    match operand.accepts {
+        Accepts::Duration | Accepts::Time => "T#1s",
+        Accepts::Count => "10",
+        _ => PLACEHOLDER,
+    }
 }
 
 /// Where missing operands go, and the text that puts them there.

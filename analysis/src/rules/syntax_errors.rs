@@ -3,7 +3,10 @@
 //! One slip often makes the parser stumble more than once: a bracket that is missing leaves its partner over, a
 //! section that is not recognised leaves its END_VAR alone. What follows so from an earlier error is not reported.
 
-use super::{bad_literal, frame_keyword, is_enough, unclosed_block, unclosed_comment, unexpected_character};
+use super::{
+    bad_literal, frame_keyword, is_enough, unclosed_block, unclosed_comment, unclosed_section,
+    unexpected_character,
+};
 use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::excerpt::{self, Excerpts, blanks_before_drawing};
@@ -98,15 +101,12 @@ fn finding(parse: &Parse, error: &SyntaxError, text: &str, rest: &str) -> Diagno
         SyntaxErrorKind::UnclosedComment => unclosed_comment::unclosed(parse, range),
         SyntaxErrorKind::UnexpectedCharacter { place, after_comment } => {
             let found = unexpected_character::unexpected(place, after_comment, text, range);
-            if place == Surroundings::Head {
-                return unexpected_character::named_in_head::explain(
-                    found,
-                    &text_before(parse, range),
-                    text,
-                    rest,
-                );
+            if place != Surroundings::Head {
+                return found;
             }
-            found
+            let before = text_before(parse, range);
+            let found = unexpected_character::sign_in_head::explain(found, &before, text, rest);
+            unexpected_character::named_in_head::explain(found, &before, text, rest)
         }
         SyntaxErrorKind::UnclosedString => bad_literal::unclosed_string(range),
         SyntaxErrorKind::BadBlockName => {
@@ -122,7 +122,8 @@ fn finding(parse: &Parse, error: &SyntaxError, text: &str, rest: &str) -> Diagno
         SyntaxErrorKind::BadDeclaration(problem) => {
             // A text may have swallowed the `;`.
             let has_text = text_before(parse, range).contains('\'');
-            bad_declaration::unreadable(problem, text, range, has_text)
+            let found = bad_declaration::unreadable(problem, text, range, has_text);
+            unclosed_section::with_end(parse, problem, found)
         }
     }
 }

@@ -1,12 +1,14 @@
 //! `unexpected-character`: characters that mean nothing where they are.
 
 pub(super) mod named_in_head;
+pub(super) mod sign_in_head;
 
 use super::bad_arity::PLACEHOLDER;
 use super::frame_keyword;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
-use crate::findings::excerpt::shortened;
+use crate::findings::excerpt::{in_sentence, shortened};
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use ladder_instructions::{Instruction, Shape, known_elsewhere, lookup};
 use ladder_syntax::{Many, Surroundings, TextRange, is_identifier};
 
 pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
@@ -57,9 +59,11 @@ pub(crate) fn unexpected(
         );
     }
     match place {
-        Surroundings::Rung if is_identifier(text) => found.help(format!(
-            "a contact is written [ ]( {shown} ), a coil ( )( {shown} )"
-        )),
+        Surroundings::Rung if is_identifier(text) => found.help(match instruction(text) {
+            // A word for an instruction is no tag.
+            Some(row) => format!("the {} is written {}", in_sentence(row.title), row.signature()),
+            None => format!("a contact is written [ ]( {shown} ), a coil ( )( {shown} )"),
+        }),
         Surroundings::Rung => {
             found.help("a rung is drawn with - + | \\ / and blocks; text is in # comments #")
         }
@@ -68,6 +72,12 @@ pub(crate) fn unexpected(
         }
         _ => found,
     }
+}
+
+/// The instruction that goes by a name, here or elsewhere. One or two letters are rather a tag.
+fn instruction(name: &str) -> Option<&'static Instruction> {
+    let own = || lookup(Shape::Logical, name).next();
+    (name.len() > 2).then(|| known_elsewhere(name).or_else(own))?
 }
 
 /// What is on a line after the last part that is read.

@@ -168,7 +168,7 @@ fn too_few_operands() {
                  ^^^^^^^^^^ error[bad-arity]: [TON] takes 2 operands, 1 is given
                 help: it is written [TON]( t, PT, R := )
                 fix: Add PT
-                  +--[TON]( t, ? )--( )( y )--+
+                  +--------------------------------------------------[TON]( t, T#1s )--( )( y )--+
         "#]],
     );
     check(
@@ -203,7 +203,7 @@ fn too_few_operands() {
                  ^^^^^^^^^^^^^^^^^^ error[bad-arity]: [TON] takes 2 operands, 1 is given
                 help: it is written [TON]( t, PT, R := )
                 fix: Add PT
-                  +--[TON]( t, ?, R := r )--( )( y )--+
+                  +------------------------------------------[TON]( t, T#1s, R := r )--( )( y )--+
         "#]],
     );
     check(

@@ -56,7 +56,7 @@ fn on_its_line() {
                  ^^^^^^^^^^^^^^^^ error[bad-arity]: [TON] takes 2 operands, 1 is given
                 help: it is written [TON]( t, PT, R := )
                 fix: Add PT
-                  +--[TON]( t- T#5s, ? )--( )( y )--+
+                  +-------------------------------------------[TON]( t - T#5s, T#1s )--( )( y )--+
         "#]],
     );
     check(
@@ -169,10 +169,10 @@ fn frames_of_blocks() {
     check(
         &text.replace("END_FUNCTION", "END-FUNCTION"),
         expect![[r#"
-        > END-FUNCTION_BLOCK
-          ^^^ error[unexpected-character]: `END` is outside of any block
-            help: a contact is written [ ]( END ), a coil ( )( END )
-    "#]],
+            > END-FUNCTION_BLOCK
+              ^^^ error[unexpected-character]: `END` is outside of any block
+                help: a contact is written [ ]( END ), a coil ( )( END )
+        "#]],
     );
     check(
         &text.replace("raw : BOOL", "raw BOOL"),

@@ -216,6 +216,8 @@ fn the_new_section_finds_its_place() {
             > +--[ ]( b )--( )( a )--+
               ^ error[bad-declaration]: the declarations above are not closed: END_VAR is missing
                 help: a section ends with END_VAR on a line of its own
+                fix: Insert END_VAR
+                  END_VAR
         "#]],
     );
 }

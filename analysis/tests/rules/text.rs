@@ -389,6 +389,8 @@ fn declarations_that_cannot_be_read() {
             > +--[ ]( a )--( )( a )--+
               ^ error[bad-declaration]: the declarations above are not closed: END_VAR is missing
                 help: a section ends with END_VAR on a line of its own
+                fix: Insert END_VAR
+                  END_VAR
         "#]],
     );
     check(
@@ -577,5 +579,174 @@ fn a_merge_that_is_not_decided() {
     check(
         "# Pumps #\n# ======= #\n# >>> see below, <<<<<<< and not above #\n# >>>>>>>>> #\n+--[ ]( a )--( )( y )--+\n",
         expect![[r#""#]],
+    );
+}
+
+#[test]
+fn rungs_of_other_systems_as_text() {
+    check(
+        "XIC(a)XIO(b)TON(t1,5000,0)OTE(b);\n",
+        expect![[r#"
+        > XIC(a)XIO(b)TON(t1,5000,0)OTE(b);
+          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: this is a rung as Rockwell's software writes it as text, not a drawing
+            help: the fix draws it; a timer keeps its preset, and what follows one gets the power that it gets
+            fix: Draw it as a rung
+              +--[ ]( a )--[/]( b )--\---------------------------------[TON]( t1, T#5s )--\--+
+              |                      /------------------------------------------( )( b )--/  |
+    "#]],
+    );
+    check(
+        "+--[ ]( a )--( )( y )--+\n\nXIC(a)OTE(x);\n[XIC(b),XIC(c)]OTL(z);\n\n+--[ ]( b )--( )( w )--+\n",
+        expect![[r#"
+            > XIC(a)OTE(x);
+              ^^^^^^^^^^^^^ error[unexpected-character]: this is a rung as Rockwell's software writes it as text, not a drawing
+                help: the fix draws it; a timer keeps its preset, and what follows one gets the power that it gets
+                fix: Draw it as a rung
+                  +--[ ]( a )----------------------------------------------------------( )( x )--+
+
+                  +--\--[ ]( b )--\----------------------------------------------------(S)( z )--+
+                  |  /--[ ]( c )--/                                                              |
+        "#]],
+    );
+    check(
+        "XIC(a)JSR(Fill,0)OTE(b);\n",
+        expect![[r#"
+        > XIC(a)JSR(Fill,0)OTE(b);
+          ^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: this is a rung as Rockwell's software writes it as text, not a drawing
+            help: draw it with blocks: `JSR(Fill,0)` is not read: draw it with <CALL>
+    "#]],
+    );
+}
+
+#[test]
+fn an_instruction_outside_of_brackets_is_no_tag() {
+    check(
+        "XIC\n",
+        expect![[r#"
+        > XIC
+          ^^^ error[unexpected-character]: `XIC` is outside of any block
+            help: the open contact is written [ ]( tag )
+    "#]],
+    );
+    check(
+        "+--XIC--( )( y )--+\n",
+        expect![[r#"
+        > +--XIC--( )( y )--+
+             ^^^ error[unexpected-character]: `XIC` is outside of any block
+            help: the open contact is written [ ]( tag )
+    "#]],
+    );
+    check(
+        "+--TON( t, T#5s )--( )( y )--+\n",
+        expect![[r#"
+        > +--TON( t, T#5s )--( )( y )--+
+             ^^^ error[unexpected-character]: `TON` is outside of any block
+            help: the on-delay timer is written [TON]( t, PT, R := )
+    "#]],
+    );
+}
+
+#[test]
+fn signs_in_the_place_of_names() {
+    for (sign, name) in [
+        (">=", "GE"),
+        ("=>", "GE"),
+        ("≥", "GE"),
+        (">", "GT"),
+        ("<", "LT"),
+        ("<=", "LE"),
+        ("≤", "LE"),
+        ("=", "EQ"),
+        ("==", "EQ"),
+        ("<>", "NE"),
+        ("!=", "NE"),
+        ("≠", "NE"),
+        ("+", "ADD"),
+        ("-", "SUB"),
+        ("*", "MUL"),
+        ("×", "MUL"),
+        ("÷", "DIV"),
+    ] {
+        let text = format!("+--[{sign}]( level, 50 )--( )( y )--+\n");
+        let analysis =
+            ladder_analysis::analyze(&std::sync::Arc::new(ladder_syntax::parse(&text)), "test.clad");
+        let found = analysis.diagnostics();
+        let fixes: Vec<&str> = found
+            .iter()
+            .flat_map(|found| &found.fixes)
+            .map(|fix| &*fix.title)
+            .collect();
+        assert_eq!(fixes, [format!("Write [{name}]")], "{sign}");
+    }
+}
+
+#[test]
+fn a_missing_end_is_written_where_it_belongs() {
+    check(
+        "VAR_INPUT\n    a : BOOL;\n\n# it runs #\n+--[ ]( a )--( )( y )--+\n",
+        expect![[r#"
+        > +--[ ]( a )--( )( y )--+
+          ^ error[bad-declaration]: the declarations above are not closed: END_VAR is missing
+            help: a section ends with END_VAR on a line of its own
+            fix: Insert END_VAR
+              END_VAR
+    "#]],
+    );
+    check(
+        "VAR_INPUT\n    a : BOOL;\nVAR_OUTPUT\n    y : BOOL;\nEND_VAR\n",
+        expect![[r#"
+        > VAR_OUTPUT
+          ^^^^^^^^^^ error[bad-declaration]: the declarations above are not closed: END_VAR is missing
+            help: a section ends with END_VAR on a line of its own
+            fix: Insert END_VAR
+              END_VAR
+    "#]],
+    );
+    check(
+        "VAR_INPUT\n    a : BOOL;",
+        expect![[r#"
+        > VAR_INPUT
+          ^^^^^^^^^ error[bad-declaration]: the declarations above are not closed: END_VAR is missing
+            help: a section ends with END_VAR on a line of its own
+            fix: Insert END_VAR
+              END_VAR
+    "#]],
+    );
+    check(
+        "VAR a : BOOL;\r\n\r\n+--[ ]( a )--( )( y )--+\r\n",
+        expect![[r#"
+        > +--[ ]( a )--( )( y )--+
+          ^ error[bad-declaration]: the declarations above are not closed: END_VAR is missing
+            help: a section ends with END_VAR on a line of its own
+            fix: Insert END_VAR
+              VAR
+                  a : BOOL;
+              END_VAR
+    "#]],
+    );
+    check(
+        "FUNCTION_BLOCK [$X]\nVAR_INPUT\n    r : BOOL;\n+--[ ]( r )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
+        expect![[r#"
+        > +--[ ]( r )--( )( ENO )--+
+          ^ error[bad-declaration]: the declarations above are not closed: END_VAR is missing
+            help: a section ends with END_VAR on a line of its own
+            fix: Insert END_VAR
+              END_VAR
+    "#]],
+    );
+    check(
+        "VAR\n    a : BOOL;\nFUNCTION_BLOCK [$X]\n+--[ ]( EN )--( )( ENO )--+\n\n",
+        expect![[r#"
+        > FUNCTION_BLOCK [$X]
+          ^^^^^^^^^^^^^^ error[bad-declaration]: the declarations above are not closed: END_VAR is missing
+            help: a section ends with END_VAR on a line of its own
+            fix: Insert END_VAR
+              END_VAR
+        > FUNCTION_BLOCK [$X]
+          ^^^^^^^^^^^^^^^^^^^ error[bad-declaration]: this block definition is not closed: END_FUNCTION_BLOCK is missing
+            help: write END_FUNCTION_BLOCK on a line of its own after the last rung of the block
+            fix: Insert END_FUNCTION_BLOCK
+              END_FUNCTION_BLOCK
+    "#]],
     );
 }

@@ -83,18 +83,22 @@ fn messages_that_people_met_before() {
     check(
         "TYPE\n    M : STRUCT\n        on : BOOL;\nEND_TYPE\n",
         expect![[r#"
-        > END_TYPE
-          ^^^^^^^^ error[bad-declaration]: the STRUCT above is not closed: END_STRUCT; is missing
-            help: after its last member a structure ends with END_STRUCT; on a line of its own
-    "#]],
+            > END_TYPE
+              ^^^^^^^^ error[bad-declaration]: the STRUCT above is not closed: END_STRUCT; is missing
+                help: after its last member a structure ends with END_STRUCT; on a line of its own
+                fix: Insert END_STRUCT;
+                      END_STRUCT;
+        "#]],
     );
     check(
         "TYPE\n    M : INT;\n",
         expect![[r#"
-        > TYPE
-          ^^^^ error[bad-declaration]: the types above are not closed: END_TYPE is missing
-            help: a section of types ends with END_TYPE on a line of its own
-    "#]],
+            > TYPE
+              ^^^^ error[bad-declaration]: the types above are not closed: END_TYPE is missing
+                help: a section of types ends with END_TYPE on a line of its own
+                fix: Insert END_TYPE
+                  END_TYPE
+        "#]],
     );
 }
 
@@ -664,5 +668,74 @@ fn a_tag_in_its_own_index() {
 fn members_of_what_is_kept_that_nothing_uses() {
     clean_program(
         "TYPE\n    Kept : STRUCT\n        hours, spare : INT;\n    END_STRUCT;\nEND_TYPE\nVAR RETAIN\n    all : ARRAY[1..3] OF Kept;\nEND_VAR\n+--[ADD]( all[1].hours, all[1].hours, 1 )--+\n",
+    );
+}
+
+#[test]
+fn operands_in_the_order_of_other_systems() {
+    let program = |rung: &str| {
+        format!(
+            "TYPE\n    Phase : (IDLE, RUN);\nEND_TYPE\nVAR step : Phase; a, b, y : INT; END_VAR\nVAR CONSTANT most : INT := 9; END_VAR\n{rung}\n"
+        )
+    };
+    check(
+        &program("+--[MOV]( RUN, step )--+"),
+        expect![[r#"
+        > +--[MOV]( RUN, step )--+
+                    ^^^^^^^^^ error[bad-operand]: `RUN` and `step` are swapped
+            help: the result comes first
+            fix: Swap `RUN` and `step`
+              +----------------------------------------------------------[MOV]( step, RUN )--+
+    "#]],
+    );
+    check(
+        &program("+--[MOV]( Phase.RUN, step )--+"),
+        expect![[r#"
+        > +--[MOV]( Phase.RUN, step )--+
+                    ^^^^^^^^^^^^^^^ error[bad-operand]: `Phase.RUN` and `step` are swapped
+            help: the result comes first
+            fix: Swap `Phase.RUN` and `step`
+              +----------------------------------------------------[MOV]( step, Phase.RUN )--+
+    "#]],
+    );
+    check(
+        &program("+--[MOV]( most, y )--+"),
+        expect![[r#"
+        > +--[MOV]( most, y )--+
+                    ^^^^^^^ error[bad-operand]: `most` and `y` are swapped
+            help: the result comes first
+            fix: Swap `most` and `y`
+              +------------------------------------------------------------[MOV]( y, most )--+
+    "#]],
+    );
+    check(
+        &program("+--[CALC]( a + b, y )--+"),
+        expect![[r#"
+        > +--[CALC]( a + b, y )--+
+                     ^^^^^^^^ error[bad-operand]: `a + b` and `y` are swapped
+            help: the result comes first
+            fix: Swap `a + b` and `y`
+              +----------------------------------------------------------[CALC]( y, a + b )--+
+    "#]],
+    );
+    check(
+        &program("+--[ADD]( 5, a, y )--+"),
+        expect![[r#"
+        > +--[ADD]( 5, a, y )--+
+                    ^^^^^^^ error[bad-operand]: the result `y` is last here
+            help: the result comes first
+            fix: Put `y` first
+              +------------------------------------------------------------[ADD]( y, 5, a )--+
+    "#]],
+    );
+    check(
+        &program("+--[SUB]( most, a, y )--+"),
+        expect![[r#"
+        > +--[SUB]( most, a, y )--+
+                    ^^^^^^^^^^ error[bad-operand]: the result `y` is last here
+            help: the result comes first
+            fix: Put `y` first
+              +---------------------------------------------------------[SUB]( y, most, a )--+
+    "#]],
     );
 }

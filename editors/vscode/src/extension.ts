@@ -13,6 +13,7 @@ import { registerDebugger } from './debugger.ts';
 import { showPower } from './decorations.ts';
 import { DiagramEditors } from './diagram/editor.ts';
 import { showFaults } from './faults.ts';
+import { FilledSnippet } from './filledSnippet.ts';
 import { linksInHovers } from './hover.ts';
 import { lensesFollow } from './lenses.ts';
 import { Fences } from './markdown/fences.ts';
@@ -83,6 +84,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         showStatus(simulation),
         showTags(simulation, new WatchList(context.workspaceState)),
         sayTypedLine(server),
+        new FilledSnippet(),
         showRulePages(server),
         showLibraryBlocks(server),
         vscode.workspace.onDidGrantWorkspaceTrust(() => server?.start()),

@@ -20,6 +20,7 @@ import {
 } from '../../../panels/protocol.ts';
 import { reasonOf } from '../../../panels/reason.ts';
 import type { Send } from '../../../panels/session.ts';
+import { followed } from './filledSnippet.ts';
 import { lensCommands, lensesOf } from './lenses.ts';
 import { offer, whenThere } from './missingServer.ts';
 import { libraryAddresses } from './libraryBlocks.ts';
@@ -163,6 +164,8 @@ export class Server implements vscode.Disposable {
                     closed: () => ({ action: this.#died() ? CloseAction.DoNotRestart : CloseAction.Restart, handled: true }),
                 },
                 middleware: {
+                    provideCompletionItem: async (document, position, context, token, next) =>
+                        followed(await next(document, position, context, token)),
                     provideCodeLenses: (document, token, next) => lensesOf(document, token, next, this.isSimulated(document)),
                     provideOnTypeFormattingEdits: async (document, position, character, options, token, next) => {
                         await this.#typedAhead.typed(

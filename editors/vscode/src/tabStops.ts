@@ -1,4 +1,4 @@
-// Tab and Shift+Tab in ladder files: from operand to operand on a rung, what the editor does elsewhere.
+// Tab and Shift+Tab in ladder files: from operand to operand on a rung, each selected; what the editor does elsewhere.
 import * as vscode from 'vscode';
 
 import { isDrawn, nextStop } from '../../../panels/nextStop.ts';
@@ -13,8 +13,8 @@ export async function goToStop(backwards: boolean): Promise<void> {
         await vscode.commands.executeCommand(backwards ? 'outdent' : 'tab');
         return;
     }
-    editor.selections = selections.map(({ active }) => {
-        const column = nextStop(document.lineAt(active.line).text, active.character, backwards);
-        return new vscode.Selection(active.line, column, active.line, column);
+    editor.selections = selections.map(({ active: { line }, start, end }) => {
+        const stop = nextStop(document.lineAt(line).text, { start: start.character, end: end.character }, backwards);
+        return new vscode.Selection(line, stop.start, line, stop.end);
     });
 }

@@ -40,7 +40,8 @@ pub(super) fn enter(context: &Context, offset: TextSize, options: &Options) -> V
         )
     {
         let mut edits = match line.kind {
-            LineKind::StructHeader | LineKind::StructEnd => Vec::new(),
+            LineKind::StructHeader => Vec::new(),
+            LineKind::StructEnd => struct_end(context, above).into_iter().collect(),
             _ if matches!(line.mode_after, Mode::Struct { .. }) => Vec::new(),
             _ => outdented(context, above),
         };
@@ -193,6 +194,18 @@ fn outdented(context: &Context, line: usize) -> Vec<Edit> {
         text: String::new(),
     };
     if range.is_empty() { Vec::new() } else { vec![edit] }
+}
+
+/// `END_STRUCT;` put below the name of its structure, if it was typed after the blanks of a member.
+pub(super) fn struct_end(context: &Context, line: usize) -> Option<Edit> {
+    let parse = &context.parse;
+    let text = line_text(parse, line);
+    let blanks = text.len() - text.trim_start_matches([' ', '\t']).len();
+    let is_end = parse.lines()[line].kind == LineKind::StructEnd && &text[..blanks] != INDENT;
+    is_end.then(|| Edit {
+        range: TextRange::at(parse.line_start(line), TextSize::of(&text[..blanks])),
+        text: INDENT.to_owned(),
+    })
 }
 
 /// Whether a line holds nothing but the beginning of a rung.

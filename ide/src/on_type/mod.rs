@@ -7,7 +7,8 @@
 //! - Enter after a rung that completes its network draws the network again, and begins the next rung.
 //! - Enter within a block does nothing: a block has one line.
 //! - Enter in a section indents the next declaration.
-//! - What Enter has begun may be typed once more; a comment or a keyword takes its place.
+//! - `END_STRUCT;` goes below the name of its structure.
+//! - What Enter has begun may be typed once more, and so may the rail that a completed coil reaches to; a comment or a keyword takes its place.
 //!
 //! What was typed stays, but for rails and wires. Where the formatter is switched off nothing is drawn.
 //!
@@ -24,7 +25,7 @@ use ladder_format::{Edit, Options, format_ranges, is_switched_off};
 use ladder_syntax::{LineKind, SyntaxKind, TextSize};
 
 /// The characters after which the drawing may do something.
-pub const TRIGGERS: [char; 10] = ['\n', ')', '/', '+', '>', '#', '|', 'E', 'F', 'V'];
+pub const TRIGGERS: [char; 11] = ['\n', ')', '/', '+', '>', '#', '|', ';', 'E', 'F', 'V'];
 
 /// The edits after a character was typed; `offset` is right after it. Sorted, none touching another.
 pub fn on_type(context: &Context, offset: TextSize, typed: char, options: &Options) -> Vec<Edit> {
@@ -39,6 +40,10 @@ pub fn on_type(context: &Context, offset: TextSize, typed: char, options: &Optio
     }
     match typed {
         '\n' => enter::enter(context, offset, options),
+        ';' => line
+            .and_then(|line| enter::struct_end(context, line))
+            .into_iter()
+            .collect(),
         ')' | '/' | '+' | '>' => completed(context, offset, options).unwrap_or_default(),
         _ => Vec::new(),
     }

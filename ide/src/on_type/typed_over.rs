@@ -19,7 +19,9 @@ pub(super) fn typed_over(context: &Context, offset: TextSize) -> Option<Vec<Edit
     if start + TextSize::of(text) != offset {
         return None;
     }
-    let (from, to) = begun_rung(text).or_else(|| begun_branch(text))?;
+    let (from, to) = begun_rung(text)
+        .or_else(|| begun_branch(text))
+        .or_else(|| rail_again(text))?;
     let at = |place: usize| TextSize::try_from(place).ok().map(|place| start + place);
     let range = TextRange::new(at(from)?, at(to)?);
     Some(vec![Edit {
@@ -35,6 +37,13 @@ fn begun_rung(text: &str) -> Option<(usize, usize)> {
     typed
         .starts_with(['+', '#', 'E', 'F', 'V'])
         .then_some((0, BEGUN.len()))
+}
+
+/// Where after the right rail it is typed once more, with its wire: `( )( y )--+-+`.
+fn rail_again(text: &str) -> Option<(usize, usize)> {
+    let before = text.strip_suffix('+')?.trim_end_matches('-');
+    let is_rung = before.starts_with(['+', '|']) && before.len() > 1;
+    (is_rung && before.ends_with("-+")).then_some((before.len(), text.len()))
 }
 
 /// Where in `|  /--` is what is typed once more, from the rail or from the branch; or which only leads past this row.

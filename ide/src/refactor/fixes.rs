@@ -35,6 +35,12 @@ pub fn quick_fixes(analysis: &Analysis, range: TextRange) -> Vec<Action> {
         } else {
             Vec::new()
         };
+        if let Some(all) = names_of_another_system(analysis, &found) {
+            offer(Action {
+                finding: Some(index),
+                ..all
+            });
+        }
         for (nth, fix) in found.fixes.into_iter().enumerate() {
             offer(Action {
                 finding: Some(index),
@@ -59,6 +65,34 @@ pub fn quick_fixes(analysis: &Analysis, range: TextRange) -> Vec<Action> {
         });
     }
     fixes
+}
+
+/// A rung that was copied from another system has the names of its instructions there: all of them in one step, where a finding is about
+/// one of several in its network.
+fn names_of_another_system(analysis: &Analysis, found: &Diagnostic) -> Option<Action> {
+    const RULES: [&str; 2] = ["unknown-instruction", "wrong-shape"];
+    let is_one = |rule: &str| RULES.contains(&rule);
+    if !is_one(found.rule.name()) || found.fixes.is_empty() {
+        return None;
+    }
+    let networks = &analysis.context.networks;
+    let network = networks
+        .iter()
+        .find(|network| network.range.contains_range(found.range))?;
+    let findings = analysis.findings().iter();
+    let of_network =
+        findings.filter(|other| is_one(other.rule.name()) && network.range.contains_range(other.range));
+    let of_network: Vec<Diagnostic> = of_network.map(Finding::diagnostic).collect();
+    let fixes = fix::together(&of_network, Applicability::Unsafe);
+    if fixes.len() < 2 {
+        return None;
+    }
+    let title = format!(
+        "Replace all {} instructions that this network has wrong",
+        fixes.len()
+    );
+    let edits = fix::combined(fixes.iter().map(|(_, fix)| *fix)).edits;
+    Some(Action::new(ActionKind::QuickFix, title, edits))
 }
 
 /// The safe fixes of all findings at once, as far as they do not touch each other: the rest is for the next round.

@@ -6,12 +6,21 @@ use ladder_syntax::{Name, is_declaration_keyword, is_reserved};
 
 /// A name for a new tag of a scope that no tag has.
 pub(crate) fn new_tag(context: &Context, taken: &[String], base: &str) -> String {
-    let exists = |name: &Name| {
-        context.scopes.iter().any(|scope| scope.find(name).is_some())
-            || context.others.globals(name).next().is_some()
-            || taken.iter().any(|taken| Name::new(taken) == *name)
-    };
-    numbered(base, "_", exists)
+    numbered(base, "_", |name| {
+        is_tag(context, name) || taken.iter().any(|taken| Name::new(taken) == *name)
+    })
+}
+
+/// A name for a new tag that is named like another one: `t2` after `t1`.
+pub(crate) fn tag_like(context: &Context, name: &str) -> String {
+    let base = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let between = if base.len() < name.len() { "" } else { "_" };
+    numbered(base, between, |name| is_tag(context, name))
+}
+
+fn is_tag(context: &Context, name: &Name) -> bool {
+    context.scopes.iter().any(|scope| scope.find(name).is_some())
+        || context.others.globals(name).next().is_some()
 }
 
 /// A name for a new function that no function of the workspace has.

@@ -5,6 +5,7 @@ mod after_coil;
 mod combine_coils;
 mod dead_end;
 mod join_above;
+mod own_state;
 mod remove;
 
 use super::drawing::ItemKind;
@@ -20,6 +21,9 @@ use ladder_syntax::{TextRange, TextSize};
 pub(super) fn suggestions(analysis: &Analysis, found: &Diagnostic) -> Vec<Action> {
     match found.rule.name() {
         "double-coil" => combine_coils::offer(analysis, found).into_iter().collect(),
+        "duplicate-timer" | "duplicate-counter" | "duplicate-instance" => {
+            own_state::offer(analysis, found).into_iter().collect()
+        }
         "contact-after-coil" => after_coil::offer(analysis, found).into_iter().collect(),
         "dead-end" => dead_end::offer(analysis, found),
         "open-wire" | "rung-not-powered" => join_above::offer_start(analysis, found).into_iter().collect(),

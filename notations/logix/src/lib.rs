@@ -19,7 +19,6 @@ mod l5k;
 mod l5x;
 mod mnemonic;
 mod model;
-mod neutral;
 mod operand;
 mod plan;
 mod repeated;

@@ -2,8 +2,8 @@
 
 use crate::mnemonic::{Op, instruction};
 use crate::model::{Project, Task, TaskKind};
-use crate::neutral::instructions;
 use crate::unit::{Owner, Unit};
+use ladder_drawings::neutral::instructions;
 use ladder_notation::names::Names;
 use std::collections::{HashMap, HashSet};
 

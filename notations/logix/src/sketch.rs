@@ -7,13 +7,13 @@ use crate::declarations::types;
 use crate::folder::Parts;
 use crate::mnemonic::{Op, instruction};
 use crate::model::{Family, Project, Rung};
-use crate::neutral::{Instruction, Part, instructions};
 use crate::plan::Plan;
 use crate::scope::Tags;
 use crate::survey::survey;
 use crate::translate::{Routines, Translator};
 use crate::unit::{Owner, Unit, units};
 use crate::unread::LEFT;
+use ladder_drawings::neutral::{Instruction, Part, instructions};
 use ladder_format::Circuit;
 use ladder_format::program::{Drawing, Element, Item, Network};
 use ladder_notation::names::Names;
@@ -222,7 +222,7 @@ impl<'p> Sketcher<'p> {
         &mut self,
         scope: usize,
         rung: &Rung,
-        parts: Result<&Vec<Part<'p>>, &crate::neutral::Wrong>,
+        parts: Result<&Vec<Part<'p>>, &ladder_drawings::neutral::Wrong>,
     ) -> Item {
         let said = rung.comment.iter().map(|text| text.replace("\r\n", "\n"));
         let mut comments: Vec<String> = said.collect();

@@ -1,8 +1,9 @@
 //! RSLogix 500: rungs as text, one after the other, with addresses instead of tags: `N7:0/3`, `T4:0.ACC`, `I:1/0`.
 
+use crate::mnemonic::operands_in_ascii;
 use crate::model::{Family, Program, Project, Routine, Rung, Tag};
-use crate::neutral::{self, Instruction, instructions};
 use crate::operand::{Expr, Path, Step, parse};
+use ladder_drawings::neutral::{self, Instruction, instructions};
 use ladder_notation::ReadError;
 use std::collections::BTreeMap;
 
@@ -116,7 +117,7 @@ fn files(project: &Project) -> Vec<Tag> {
         .flat_map(|program| &program.routines)
         .flat_map(|routine| &routine.rungs);
     for rung in rungs {
-        if let Ok(parts) = neutral::parse(&rung.text) {
+        if let Ok(parts) = neutral::parse(&rung.text, &operands_in_ascii) {
             instructions(&parts, &mut |it: &Instruction<'_>| {
                 let numbers = it.operands.iter().filter_map(|text| text.parse::<u32>().ok());
                 let length = numbers.max().unwrap_or(0);

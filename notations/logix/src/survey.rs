@@ -7,12 +7,12 @@
 
 use crate::mnemonic::{Op, Role, instruction, role};
 use crate::model::Family;
-use crate::neutral::{Instruction, instructions};
 use crate::operand::{Expr, Path, Step};
 use crate::scope::{Place, Tags};
 use crate::types::Ty;
 use crate::unit::{Unit, operand};
 use crate::values::Value;
+use ladder_drawings::neutral::{Instruction, instructions};
 
 /// Goes through all units.
 pub(crate) fn survey(units: &[Unit<'_>], family: Family, tags: &mut Tags) {

@@ -1,9 +1,10 @@
 //! Routines with their rungs as parts.
 
+use crate::mnemonic::operands_in_ascii;
 use crate::model::{Family, Project, Routine};
-use crate::neutral::{self, Part, Wrong};
 use crate::operand::{Expr, parse};
 use crate::slc;
+use ladder_drawings::neutral::{self, Part, Wrong};
 
 /// A routine.
 #[derive(Debug)]
@@ -50,7 +51,7 @@ fn of(scope: usize, owner: Owner, routines: &[Routine]) -> impl Iterator<Item = 
         rungs: routine
             .rungs
             .iter()
-            .map(|rung| neutral::parse(&rung.text))
+            .map(|rung| neutral::parse(&rung.text, &operands_in_ascii))
             .collect(),
     })
 }

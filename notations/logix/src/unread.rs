@@ -3,12 +3,12 @@
 use crate::blocks::Blocks;
 use crate::mnemonic::{Op, instruction, is_written};
 use crate::model::{Family, Foreign, Language, Protected};
-use crate::neutral::{Instruction, instructions};
 use crate::operand::{Expr, Path, Step};
 use crate::plan::Later;
 use crate::sketch::{Sketcher, network};
 use crate::translate::Translator;
 use crate::unit::{Owner, Unit, operand};
+use ladder_drawings::neutral::{Instruction, instructions};
 use ladder_format::Circuit;
 use ladder_format::program::{Element, Item};
 use ladder_notation::{Power, Turn, Unread};

@@ -1,6 +1,9 @@
 //! Completion and its documentation.
 
+use std::time::Duration;
+
 use serde_json::{Value, json};
+use tokio::time::sleep;
 
 use crate::client::{Client, URI};
 
@@ -159,4 +162,59 @@ async fn each_row_says_what_it_is_where_the_client_shows_that() {
         json!({"description": "On-delay timer"})
     );
     plain.finish().await;
+}
+
+/// VS Code asks at the first key. An answer that may be longer is asked for again once more was typed, and is not shown before: who
+/// types faster than the answers come would see none.
+#[tokio::test]
+async fn a_list_comes_to_who_types_ahead_in_a_large_program() {
+    const RUNGS: u32 = 10_000;
+    const LINE: u32 = RUNGS / 2;
+    let rung = |n: u32| format!("+--[ ]( in_{n} )--[TON]( t_{n}, T#5s )--( )( out_{n} )--+\n");
+    let mut client = Client::new().await;
+    client.open(&(0..RUNGS).map(rung).collect::<String>()).await;
+    complete(&mut client, 0, 4).await;
+    let mut version = 1;
+    for pace in [0, 30, 70, 130] {
+        let mut asked = None;
+        let typed = ["\n", "+--[", "C", "T", "U"];
+        let mut column = 0;
+        for text in typed {
+            version += 1;
+            client
+                .change(version, &[([LINE, column, LINE, column], text)])
+                .await;
+            column += if text == "\n" {
+                0
+            } else {
+                u32::try_from(text.len()).unwrap()
+            };
+            if text == "+--[" {
+                let params = json!({
+                    "textDocument": {"uri": URI},
+                    "position": {"line": LINE, "character": column},
+                    "context": {"triggerKind": 2, "triggerCharacter": "["}
+                });
+                asked = Some(client.ask("textDocument/completion", params).await);
+            }
+            sleep(Duration::from_millis(pace)).await;
+        }
+        let answer = client.answer(asked.unwrap()).await.unwrap();
+        let items = answer["items"].as_array().unwrap();
+        assert!(
+            labelled(items, "[CTU]")["filterText"]
+                .as_str()
+                .unwrap()
+                .starts_with("[CTU")
+        );
+        if answer["isIncomplete"] == true {
+            // It came before the next key: it was shown, and is asked for again.
+            assert_ne!(pace, 0);
+            let items = complete(&mut client, LINE, column).await;
+            assert_eq!(items[0]["label"], "[CTU]");
+        }
+        version += 1;
+        client.change(version, &[([LINE, 0, LINE + 1, 0], "")]).await;
+    }
+    client.finish().await;
 }

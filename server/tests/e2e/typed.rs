@@ -129,3 +129,65 @@ async fn a_section_and_a_comment_that_are_not_closed_yet_wait() {
         client.finish().await;
     }
 }
+
+#[tokio::test]
+async fn a_section_that_is_not_closed_is_no_mistake_of_the_rung_below() {
+    let mut client = Client::new().await;
+    client.open("\n+--[ ]( a )--( )( y )--+\n").await;
+    assert_eq!(client.diagnostics(1).await, Vec::<Value>::new());
+    cursor(&mut client, json!(0)).await;
+    let mut version = 1;
+    for (line, character, text) in [
+        (0, 0, "VAR_INPUT"),
+        (0, 9, "\n"),
+        (1, 0, "    a : BOOL;"),
+        (1, 13, "\n"),
+        (2, 0, "VAR_OUTPUT"),
+        (2, 10, "\n"),
+    ] {
+        version += 1;
+        client
+            .change(version, &[([line, character, line, character], text)])
+            .await;
+        let found = client.diagnostics(version).await;
+        assert_eq!(found, Vec::<Value>::new(), "{text:?} in line {line}");
+        cursor(&mut client, json!(line + u32::from(text == "\n"))).await;
+    }
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn tags_of_a_program_that_is_being_begun_wait_until_their_line_is_looked_at_again() {
+    let mut client = Client::new().await;
+    client.open("").await;
+    client.diagnostics(1).await;
+    cursor(&mut client, json!(0)).await;
+    let mut version = 1;
+    let written = [
+        "VAR",
+        "    start : BOOL;",
+        "END_VAR",
+        "+--[ ]( start )--( )( run )--+",
+        "",
+    ];
+    for (line, text) in written.iter().enumerate() {
+        let line = u32::try_from(line).unwrap();
+        let end = u32::try_from(text.len()).unwrap();
+        for (character, text) in [(0, *text), (end, "\n")] {
+            version += 1;
+            client
+                .change(version, &[([line, character, line, character], text)])
+                .await;
+            assert_eq!(
+                client.diagnostics(version).await,
+                Vec::<Value>::new(),
+                "{text:?} in line {line}"
+            );
+        }
+        cursor(&mut client, json!(line + 1)).await;
+    }
+    cursor(&mut client, json!(3)).await;
+    // `run` is not declared, in a file that declares tags.
+    assert_eq!(lines(&client.diagnostics(version).await), [3]);
+    client.finish().await;
+}

@@ -156,3 +156,11 @@ fn what_enter_has_begun_is_typed_once_more() {
     "#]],
     );
 }
+
+#[test]
+fn the_right_rail_is_there_already() {
+    check("+--[ ]( a )--( )( y )--+-+$0\n", expect![[""]]);
+    check("+--[ ]( a )--( )( y )--+--+$0\n", expect![[""]]);
+    check("+--[ ]( a )--( )( y )--++$0\n", expect![[""]]);
+    check("+--[ ]( a )--( )( y )--+--$0\n", expect![[""]]);
+}

@@ -57,3 +57,37 @@ fn one_with_something_unread() {
     "#]],
     );
 }
+
+#[test]
+fn names_of_another_system_in_one_step() {
+    let (text, range) = fixture("+--[$0XIC]( a )--[OTE]( y )--+\n\n+--[XIO]( b )--( )( z )--+\n");
+    let analysis = analyze(&Arc::new(parse(&text)), "test.clad");
+    let offered = quick_fixes(&analysis, range);
+    let first = &offered[0];
+    assert!(!first.preferred, "nobody but a person knows what was meant");
+    let after = apply(&text, &first.aligned(&analysis, &text, &Options::default()));
+    expect![[r#"
+        Replace all 2 instructions that this network has wrong
+        +--[ ]( a )----------------------------------------------------------( )( y )--+
+
+        +--[XIO]( b )--( )( z )--+
+    "#]]
+    .assert_eq(&format!("{}\n{after}", first.title));
+}
+
+#[test]
+fn rungs_as_text() {
+    let (text, range) = fixture("+--[ ]( c )--( )( z )--+\n\nXIC(a)XIO(b)TON(t1,5000,$00)OTE(b);\n");
+    let analysis = analyze(&Arc::new(parse(&text)), "test.clad");
+    let offered = quick_fixes(&analysis, range);
+    let first = &offered[0];
+    let after = apply(&text, &first.aligned(&analysis, &text, &Options::default()));
+    expect![[r#"
+        Draw it as a rung
+        +--[ ]( c )--( )( z )--+
+
+        +--[ ]( a )--[/]( b )--\---------------------------------[TON]( t1, T#5s )--\--+
+        |                      /------------------------------------------( )( b )--/  |
+    "#]]
+    .assert_eq(&format!("{}\n{after}", first.title));
+}

@@ -297,3 +297,77 @@ fn what_decides_nothing() {
         "#]],
     );
 }
+
+#[test]
+fn a_block_on_a_timer_of_another_gets_one_of_its_own() {
+    check(
+        "duplicate-timer",
+        "VAR a, b, y, z : BOOL; warmup : TON; END_VAR\n+--[ ]( a )--[TON]( warmup, T#5s )--( )( y )--+\n\n+--[ ]( b )--[TON]( warmup, T#5s )--( )( z )--+\n",
+        expect![[r#"
+            the timer `warmup` has a second block: both would work on one TON
+            > Give this block a timer of its own: `warmup_1`
+            VAR
+                a, b, y, z : BOOL;
+                warmup     : TON;
+                warmup_1   : TON;
+            END_VAR
+            +--[ ]( a )--[TON]( warmup, T#5s )--( )( y )--+
+
+            +--[ ]( b )---------------------------------[TON]( warmup_1, T#5s )--( )( z )--+
+
+        "#]],
+    );
+    check(
+        "duplicate-timer",
+        "+--[ ]( a )--[TON]( t1, T#5s )--( )( y )--+\n\n+--[ ]( b )--[TON]( t1, T#5s )--( )( z )--+\n",
+        expect![[r#"
+            the timer `t1` has a second block: both would work on one TON
+            > Give this block a timer of its own: `t2`
+            +--[ ]( a )--[TON]( t1, T#5s )--( )( y )--+
+
+            +--[ ]( b )---------------------------------------[TON]( t2, T#5s )--( )( z )--+
+
+        "#]],
+    );
+    check(
+        "duplicate-counter",
+        "TYPE\n    Part : STRUCT\n        n : CTU;\n    END_STRUCT;\nEND_TYPE\nVAR\n    p : ARRAY[1..2] OF Part;\nEND_VAR\n+--[CTU]( p[1].n, 10 )--( )( y )--+\n\n+--[CTU]( p[1].n, 10 )--( )( z )--+\n",
+        expect![[r#"
+            the counter `p[1].n` has a second block: both would work on one CTU
+            > Give this block a counter of its own: `n_1`
+            TYPE
+                Part : STRUCT
+                    n : CTU;
+                END_STRUCT;
+            END_TYPE
+            VAR
+                p   : ARRAY[1..2] OF Part;
+                n_1 : CTU;
+            END_VAR
+            +--[CTU]( p[1].n, 10 )--( )( y )--+
+
+            +--------------------------------------------------[CTU]( n_1, 10 )--( )( z )--+
+
+        "#]],
+    );
+    check(
+        "duplicate-instance",
+        "FUNCTION_BLOCK [$X]\nVAR n : DINT; END_VAR\n+--[ADD]( n, n, 1 )--( )( ENO )--+\nEND_FUNCTION_BLOCK\nVAR x : $X; END_VAR\n+--[$X]( x )--( )( y )--+\n\n+--[$X]( x )--( )( z )--+\n",
+        expect![[r#"
+            a second [$X] works on `x`: what one does the other sees
+            > Give this block a state of its own: `x_1`
+            FUNCTION_BLOCK [$X]
+            VAR n : DINT; END_VAR
+            +--[ADD]( n, n, 1 )--( )( ENO )--+
+            END_FUNCTION_BLOCK
+            VAR
+                x   : $X;
+                x_1 : $X;
+            END_VAR
+            +--[$X]( x )--( )( y )--+
+
+            +-------------------------------------------------------[$X]( x_1 )--( )( z )--+
+
+        "#]],
+    );
+}

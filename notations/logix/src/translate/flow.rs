@@ -2,11 +2,11 @@
 
 use super::{Result, Translator};
 use crate::mnemonic::{Op, Role, instruction};
-use crate::neutral::instructions;
 use crate::operand::Expr;
 use crate::scope::Tags;
 use crate::types::{Elem, Ty};
 use crate::unit::{Unit, operand};
+use ladder_drawings::neutral::instructions;
 use ladder_format::Circuit;
 use ladder_format::program::Element;
 use std::collections::HashMap;

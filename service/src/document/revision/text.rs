@@ -56,6 +56,11 @@ impl Revision {
         before.iter().rev().copied().chain(after).collect()
     }
 
+    /// Whether nothing is in it but white space.
+    pub(crate) fn is_blank(&self) -> bool {
+        self.rope.chars().all(char::is_whitespace)
+    }
+
     /// The number of the last line, counted from 0.
     pub(crate) fn last_line(&self) -> u32 {
         self.rope.len_lines().saturating_sub(1) as u32

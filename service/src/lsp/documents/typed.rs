@@ -4,6 +4,9 @@
 //! of the last change is held back, since half a rung is full of errors that nobody has made yet; so are half a section of
 //! declarations and half a comment. A client that says nothing gets all findings at once.
 //!
+//! What is found of tags is about the rest of the program too, which is still to come: it waits until the cursor has been elsewhere and
+//! has come back to where the tags were written.
+//!
 //! An editor that saves by itself after a while does so in the middle of a rung: that ends nothing.
 
 use std::sync::Arc;
@@ -29,14 +32,31 @@ pub(crate) const CURSOR: &str = "ladder.cursor";
 /// A comment that is open for this many lines was forgotten.
 const LONGEST_COMMENT: u32 = 20;
 
-/// Where the comment or the section begins that goes on in a line.
-fn begun_above(revision: &Revision, parse: &Parse, line: u32) -> Option<TextSize> {
+/// What is found about uses that are still to come.
+const RULES_ABOUT_USES: [&str; 9] = [
+    "never-read",
+    "never-written",
+    "never-reset",
+    "read-before-write",
+    "set-without-reset",
+    "reset-without-set",
+    "unused-type",
+    "unused-label",
+    "unused-function",
+];
+
+/// What is found in a program that does not have all its declarations yet.
+const RULE_ABOUT_DECLARATIONS: &str = "undeclared-tag";
+
+/// The comment or the section that goes on in a line: where it begins, and where it ends if something that is not closed ends there, with
+/// what is found about that.
+fn begun_above(revision: &Revision, parse: &Parse, line: u32) -> Option<(TextSize, TextSize)> {
     let start = revision.line_start(line);
     if let Some(open) = parse.unclosed_comment()
         && open.start() <= start
         && line - revision.line_of(open.start()) < LONGEST_COMMENT
     {
-        return Some(open.start());
+        return Some((open.start(), start));
     }
     let line = parse.line_at(start)?;
     let section = parse
@@ -45,10 +65,15 @@ fn begun_above(revision: &Revision, parse: &Parse, line: u32) -> Option<TextSize
         .iter()
         .rev()
         .find(|section| section.lines.start <= line)?;
+    // What follows a section that is not closed is where that is noticed.
+    let after = match parse.lines().get(section.lines.end) {
+        Some(_) if !section.closed => parse.line_start(section.lines.end) + TextSize::new(1),
+        _ => start,
+    };
     section
         .lines
         .contains(&line)
-        .then(|| parse.line_start(section.lines.start))
+        .then(|| (parse.line_start(section.lines.start), after))
 }
 
 /// The part of a text whose findings wait: the network of a line, what is begun above it, or else the line.
@@ -62,8 +87,8 @@ fn part(revision: &Revision, context: &Context, number: u32) -> TextRange {
         character: 0,
     });
     let line = TextRange::new(start, end.max(start));
-    if let Some(begun) = begun_above(revision, &context.parse, number) {
-        return TextRange::new(begun, line.end());
+    if let Some((begun, end)) = begun_above(revision, &context.parse, number) {
+        return TextRange::new(begun, line.end().max(end));
     }
     let networks = &context.networks;
     let after = networks.partition_point(|network| network.range.end() <= start);
@@ -75,6 +100,15 @@ fn part(revision: &Revision, context: &Context, number: u32) -> TextRange {
 
 /// Leaves out what is found in the part of a text that is being typed.
 pub(crate) fn without_waiting(shared: &Shared, revision: &Revision, found: &mut Vec<Finding>) {
+    let (written, began_empty) = shared.typed.written(&revision.uri);
+    if !written.is_empty() {
+        found.retain(|finding| {
+            let rule = finding.rule.name();
+            let waits = RULES_ABOUT_USES.contains(&rule) || began_empty && rule == RULE_ABOUT_DECLARATIONS;
+            let line = || revision.line_of(finding.range.start());
+            !waits || !written.contains(&line())
+        });
+    }
     let Some(line) = shared.typed.waiting(&revision.uri) else {
         return;
     };
@@ -89,7 +123,7 @@ pub(crate) fn without_waiting(shared: &Shared, revision: &Revision, found: &mut 
 
 /// A document was saved: what waits is shown, if the person saved it.
 pub(crate) fn saved(shared: &Arc<Shared>, uri: &str) {
-    if !shared.typed.saved_itself(uri) && shared.typed.release(uri) {
+    if !shared.typed.saved_itself(uri) && shared.typed.saved(uri) {
         show(shared, uri);
     }
 }
@@ -104,13 +138,20 @@ fn show(shared: &Arc<Shared>, uri: &str) {
 pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) -> Result<LSPAny> {
     let Cursor { uri, line } = argument_of(CURSOR, params.arguments).map_err(error)?;
     let Some(line) = line else {
-        if shared.typed.release(&uri) {
+        if shared.typed.forget(&uri) {
             show(shared, &uri);
         }
-        shared.typed.forget(&uri);
         return Ok(LSPAny::Null);
     };
-    let Some(waiting) = shared.typed.follow(&uri) else {
+    let Some(revision) = shared.documents.get(&uri) else {
+        return Ok(LSPAny::Null);
+    };
+    let waiting = shared.typed.follow(&revision);
+    let is_back = shared.typed.came_to(&uri, line);
+    let Some(waiting) = waiting else {
+        if is_back {
+            show(shared, &uri);
+        }
         return Ok(LSPAny::Null);
     };
     let next_to = shared.clone();
@@ -120,7 +161,7 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
             let names = revision.names();
             names.is_some_and(|names| part(&revision, names.context(), waiting).contains_range(at))
         });
-        if !stays && next_to.typed.release(&uri) {
+        if !stays && next_to.typed.release(&uri) || is_back {
             show(&next_to, &uri);
         }
     })

@@ -51,6 +51,7 @@ pub(crate) async fn completion(
     let Some(revision) = shared.documents.get(place.text_document.uri.as_str()) else {
         return Ok(None);
     };
+    let next_to = Arc::clone(shared);
     blocking(&*shared.host, move |_| {
         let names = revision.names()?;
         let offset = revision.offset(convert::our_position(place.position));
@@ -66,9 +67,13 @@ pub(crate) async fn completion(
                 ..proposed.item(item)
             }
         });
+        let items = items.collect();
+        // A list that may be longer is asked for again with each key, and is not shown before that is answered. Who types faster
+        // than the answers come would never see one: what comes late is narrowed by the editor itself.
+        let is_late = !next_to.documents.shows(&revision);
         Some(CompletionResponse::List(CompletionList {
-            is_incomplete: found.cut,
-            items: items.collect(),
+            is_incomplete: found.cut && !is_late,
+            items,
         }))
     })
     .await

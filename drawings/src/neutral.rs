@@ -1,11 +1,10 @@
 //! The text of a rung: `XIC(a)[XIO(b) ,XIC(c) ]OTE(d);` as Logix writes it, `SOR XIC a BST XIO b NXB XIC c BND OTE d EOR` as
 //! RSLogix 500 does.
 
-use crate::mnemonic::operands_in_ascii;
-
 /// A part of a rung.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum Part<'t> {
+pub enum Part<'t> {
+    /// An instruction.
     Instruction(Instruction<'t>),
     /// Legs from top to bottom; one without parts is a wire.
     Branch(Vec<Vec<Part<'t>>>),
@@ -13,20 +12,24 @@ pub(crate) enum Part<'t> {
 
 /// An instruction.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Instruction<'t> {
+pub struct Instruction<'t> {
     /// Where it is in the text of the rung, in bytes.
-    pub(crate) at: usize,
-    pub(crate) name: &'t str,
-    pub(crate) operands: Vec<&'t str>,
+    pub at: usize,
+    /// What it is called.
+    pub name: &'t str,
+    /// What is between its parentheses.
+    pub operands: Vec<&'t str>,
     /// All of it, as it is written.
-    pub(crate) text: &'t str,
+    pub text: &'t str,
 }
 
 /// What is wrong, and where in the text.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Wrong {
-    pub(crate) at: usize,
-    pub(crate) message: String,
+pub struct Wrong {
+    /// Where, in bytes.
+    pub at: usize,
+    /// What.
+    pub message: String,
 }
 
 /// Branches nest no deeper, and a rung has no more parts: a drawing must have a use.
@@ -34,14 +37,16 @@ const DEEPEST: usize = 24;
 const MOST_PARTS: usize = 2_000;
 const MOST_LEGS: usize = 200;
 
-/// Reads the text of one rung, in either spelling.
+/// Reads the text of one rung, in either spelling. `operands` says how many operands an instruction has where no parentheses are
+/// around them.
 ///
 /// # Errors
 ///
 /// If brackets do not pair, or something is there that is no instruction.
-pub(crate) fn parse(text: &str) -> Result<Vec<Part<'_>>, Wrong> {
+pub fn parse<'t>(text: &'t str, operands: &dyn Fn(&str) -> Option<usize>) -> Result<Vec<Part<'t>>, Wrong> {
     let mut reader = Reader {
         text,
+        operands,
         at: 0,
         parts: 0,
     };
@@ -57,7 +62,7 @@ pub(crate) fn parse(text: &str) -> Result<Vec<Part<'_>>, Wrong> {
 }
 
 /// All instructions of parts, from left to right and top to bottom.
-pub(crate) fn instructions<'p, 't>(parts: &'p [Part<'t>], visit: &mut impl FnMut(&'p Instruction<'t>)) {
+pub fn instructions<'p, 't>(parts: &'p [Part<'t>], visit: &mut impl FnMut(&'p Instruction<'t>)) {
     for part in parts {
         match part {
             Part::Instruction(instruction) => visit(instruction),
@@ -66,13 +71,14 @@ pub(crate) fn instructions<'p, 't>(parts: &'p [Part<'t>], visit: &mut impl FnMut
     }
 }
 
-struct Reader<'t> {
+struct Reader<'t, 'o> {
     text: &'t str,
+    operands: &'o dyn Fn(&str) -> Option<usize>,
     at: usize,
     parts: usize,
 }
 
-impl<'t> Reader<'t> {
+impl<'t> Reader<'t, '_> {
     fn wrong(&self, message: impl Into<String>) -> Wrong {
         Wrong {
             at: self.at,
@@ -235,7 +241,7 @@ impl<'t> Reader<'t> {
 
     /// Operands parted by blanks, as RSLogix 500 writes them: as many as the instruction has.
     fn after_blanks(&mut self, name: &str) -> Vec<&'t str> {
-        let Some(count) = operands_in_ascii(name) else {
+        let Some(count) = (self.operands)(name) else {
             return Vec::new();
         };
         let mut operands = Vec::new();
@@ -273,7 +279,12 @@ mod tests {
 
     #[track_caller]
     fn check(text: &str, expected: Expect) {
-        expected.assert_eq(&match parse(text) {
+        let operands = |name: &str| match name {
+            "XIC" | "OTE" => Some(1),
+            "TON" => Some(4),
+            _ => None,
+        };
+        expected.assert_eq(&match parse(text, &operands) {
             Ok(parts) => shown(&parts),
             Err(wrong) => format!("{}: {}", wrong.at, wrong.message),
         });

@@ -1,0 +1,411 @@
+//! Rungs as text, as Logix Designer and RSLogix 500 put them on the clipboard: `XIC(start)[XIC(a) ,XIO(b) ]OTE(run);`.
+//!
+//! A block there hands on the power that it gets. What hands on something else here, as a timer its output, is drawn on a branch of
+//! its own before what follows it; in the middle of a branch, where that is another rung, it is not read.
+
+use crate::block;
+use crate::neutral::{Instruction, Part, parse};
+use crate::operand::Operands;
+use ladder_format::Circuit;
+use ladder_format::program::{Drawing, Element, Item, Network, ProgramSketch};
+use ladder_instructions::{Shape, known_elsewhere, lookup};
+
+/// How the operands of an instruction become those of a block.
+#[derive(Debug, Clone, Copy)]
+enum Order {
+    /// A tag.
+    Tag,
+    /// A tag that keeps an edge: the block keeps it by itself.
+    Storage,
+    /// Values that are compared.
+    Compared,
+    /// Timer, preset, what has run so far; the older spelling has a time base before the preset.
+    Timer,
+    /// Counter, preset, what was counted so far.
+    Counter,
+    /// Values, then the tag for the result.
+    ResultLast,
+    /// The tag that becomes 0.
+    Cleared,
+    /// None: it is a wire.
+    Nothing,
+}
+
+/// The instructions that are read: their name, the block, its operands, and whether both hand on the same power.
+const KNOWN: [(&str, &str, Order, bool); 40] = [
+    ("XIC", "[ ]", Order::Tag, true),
+    ("XIO", "[/]", Order::Tag, true),
+    ("OTE", "( )", Order::Tag, true),
+    ("OTL", "(S)", Order::Tag, false),
+    ("OTU", "(R)", Order::Tag, false),
+    ("RES", "(RES)", Order::Tag, true),
+    ("ONS", "[OSR]", Order::Storage, true),
+    ("TON", "[TON]", Order::Timer, false),
+    ("TOF", "[TOF]", Order::Timer, false),
+    ("RTO", "[RTO]", Order::Timer, false),
+    ("CTU", "[CTU]", Order::Counter, false),
+    ("CTD", "[CTD]", Order::Counter, false),
+    ("EQU", "[EQ]", Order::Compared, true),
+    ("EQ", "[EQ]", Order::Compared, true),
+    ("NEQ", "[NE]", Order::Compared, true),
+    ("NE", "[NE]", Order::Compared, true),
+    ("GRT", "[GT]", Order::Compared, true),
+    ("GT", "[GT]", Order::Compared, true),
+    ("GEQ", "[GE]", Order::Compared, true),
+    ("GE", "[GE]", Order::Compared, true),
+    ("LES", "[LT]", Order::Compared, true),
+    ("LT", "[LT]", Order::Compared, true),
+    ("LEQ", "[LE]", Order::Compared, true),
+    ("LE", "[LE]", Order::Compared, true),
+    ("MOV", "[MOV]", Order::ResultLast, true),
+    ("MOVE", "[MOV]", Order::ResultLast, true),
+    ("ADD", "[ADD]", Order::ResultLast, true),
+    ("SUB", "[SUB]", Order::ResultLast, true),
+    ("MUL", "[MUL]", Order::ResultLast, true),
+    ("DIV", "[DIV]", Order::ResultLast, true),
+    ("MOD", "[MOD]", Order::ResultLast, true),
+    ("AND", "[AND]", Order::ResultLast, true),
+    ("OR", "[OR]", Order::ResultLast, true),
+    ("XOR", "[XOR]", Order::ResultLast, true),
+    ("NOT", "[NOT]", Order::ResultLast, true),
+    ("ABS", "[ABS]", Order::ResultLast, true),
+    ("SQR", "[SQRT]", Order::ResultLast, true),
+    ("SQRT", "[SQRT]", Order::ResultLast, true),
+    ("CLR", "[MOV]", Order::Cleared, true),
+    ("NOP", "", Order::Nothing, true),
+];
+
+/// Rungs with more text than this are not pasted.
+const LONGEST: usize = 64 << 10;
+
+/// What was read.
+#[derive(Debug)]
+pub struct RungText {
+    /// A network for each rung.
+    pub program: ProgramSketch,
+    /// What of it cannot be read, and why.
+    pub problems: Vec<String>,
+}
+
+fn known(name: &str) -> Option<&'static (&'static str, &'static str, Order, bool)> {
+    KNOWN.iter().find(|(known, ..)| known.eq_ignore_ascii_case(name))
+}
+
+/// How many operands there are where no parentheses are around them.
+fn operands(name: &str) -> Option<usize> {
+    let (.., order, _) = known(name)?;
+    Some(match order {
+        Order::Tag | Order::Storage | Order::Cleared => 1,
+        Order::Compared => 2,
+        Order::Timer => 4,
+        Order::Counter => 3,
+        Order::Nothing => 0,
+        Order::ResultLast if matches!(name, "MOV" | "MOVE" | "NOT" | "ABS" | "SQR" | "SQRT") => 2,
+        Order::ResultLast => 3,
+    })
+}
+
+/// Whether a line may begin such a rung. Cheap: asked of each line with an error.
+pub fn may_be_rung_text(line: &str) -> bool {
+    let line = without_number(line.trim_start());
+    let line = line.trim_start_matches(['[', ' ', ',']);
+    let end = line.find(|c: char| !c.is_alphanumeric() && c != '_');
+    let (word, rest) = line.split_at(end.unwrap_or(line.len()));
+    let is_called = rest.trim_start().starts_with('(') || rest.starts_with(' ');
+    is_called && (matches!(word, "SOR" | "BST") || known(word).is_some())
+}
+
+/// A rung of an export begins with `N:`.
+fn without_number(rung: &str) -> &str {
+    rung.strip_prefix("N:").map_or(rung, str::trim_start)
+}
+
+/// Reads rungs, if that is what a text is: nothing else is in it, and it says of at least one bit what no ladder text says so.
+pub fn read_rung_text(text: &str) -> Option<RungText> {
+    if text.len() > LONGEST {
+        return None;
+    }
+    let mut reader = Reader::default();
+    let mut program = ProgramSketch::default();
+    let mut count = 0;
+    for rung in rungs(text) {
+        let parts = parse(without_number(rung.trim()), &operands).ok()?;
+        if parts.is_empty() {
+            continue;
+        }
+        count += count_known(&parts)?;
+        let circuit = reader.series(&parts, true);
+        if !program.items.is_empty() {
+            program.items.push(Item::Blank);
+        }
+        program.items.push(Item::Network(Network {
+            comments: Vec::new(),
+            drawing: Drawing::Circuit(circuit),
+        }));
+    }
+    let problems = reader.problems;
+    (count > 0).then_some(RungText { program, problems })
+}
+
+/// How many contacts and coils there are by the names that only such text has. None if something is no instruction.
+fn count_known(parts: &[Part<'_>]) -> Option<usize> {
+    let counts = parts.iter().map(|part| match part {
+        Part::Instruction(it)
+            if !it
+                .name
+                .chars()
+                .all(|c| c.is_ascii_uppercase() || c.is_ascii_digit()) =>
+        {
+            None
+        }
+        Part::Instruction(it) => Some(usize::from(matches!(
+            it.name,
+            "XIC" | "XIO" | "OTE" | "OTL" | "OTU"
+        ))),
+        Part::Branch(legs) => legs.iter().map(|leg| count_known(leg)).sum(),
+    });
+    counts.sum()
+}
+
+/// The rungs of a text: up to a `;`, or without one each on a line of its own.
+fn rungs(text: &str) -> Vec<&str> {
+    let mut found = Vec::new();
+    let mut start = 0;
+    let mut is_quoted = false;
+    let by_line = !text.contains(';');
+    for (at, letter) in text.char_indices() {
+        is_quoted ^= letter == '\'';
+        if letter == '\n' && by_line || letter == ';' && !is_quoted {
+            found.push(&text[start..at]);
+            start = at + 1;
+        }
+    }
+    found.push(&text[start..]);
+    found
+}
+
+#[derive(Default)]
+struct Reader {
+    operands: Operands,
+    problems: Vec<String>,
+}
+
+impl Reader {
+    /// Parts one after the other. `is_last`: nothing follows them but the rail.
+    fn series(&mut self, parts: &[Part<'_>], is_last: bool) -> Circuit<Element> {
+        let mut made = Vec::new();
+        for (index, part) in parts.iter().enumerate() {
+            let after = &parts[index + 1..];
+            let ends = is_last && after.is_empty();
+            let instruction = match part {
+                Part::Branch(legs) => {
+                    let legs = legs.iter().map(|leg| self.series(leg, ends));
+                    made.push(Circuit::Parallel(legs.collect()));
+                    continue;
+                }
+                Part::Instruction(instruction) => instruction,
+            };
+            let (element, passes) = match self.element(instruction) {
+                Ok(Some(read)) => read,
+                Ok(None) => continue,
+                Err(why) => {
+                    self.problems.push(why);
+                    continue;
+                }
+            };
+            let element = Circuit::Element(Element::block(element, None));
+            match (passes || ends, is_last) {
+                (true, _) => made.push(element),
+                (false, true) => {
+                    let rest = self.series(after, true);
+                    made.push(Circuit::Parallel(vec![element, rest]));
+                    break;
+                }
+                (false, false) => self.problems.push(format!(
+                    "`{}` hands on its power there, and something else here: draw it at the end of its rung",
+                    instruction.text
+                )),
+            }
+        }
+        Circuit::Series(made)
+    }
+
+    /// An instruction as a block, and whether that hands on the same power. None: it does nothing.
+    fn element(&mut self, instruction: &Instruction<'_>) -> Result<Option<(String, bool)>, String> {
+        let Some((_, block, order, passes)) = known(instruction.name) else {
+            return Err(unknown(instruction));
+        };
+        let given = &instruction.operands[..];
+        let cannot = || format!("the operands of `{}` cannot be read", instruction.text);
+        let list = match (order, given) {
+            (Order::Nothing, _) => return Ok(None),
+            (Order::Storage, _) => return Ok(Some(((*block).to_owned(), *passes))),
+            (Order::Tag, [tag]) => vec![self.operands.tag(tag)],
+            (Order::Cleared, [tag]) => vec![self.operands.tag(tag), Some("0".to_owned())],
+            (Order::Compared, [a, b]) => vec![self.operands.value(a), self.operands.value(b)],
+            (Order::Timer, [timer]) => vec![self.operands.tag(timer), Some(UNKNOWN.to_owned())],
+            (Order::Timer, [timer, preset, ..]) if given.len() < 4 => {
+                vec![self.operands.tag(timer), preset_time(preset, "0.001")]
+            }
+            (Order::Timer, [timer, base, preset, _]) => {
+                vec![self.operands.tag(timer), preset_time(preset, base)]
+            }
+            (Order::Counter, [counter]) => vec![self.operands.tag(counter), Some(UNKNOWN.to_owned())],
+            (Order::Counter, [counter, preset, ..]) if given.len() < 4 => {
+                let preset = match *preset {
+                    UNKNOWN => Some(UNKNOWN.to_owned()),
+                    preset => self.operands.value(preset),
+                };
+                vec![self.operands.tag(counter), preset]
+            }
+            (Order::ResultLast, [values @ .., result])
+                if block::row(&block[1..block.len() - 1]).is_some_and(|row| row.takes(given.len())) =>
+            {
+                let result = self.operands.tag(result);
+                let values = values.iter().map(|value| self.operands.value(value));
+                std::iter::once(result).chain(values).collect()
+            }
+            _ => return Err(cannot()),
+        };
+        let list: Option<Vec<String>> = list.into_iter().collect();
+        let list = list.ok_or_else(cannot)?.join(", ");
+        Ok(Some((format!("{block}( {list} )"), *passes)))
+    }
+}
+
+/// What is not on the clipboard.
+const UNKNOWN: &str = "?";
+
+/// A preset that counts in units of so many seconds.
+fn preset_time(preset: &str, base: &str) -> Option<String> {
+    if preset == UNKNOWN {
+        return Some(UNKNOWN.to_owned());
+    }
+    let count: u64 = preset.parse().ok()?;
+    let unit = match base {
+        "0.001" | ".001" => 1,
+        "0.01" | ".01" => 10,
+        "0.1" | ".1" => 100,
+        "1.0" | "1" => 1000,
+        _ => return None,
+    };
+    let milliseconds = count.checked_mul(unit)?;
+    Some(match milliseconds % 1000 {
+        0 => format!("T#{}s", milliseconds / 1000),
+        _ => format!("T#{milliseconds}ms"),
+    })
+}
+
+fn unknown(instruction: &Instruction<'_>) -> String {
+    let name = instruction.name;
+    let row = lookup(Shape::Logical, name)
+        .next()
+        .or_else(|| known_elsewhere(name));
+    match row {
+        Some(row) => format!("`{}` is not read: draw it with {}", instruction.text, row.block()),
+        None => format!("`{}` is not read", instruction.text),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{may_be_rung_text, read_rung_text};
+    use expect_test::{Expect, expect};
+    use ladder_format::Options;
+
+    #[track_caller]
+    fn check(text: &str, expected: Expect) {
+        let shown = match read_rung_text(text) {
+            None => "no rung\n".to_owned(),
+            Some(read) => {
+                assert!(may_be_rung_text(text));
+                let problems = read.problems.iter().map(|problem| format!("{problem}\n"));
+                let problems: String = problems.collect();
+                format!("{}{problems}", read.program.write(&Options::default()).text)
+            }
+        };
+        expected.assert_eq(&shown);
+    }
+
+    #[test]
+    fn what_follows_a_timer_gets_the_power_that_the_timer_gets() {
+        check(
+            "XIC(a)XIO(b)TON(t1,5000,0)OTE(b);",
+            expect![[r#"
+            +--[ ]( a )--[/]( b )--\---------------------------------[TON]( t1, T#5s )--\--+
+            |                      /------------------------------------------( )( b )--/  |
+        "#]],
+        );
+        check(
+            "XIC(a)[XIC(b) ,XIO(c) ]OTL(d);",
+            expect![[r#"
+            +--[ ]( a )--\--[ ]( b )--\------------------------------------------(S)( d )--+
+            |            /--[/]( c )--/                                                    |
+        "#]],
+        );
+        check(
+            "XIC(a)[TON(t,?,?) ,XIC(t.DN) OTE(b) ];\nXIC(t.DN)CTU(n,10,0);",
+            expect![[r#"
+            +--[ ]( a )--\--[TON]( t, ? )--\--+
+              /--[ ]( t.DN )--( )( b )--/
+
+            +--[ ]( t.DN )-------------------------------------------------[CTU]( n, 10 )--+
+        "#]],
+        );
+    }
+
+    #[test]
+    fn results_come_first() {
+        check(
+            "XIC(go)GEQ(level,50)ADD(level,5,total)MOV(total,shown)CLR(n);",
+            expect![[r#"
+            +--[ ]( go )--[GE]( level, 50 )----[ADD]( total, level, 5 )--[MOV]( shown, total )--[MOV]( n, 0 )--+
+        "#]],
+        );
+    }
+
+    #[test]
+    fn the_older_spelling() {
+        check(
+            "SOR XIC I:1/0 BST XIC a NXB XIC b BND TON T4:0 0.01 50 0 EOR",
+            expect![[r#"
+            +--[ ]( I_1_0 )--\--[ ]( a )--\------------------------[TON]( T4_0, T#500ms )--+
+            |                /--[ ]( b )--/                                                |
+        "#]],
+        );
+    }
+
+    #[test]
+    fn what_is_not_read_is_named() {
+        check(
+            "XIC(a)JSR(Fill,0);",
+            expect![[r#"
+            +--[ ]( a )--------------------------------------------------------------------+
+            `JSR(Fill,0)` is not read: draw it with <CALL>
+        "#]],
+        );
+    }
+
+    #[test]
+    fn a_timer_in_the_middle_of_a_rung_is_not_read() {
+        let read = read_rung_text("XIC(a)[TON(t,5,0),XIC(b)]OTE(c);").map(|read| read.problems);
+        expect![
+            "`TON(t,5,0)` hands on its power there, and something else here: draw it at the end of its rung"
+        ]
+        .assert_eq(&read.unwrap_or_default().join(" "));
+    }
+
+    #[test]
+    fn other_texts() {
+        for text in [
+            "",
+            "start(a);",
+            "TON(t, T#5s)",
+            "ADD(a, b, c);",
+            "XIC a note",
+            "XIC(a)--OTE(b)",
+        ] {
+            check(text, expect![["no rung\n"]]);
+        }
+    }
+}
