@@ -106,15 +106,15 @@ export async function typing(page, { step, until, screenshot, project }) {
         await page.keyboard.press('Escape');
         await page.keyboard.press('Escape');
     });
-    await step('Tab goes from operand to operand, and puts nothing in', async () => {
+    await step('Tab goes from operand to operand and selects each, and puts nothing in', async () => {
         const before = await lines(page);
         await page.keyboard.press('Control+Home');
         await page.keyboard.press('Tab');
         const first = RUNG.indexOf('first');
-        await place(page, 1, `(${first + 1}|${first + 1 + 'first'.length})`);
+        await place(page, 1, `${first + 1 + 'first'.length} \\(${'first'.length} selected\\)`);
         await page.keyboard.press('Tab');
         const second = RUNG.indexOf('second');
-        await place(page, 1, `(${second + 1}|${second + 1 + 'second'.length})`);
+        await place(page, 1, `${second + 1 + 'second'.length} \\(${'second'.length} selected\\)`);
         assert.deepEqual(await lines(page), before);
     });
     await step('Tab takes the first proposal, Enter within a block takes it or does nothing', async () => {

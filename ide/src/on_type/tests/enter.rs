@@ -345,14 +345,31 @@ fn an_enter_that_was_overtaken_is_asked_about_again() {
 fn the_end_of_a_structure_finds_its_column() {
     check(
         "TYPE\n    Motor : STRUCT\n        speed : INT;\n        END_STRUCT;$0\nEND_TYPE\n",
-        expect![[""]],
+        expect![[r#"
+            TYPE
+                Motor : STRUCT
+                    speed : INT;
+                END_STRUCT;
+            END_TYPE
+
+        "#]],
     );
     check(
         "TYPE\n    Motor : STRUCT\n        speed : INT;\n        END_STRUCT;\n$0        \nEND_TYPE\n",
-        expect![[""]],
+        expect![[r#"
+            TYPE
+                Motor : STRUCT
+                    speed : INT;
+                END_STRUCT;
+               ·
+            END_TYPE
+
+        "#]],
     );
     check(
         "TYPE\n    Motor : STRUCT\n        speed : INT;$0\n    END_STRUCT;\nEND_TYPE\n",
-        expect![[""]],
+        expect![[r#"
+            nothing
+        "#]],
     );
 }

@@ -159,8 +159,31 @@ fn what_enter_has_begun_is_typed_once_more() {
 
 #[test]
 fn the_right_rail_is_there_already() {
-    check("+--[ ]( a )--( )( y )--+-+$0\n", expect![[""]]);
-    check("+--[ ]( a )--( )( y )--+--+$0\n", expect![[""]]);
-    check("+--[ ]( a )--( )( y )--++$0\n", expect![[""]]);
-    check("+--[ ]( a )--( )( y )--+--$0\n", expect![[""]]);
+    check(
+        "+--[ ]( a )--( )( y )--+-+$0\n",
+        expect![[r#"
+        +--[ ]( a )--( )( y )--+
+
+    "#]],
+    );
+    check(
+        "+--[ ]( a )--( )( y )--+--+$0\n",
+        expect![[r#"
+        +--[ ]( a )--( )( y )--+
+
+    "#]],
+    );
+    check(
+        "+--[ ]( a )--( )( y )--++$0\n",
+        expect![[r#"
+        +--[ ]( a )--( )( y )--+
+
+    "#]],
+    );
+    check(
+        "+--[ ]( a )--( )( y )--+--$0\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
 }
