@@ -98,7 +98,7 @@ impl<'t> Proposals<'t> {
     pub(super) fn finish(mut self, before: &str, after: &Snippet) -> Completions {
         let mut found = std::mem::take(&mut self.found);
         found.sort_by_key(|(order, _)| *order);
-        // What only holds the letters that are written is another list once there is one more.
+        // With one letter more, names that do not begin so are other ones.
         let begins = |likeness: Likeness| likeness <= Likeness::Beginning;
         let cut = found.len() > MOST || found.iter().any(|((likeness, _), _)| !begins(*likeness));
         found.truncate(MOST);

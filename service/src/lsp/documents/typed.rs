@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 use ladder_analysis::Finding;
 use ladder_analysis::context::Context;
-use ladder_syntax::{Parse, TextRange, TextSize};
+use ladder_syntax::{LineKind, Parse, TextRange, TextSize};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
@@ -66,14 +66,15 @@ fn begun_above(revision: &Revision, parse: &Parse, line: u32) -> Option<(TextSiz
         .rev()
         .find(|section| section.lines.start <= line)?;
     // What follows a section that is not closed is where that is noticed.
-    let after = match parse.lines().get(section.lines.end) {
-        Some(_) if !section.closed => parse.line_start(section.lines.end) + TextSize::new(1),
-        _ => start,
+    let lines = parse.lines();
+    let is_space = |line: &usize| matches!(lines[*line].kind, LineKind::Blank | LineKind::Comment);
+    let next = (section.lines.end..lines.len()).find(|line| !is_space(line));
+    let (last, after) = match next {
+        _ if section.closed => (section.lines.end, start),
+        Some(next) => (next, parse.line_start(next) + TextSize::new(1)),
+        None => (lines.len(), start),
     };
-    section
-        .lines
-        .contains(&line)
-        .then(|| (parse.line_start(section.lines.start), after))
+    (line < last).then(|| (parse.line_start(section.lines.start), after))
 }
 
 /// The part of a text whose findings wait: the network of a line, what is begun above it, or else the line.
