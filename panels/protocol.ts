@@ -284,6 +284,8 @@ export interface Converted {
     /** How the names of such files end, without the dot. */
     readonly extension: string;
     readonly text: string;
+    /** What belongs next to it; of a file that is not a text only the name. */
+    readonly companions?: readonly { readonly name: string; readonly text?: string }[];
     readonly translated: number;
     readonly approximated: number;
     readonly refused: number;

@@ -1,6 +1,7 @@
 //! The answers: what is known of each property, and why no more.
 
 use crate::causes::{left_open, what_takes_long};
+use crate::clock::now;
 use crate::decide::{CONFLICTS, DEAR, Depth, Known, Seeks, decide};
 use crate::encode;
 use crate::graph::Lit;
@@ -14,7 +15,7 @@ use crate::wanted::is_wanted;
 use ladder_analysis::program::Location;
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{Form, Watched};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// How much may be done.
 #[derive(Debug, Clone, Copy)]
@@ -96,8 +97,8 @@ pub fn prove(
     watched: &mut Watched,
     options: Options,
 ) -> Result<Vec<Answer>, Refuted> {
-    let began = Instant::now();
-    let end = End::from(began + options.time);
+    let began = now();
+    let end = End::after(options.time);
     let mut answers: Vec<Option<Answer>> = vec![None; watched.properties.len()];
     // First with times that may be anything: what holds then needs no counting.
     let open = build(simulation, watched, encode::Times::Open, end);
@@ -220,10 +221,10 @@ impl Answer {
         }
     }
 
-    fn after(self, clauses: u64, began: Instant) -> Answer {
+    fn after(self, clauses: u64, began: Duration) -> Answer {
         Answer {
             clauses,
-            time: began.elapsed(),
+            time: now().saturating_sub(began),
             ..self
         }
     }

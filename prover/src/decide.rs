@@ -382,7 +382,7 @@ fn read(base: &Unrolled<'_>, model: &Model, inputs: &[bool], last: usize) -> Run
 mod tests {
     use super::*;
     use crate::model::tests::model_of;
-    use std::time::{Duration, Instant};
+    use std::time::Duration;
 
     /// That two products are equal takes more than anyone waits for; it does not stand before what happens after some scans.
     #[test]
@@ -397,7 +397,7 @@ VAR u, v, n : INT; END_VAR
         let depth = Depth {
             base: 200,
             step: 20,
-            end: (Instant::now() + Duration::from_secs(60)).into(),
+            end: End::after(Duration::from_secs(60)),
             seeks: Seeks::One,
             conflicts: CONFLICTS,
         };

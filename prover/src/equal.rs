@@ -7,6 +7,7 @@ use crate::body;
 use crate::decide::reach;
 use crate::encode::{Cells, InputTag, Left, World, follow_alone};
 use crate::graph::Lit;
+use crate::limits::End;
 use crate::model::Model;
 use crate::number::Number;
 pub use crate::shown::Difference;
@@ -19,7 +20,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Conflicts that the question about two networks may have.
 const CONFLICTS: u64 = 50_000;
@@ -171,7 +172,7 @@ impl Compared {
 
     /// Compares a network of the old program with one of the new, by their numbers, for no longer than `time`.
     pub fn networks(&self, old: usize, new: usize, time: Duration) -> Meaning {
-        let end = Instant::now() + time;
+        let end = End::after(time);
         let asked = match (self.old.block_of(old), self.new.block_of(new)) {
             (None, None) => self.asked(old, new, end),
             (Some(was), Some(is)) => self
@@ -190,12 +191,12 @@ impl Compared {
         bodies.entry((was, is)).or_insert_with(compiled).clone()
     }
 
-    fn asked(&self, old: usize, new: usize, end: Instant) -> Result<Meaning, String> {
+    fn asked(&self, old: usize, new: usize, end: End) -> Result<Meaning, String> {
         let parts = [(&self.old, old), (&self.new, new)].map(|(form, network)| form.unread_parts(network));
         if let Some(name) = another_part(parts) {
             return Err(is_another(name));
         }
-        let mut world = World::until(end.into());
+        let mut world = World::until(end);
         world.compares = true;
         let before = self.old.follow(&mut world, old)?;
         let after = self.new.follow(&mut world, new)?;

@@ -268,7 +268,7 @@ mod tests {
     use super::*;
     use crate::decide::{Depth, Known, Seeks, decide};
     use crate::model::tests::model_of;
-    use std::time::{Duration, Instant};
+    use std::time::Duration;
 
     /// What is known of the first property of a program without what always holds, and with it.
     fn without_and_with(program: &str, property: &str) -> [Known; 2] {
@@ -277,7 +277,7 @@ mod tests {
         let depth = Depth {
             base: 5,
             step: 5,
-            end: (Instant::now() + Duration::from_secs(20)).into(),
+            end: End::after(Duration::from_secs(20)),
             seeks: Seeks::Every,
             conflicts: CONFLICTS,
         };

@@ -11,6 +11,7 @@ mod answer;
 mod body;
 mod both;
 mod causes;
+mod clock;
 mod concrete;
 mod decide;
 mod divergence;
@@ -38,6 +39,7 @@ mod unrolled;
 mod wanted;
 
 pub use answer::{Answer, Options, Refuted, Shown, Times, Verdict, prove};
+pub use clock::by_clock;
 pub use concrete::Concrete;
 pub use equal::{Compared, Difference, Meaning, other_tags};
 pub use programs::{

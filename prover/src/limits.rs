@@ -2,10 +2,11 @@
 //!
 //! Only the whole has a time. What its parts may do is counted in steps, so that a busy machine says the same as an idle one.
 
+use crate::clock::now;
 use crate::wanted::is_wanted;
 use batsat::Callbacks;
 use std::cell::Cell;
-use std::time::Instant;
+use std::time::Duration;
 
 /// Why nothing more of a program is followed once that is so.
 pub(crate) const LATE: &str = "the time was over before all of the program was followed";
@@ -13,19 +14,20 @@ pub(crate) const LATE: &str = "the time was over before all of the program was f
 /// When all must be done; without a time, when nobody waits.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct End {
-    at: Option<Instant>,
+    at: Option<Duration>,
 }
 
 impl End {
+    /// When so much time has passed.
+    pub(crate) fn after(time: Duration) -> End {
+        End {
+            at: Some(now() + time),
+        }
+    }
+
     /// No time is left, or nobody waits.
     pub(crate) fn is_over(self) -> bool {
-        self.at.is_some_and(|at| Instant::now() >= at) || !is_wanted()
-    }
-}
-
-impl From<Instant> for End {
-    fn from(at: Instant) -> End {
-        End { at: Some(at) }
+        self.at.is_some_and(|at| now() >= at) || !is_wanted()
     }
 }
 

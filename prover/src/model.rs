@@ -421,7 +421,7 @@ pub(crate) mod tests {
     use ladder_simulator::Options;
     use ladder_simulator::scenario::{bind_properties, parse};
     use std::sync::Arc;
-    use std::time::{Duration, Instant};
+    use std::time::Duration;
 
     /// The model of a program with the times that it has, and of its properties, with scans of 100 ms.
     pub(crate) fn model_of(program: &str, properties: &str) -> Model {
@@ -434,7 +434,7 @@ pub(crate) mod tests {
         let simulation = Simulation::new(program, options).expect("it compiles");
         let suite = parse(&format!("program p.clad\n{properties}\n"));
         let (watched, _) = bind_properties(&suite, &simulation);
-        let end = Instant::now() + Duration::from_secs(20);
-        build(&simulation, &watched, Times::Exact, end.into())
+        let end = End::after(Duration::from_secs(20));
+        build(&simulation, &watched, Times::Exact, end)
     }
 }

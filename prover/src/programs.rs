@@ -21,7 +21,7 @@ use crate::shown_tags::{self, shared};
 use crate::sure::doubtful_assumptions;
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::Watched as Assumed;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// How much may be done to compare two programs.
 #[derive(Debug, Clone, Copy)]
@@ -98,7 +98,7 @@ pub fn compare_programs_assuming(
     assumed: &mut Assumed,
     limits: Limits,
 ) -> Result<Whole, NotReproduced> {
-    let end = End::from(Instant::now() + limits.time);
+    let end = End::after(limits.time);
     if old.options().interval != new.options().interval {
         return Ok(Whole::Unknown("the times between scans differ".into()));
     }

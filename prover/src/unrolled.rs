@@ -43,8 +43,7 @@ pub(crate) struct Unrolled<'m> {
 }
 
 impl<'m> Unrolled<'m> {
-    pub(crate) fn new(model: &'m Model, from: From, end: impl Into<End>) -> Unrolled<'m> {
-        let end = end.into();
+    pub(crate) fn new(model: &'m Model, from: From, end: End) -> Unrolled<'m> {
         let states = model.world.states.iter().enumerate();
         let limits = Limits::new(end, u64::MAX);
         Unrolled {

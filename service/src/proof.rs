@@ -90,6 +90,7 @@ pub(crate) fn run(
     _: &ladder_simulator::scenario::Suite,
     _: &mut ladder_simulator::Simulation,
     _: Option<&str>,
+    _: crate::host::Clock,
     _: impl Fn() -> bool + 'static,
 ) -> Result<Vec<PropertyProved>, String> {
     Err("nothing is proved here; `ladder prove` does it".to_owned())

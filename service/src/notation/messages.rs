@@ -31,6 +31,9 @@ pub struct Converted {
     pub extension: String,
     /// The program.
     pub text: String,
+    /// What belongs next to it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub companions: Vec<NextTo>,
     /// How many elements mean the same.
     pub translated: usize,
     /// How many mean nearly the same.
@@ -42,6 +45,17 @@ pub struct Converted {
     /// What else a person should know.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
+}
+
+/// A file that belongs next to a program.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct NextTo {
+    /// Its whole name, after a `/` if it is in a folder of its own.
+    pub name: String,
+    /// What it holds; none where that is not a text in UTF-8.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub text: Option<String>,
 }
 
 /// A remark on an element.

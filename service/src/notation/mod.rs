@@ -7,7 +7,7 @@ use ladder_analysis::{Analysis, Linked};
 use ladder_notations::{
     Finding, Foreign, Form, NOTATIONS, Remark, Report, Source, Tally, remarks, write_checked,
 };
-use messages::{Converted, Element, Known, Notations};
+use messages::{Converted, Element, Known, NextTo, Notations};
 use std::sync::Arc;
 
 pub(crate) use opened::Opened;
@@ -47,6 +47,7 @@ pub(crate) fn translate(
     linked: Option<Linked>,
 ) -> Result<Converted, String> {
     let mut account = Account::default();
+    let mut companions = Vec::new();
     let analyze = |ladder: &str| {
         let parse = ladder_syntax::parse(ladder).into();
         Arc::new(ladder_analysis::analyze(&parse, &task.source.name))
@@ -83,6 +84,10 @@ pub(crate) fn translate(
                 format!("{name} belongs next to this program; `ladder convert -o` writes both")
             });
             account.notes.extend(next_to);
+            companions.extend(writing.companions.into_iter().map(|companion| NextTo {
+                name: companion.name,
+                text: String::from_utf8(companion.bytes).ok(),
+            }));
             String::from_utf8(writing.bytes).map_err(|_| {
                 "this program is not a text in UTF-8; `ladder convert -o` writes it".to_owned()
             })?
@@ -93,6 +98,7 @@ pub(crate) fn translate(
         to: task.to.name().to_owned(),
         extension: task.to.extension().to_owned(),
         text,
+        companions,
         translated: account.tally.translated,
         approximated: account.tally.approximated,
         refused: account.tally.refused,

@@ -1,10 +1,11 @@
 //! Asks the prover.
 
-use ladder_prover::{Answer, Options, drawn, found_scenario, prove, scenario_file, while_wanted};
+use ladder_prover::{Answer, Options, by_clock, drawn, found_scenario, prove, scenario_file, while_wanted};
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, Monitor, Suite};
 
 use super::{LeftOpen, PropertyProved};
+use crate::host::Clock;
 use crate::scenario_run::Files;
 
 /// Decides the properties of a file, or one of them, for no longer than `ladder prove` does, and as long as it is wanted.
@@ -17,6 +18,7 @@ pub(crate) fn run(
     suite: &Suite,
     simulation: &mut Simulation,
     only: Option<&str>,
+    clock: Clock,
     is_wanted: impl Fn() -> bool + 'static,
 ) -> Result<Vec<PropertyProved>, String> {
     let (mut watched, found) = scenario::bind_properties(suite, simulation);
@@ -31,7 +33,8 @@ pub(crate) fn run(
         });
     }
     let job = || prove(simulation, &mut watched, Options::default());
-    let answers = while_wanted(is_wanted, job).map_err(|refuted| {
+    let job = || while_wanted(is_wanted, job);
+    let answers = by_clock(move || clock.now(), job).map_err(|refuted| {
         format!(
             "the prover found a run for \"{}\" that does not happen in the simulator: this is an error in the prover, please \
              report it with the program",

@@ -89,7 +89,15 @@ fn decide(
         program: &program,
     };
     let still = is_wanted.clone();
-    let found = proof::run(&files, &suite, &mut simulation, asked.name.as_deref(), is_wanted)?;
+    let clock = shared.world().clock.clone();
+    let found = proof::run(
+        &files,
+        &suite,
+        &mut simulation,
+        asked.name.as_deref(),
+        clock,
+        is_wanted,
+    )?;
     if !still() {
         return Err(Given::Overtaken);
     }
