@@ -2,7 +2,8 @@
 //
 //   node build.mjs [--out dist] [--server FOLDER]
 //
-// FOLDER has the language server as `ladder.wasm`, and the worker that runs it, `worker.js`.
+// FOLDER has the language server as `ladder.wasm`, with everything built in as `ladder-complete.wasm`, and the worker that runs them, `worker.js`.
+import { createHash } from 'node:crypto';
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -27,7 +28,7 @@ function found(name, folders) {
     return path;
 }
 const server = resolve(values.server ?? join(here, 'server'));
-const wasm = found('ladder.wasm', [server]);
+const servers = ['ladder.wasm', 'ladder-complete.wasm'].map((name) => ({ name, path: found(name, [server]) }));
 
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
@@ -80,7 +81,7 @@ writeFileSync(join(out, 'examples.json'), JSON.stringify(programs(join(here, '..
 copyFileSync(join(here, 'page/index.html'), join(out, 'index.html'));
 copyFileSync(join(here, '../editors/vscode/images/icon.svg'), join(out, 'icon.svg'));
 
-copyFileSync(wasm, join(out, 'ladder.wasm'));
+servers.forEach(({ name, path }) => copyFileSync(path, join(out, name)));
 
 // The licences of the bundled packages ask to go with every copy of them.
 function licence(folder) {
@@ -94,3 +95,22 @@ function licence(folder) {
 const folders = Object.keys(metafile.inputs).map((path) => /^(?:.*\/)?node_modules\/(?:@[^/]+\/)?[^/]+/.exec(path)?.[0]);
 const packages = [...new Set(folders)].filter((folder) => folder !== undefined).sort();
 writeFileSync(join(out, 'licenses.txt'), packages.map((folder) => licence(join(here, folder))).join(`\n${'-'.repeat(80)}\n\n`));
+
+// What the page is asked for without a network, under a name that changes with it.
+const files = readdirSync(out).sort();
+const hash = createHash('sha256');
+files.forEach((name) => hash.update(name).update(readFileSync(join(out, name))));
+const later = ['ladder-complete.wasm', 'licenses.txt'];
+const kept = { version: hash.digest('hex').slice(0, 16), first: files.filter((name) => !later.includes(name)), later };
+await build({
+    absWorkingDir: here,
+    entryPoints: { 'service-worker': 'src/serviceWorker.ts' },
+    outdir: out,
+    bundle: true,
+    platform: 'browser',
+    target: 'es2022',
+    format: 'iife',
+    minify: true,
+    define: { KEPT: JSON.stringify(kept) },
+    logLevel: 'warning',
+});

@@ -1,9 +1,8 @@
-// What can be done at the cursor: fixes, and drawing something in another way; and what links in hovers lead to.
+// What can be done at the cursor: fixes, and drawing something in another way.
 import type { Extension } from '@codemirror/state';
 import { LSPPlugin } from '@codemirror/lsp-client';
-import { type Command, EditorView, keymap } from '@codemirror/view';
+import { type Command, type EditorView, keymap } from '@codemirror/view';
 
-import type { OpenText } from './openText.ts';
 import { actionsAt, make } from './findings.ts';
 import { element } from './element.ts';
 
@@ -54,19 +53,3 @@ const show: Command = (view) => {
 };
 
 export const actionKeymap: Extension = keymap.of([{ key: 'Mod-.', run: show, preventDefault: true }]);
-
-/** A link of a hover leads to a line of the text. */
-export function links(text: () => OpenText): Extension {
-    return EditorView.domEventHandlers({
-        click(event) {
-            const link = event.target instanceof Element ? event.target.closest('a[href^="file:"]') : null;
-            const line = /#L(\d+)/.exec(link?.getAttribute('href') ?? '')?.[1];
-            if (line !== undefined) {
-                const place = { line: Number(line) - 1, character: 0 };
-                text().select({ start: place, end: place }, true);
-                return true;
-            }
-            return false;
-        },
-    });
-}

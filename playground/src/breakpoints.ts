@@ -2,6 +2,8 @@
 import { type EditorState, type Extension, RangeSet, StateEffect, StateField } from '@codemirror/state';
 import { type Command, EditorView, gutter, GutterMarker, keymap } from '@codemirror/view';
 
+import { opens } from './opened.ts';
+
 const toggle = StateEffect.define<number>({ map: (from, changes) => changes.mapPos(from) });
 
 class Dot extends GutterMarker {
@@ -19,6 +21,9 @@ const field = StateField.define<RangeSet<GutterMarker>>({
     update(value, { changes, effects, state }) {
         const moved = value.map(changes);
         return effects.reduce((now, effect) => {
+            if (effect.is(opens)) {
+                return RangeSet.empty;
+            }
             if (!effect.is(toggle)) {
                 return now;
             }

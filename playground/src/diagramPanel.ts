@@ -5,6 +5,7 @@ import { answer, type Side } from '../../panels/diagram/answer.ts';
 import type { FromPage, LineChange, ToPage } from '../../panels/diagram/messages.ts';
 import { Teller } from '../../panels/diagram/teller.ts';
 import { Frame } from './frame.ts';
+import { opensAnother } from './opened.ts';
 import type { OpenText } from './openText.ts';
 import type { Server } from './server.ts';
 import type { Simulation } from './simulation.ts';
@@ -65,7 +66,10 @@ export class DiagramPanel {
     }
 
     /** The text has changed, or its cursor has moved. */
-    followed({ docChanged, changes, startState, state, selectionSet }: ViewUpdate): void {
+    followed({ docChanged, changes, startState, state, selectionSet, transactions }: ViewUpdate): void {
+        if (transactions.some(opensAnother)) {
+            return;
+        }
         if (docChanged) {
             const lines: LineChange[] = [];
             changes.iterChanges((from, to, _from, _to, inserted) => {

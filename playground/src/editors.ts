@@ -1,10 +1,10 @@
 // The two texts, what is around them, and how all of it hangs together.
 import { closeBrackets, closeBracketsKeymap, completionKeymap } from '@codemirror/autocomplete';
-import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
+import { defaultKeymap, historyKeymap } from '@codemirror/commands';
 import { bracketMatching } from '@codemirror/language';
 import { lintGutter, lintKeymap } from '@codemirror/lint';
 import {
-    findReferencesKeymap, formatKeymap, hoverTooltips, jumpToDefinitionKeymap, renameKeymap, signatureHelp,
+    findReferencesKeymap, formatKeymap, jumpToDefinitionKeymap, renameKeymap, signatureHelp,
 } from '@codemirror/lsp-client';
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
 import { EditorState, type Extension } from '@codemirror/state';
@@ -13,13 +13,16 @@ import {
 } from '@codemirror/view';
 
 import { look } from './appearance.ts';
-import { actionKeymap, links } from './actions.ts';
+import { actionKeymap } from './actions.ts';
 import { breakpoints } from './breakpoints.ts';
+import { Complete } from './complete.ts';
 import { completion } from './completion.ts';
 import { DiagramPanel } from './diagramPanel.ts';
 import { byId, element } from './element.ts';
 import { findings } from './findings.ts';
+import { hover } from './hover.ts';
 import { clad, colours, ladderTest } from './language.ts';
+import { followLinks } from './links.ts';
 import { OpenText } from './openText.ts';
 import { powerIn, showPower } from './power.ts';
 import { ProblemsPanel } from './problemsPanel.ts';
@@ -44,7 +47,6 @@ run => _--
 
 const common: Extension = [
     lineNumbers(),
-    history(),
     drawSelection(),
     dropCursor(),
     highlightSpecialChars(),
@@ -64,15 +66,18 @@ const common: Extension = [
 
 const languageServer = [
     completion,
-    hoverTooltips(),
     signatureHelp(),
     keymap.of([...formatKeymap, ...renameKeymap, ...jumpToDefinitionKeymap, ...findReferencesKeymap]),
     actionKeymap,
 ];
 
-export function setUp(say: (text: string) => void) {
+const LOADING = 'What translates programs and proves is being loaded.';
+
+/** @param busy says what a person has to wait for, until it is called with nothing */
+export function setUp(say: (text: string) => void, busy: (text?: string) => void) {
     const server = new Server([...languageServer, findings((uri, found) => problems.take(uri, found))], {
         state: (state) => simulation.receive(state),
+        debugger: (message) => simulation.receiveOfDebugger(message),
         message: say,
         failed(reason) {
             simulation.drop();
@@ -93,15 +98,16 @@ export function setUp(say: (text: string) => void) {
         typing(server),
         powerIn(() => simulation, (offset) => program.place(offset)),
         follow,
-        links(() => program),
+        hover(() => simulation),
         label('Program'),
     ]);
-    const scenarios: OpenText = new OpenText(scenariosText, server, 'program.ladder-test', [common, ladderTest, placeholder(EXAMPLE), typing(server), links(() => scenarios), label('Scenarios')]);
+    const scenarios: OpenText = new OpenText(scenariosText, server, 'program.ladder-test', [common, ladderTest, placeholder(EXAMPLE), typing(server), hover(() => undefined), label('Scenarios')]);
     const simulation: Simulation = new Simulation(server, program, { message: say, stopped: (range) => program.reveal(range.start) });
     const documents = new Tabs(byId('documents'), 'Texts', () => undefined);
     documents.add('program', program.name, programPanel);
     documents.add('scenarios', scenarios.name, scenariosText);
     const show = (text: OpenText) => documents.choose(text === program ? 'program' : 'scenarios');
+    followLinks([program, scenarios], show);
 
     const tabs = new Tabs(byId('views'), 'Views', (id) => appear(id));
     const why = new WhyPanel(byId('why'), program, simulation);
@@ -110,7 +116,8 @@ export function setUp(say: (text: string) => void) {
         await why.ask(tag);
     };
     const problems: ProblemsPanel = new ProblemsPanel(byId('problems'), [program, scenarios], show, (count) => tabs.title('problems', count > 0 ? `Problems ${count}` : 'Problems'));
-    const runs = new ScenariosPanel(byId('runs'), server, program, scenarios, say, show);
+    const complete = new Complete((isLoading) => busy(isLoading ? LOADING : undefined));
+    const runs = new ScenariosPanel(byId('runs'), server, complete, program, scenarios, simulation, say, show);
     const trace = new TracePanel(byId('traces'), simulation);
     const tags = new TagsPanel(byId('tags'), simulation, {
         why: (tag) => void ask(tag),
@@ -129,6 +136,7 @@ export function setUp(say: (text: string) => void) {
     const frames = [diagram.frame, trace.frame];
     return {
         server,
+        complete,
         program,
         scenarios,
         simulation,
@@ -148,7 +156,7 @@ export function setUp(say: (text: string) => void) {
             report(text: string) {
                 const dialog = byId('choice') as HTMLDialogElement;
                 const close = element('button', { value: 'done' }, 'Close');
-                dialog.replaceChildren(element('form', { method: 'dialog' }, element('h2', {}, 'What became of the program'), element('pre', { tabindex: '0' }, text), close));
+                dialog.replaceChildren(element('form', { method: 'dialog', class: 'report' }, element('h2', {}, 'What became of the program'), element('pre', { tabindex: '0', autofocus: true }, text), close));
                 dialog.showModal();
             },
         },

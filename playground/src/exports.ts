@@ -1,9 +1,12 @@
 // What can be taken out of the page: the text, its picture, the trace of a simulation, and the program in another notation.
+import { summary } from '../../panels/conversionReport.ts';
 import type { Value } from '../../panels/protocol.ts';
+import type { Complete } from './complete.ts';
 import { element } from './element.ts';
 import type { OpenText } from './openText.ts';
-import type { Server } from './server.ts';
+import { FOLDER, type Server } from './server.ts';
 import type { Simulation } from './simulation.ts';
+import { zip } from './zip.ts';
 
 /** The letters of a picture are twice as large in PNG, for screens and paper. */
 const PNG_SCALE = 2;
@@ -19,6 +22,26 @@ export function save(name: string, content: string | Blob, type = 'text/plain'):
 
 export function stemOf(name: string): string {
     return name.replace(/\.[^.]*$/, '');
+}
+
+/** Saves a program in another notation: with what belongs next to it as one archive. @returns what became of it */
+export async function saveIn(notation: string, complete: Complete, { name, text }: { readonly name: string; readonly text: string }): Promise<string> {
+    const uri = `${FOLDER}/${encodeURIComponent(name)}`;
+    const converted = await complete.execute('ladder.convert', { uri, to: notation }, { [name]: text });
+    const stem = stemOf(name);
+    const program = { name: `${stem}.${converted.extension || 'txt'}`, text: converted.text };
+    const companions = (converted.companions ?? []).map((companion) => {
+        if (companion.text === undefined) {
+            throw new Error(`${companion.name} is not a text: \`ladder convert -o\` writes it.`);
+        }
+        return { name: companion.name, text: companion.text };
+    });
+    if (companions.length === 0) {
+        save(program.name, program.text);
+    } else {
+        save(`${stem}.zip`, zip([program, ...companions]));
+    }
+    return `${summary(program.name, converted)}.`;
 }
 
 /** The diagram of a program as a picture that needs nothing else. */

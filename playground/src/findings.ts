@@ -1,7 +1,8 @@
 // What the server finds in a text: marked in its editor with the fixes there are, and told to whoever lists it.
 import { type Diagnostic, setDiagnostics } from '@codemirror/lint';
 import { LSPPlugin, type LSPClient, type LSPClientExtension } from '@codemirror/lsp-client';
-import { EditorView, ViewPlugin, type ViewUpdate } from '@codemirror/view';
+import type { Text } from '@codemirror/state';
+import { type EditorView, ViewPlugin, type ViewUpdate } from '@codemirror/view';
 
 import type { Range } from '../../panels/protocol.ts';
 
@@ -58,14 +59,13 @@ export function make(client: LSPClient, { edit }: CodeAction): void {
     for (const [uri, edits] of Object.entries(edit?.changes ?? {})) {
         const view = client.workspace.getFile(uri)?.getView();
         if (view) {
-            view.dispatch({ changes: changesOf(view, edits), userEvent: 'input.fix' });
+            view.dispatch({ changes: changesOf(view.state.doc, edits), userEvent: 'input.fix' });
         }
     }
 }
 
-/** The edits of an answer as changes of the text that it is about, which must be that of the editor. */
-export function changesOf(view: EditorView, edits: readonly TextEdit[]) {
-    const { doc } = view.state;
+/** The edits of an answer as changes of the text that it is about. */
+export function changesOf(doc: Text, edits: readonly TextEdit[]) {
     const offset = ({ line, character }: Range['start']) => {
         const at = doc.line(Math.min(line + 1, doc.lines));
         return Math.min(at.from + character, at.to);

@@ -1,40 +1,63 @@
 // Files that are opened or dropped: programs, scenarios, and programs of other systems, which are translated.
 import { hasReport, report, summary } from '../../panels/conversionReport.ts';
-import { nameOf } from './link.ts';
-import { FOLDER, type Server } from './server.ts';
+import type { Complete, Files } from './complete.ts';
+import { type Linked, nameOf } from './link.ts';
+import { FOLDER } from './server.ts';
 
 /** A larger file is no program. In bytes. */
 const MOST = 8 << 20;
 
-export interface Opened {
-    readonly name: string;
-    readonly text: string;
-    /** What became of a program of another system: a line, and the whole of it. */
-    readonly summary?: string;
+export interface Read {
+    readonly program: Linked;
+    /** What became of it: a line, and for a program of another system the whole of it. */
+    readonly summary: string;
     readonly report?: string;
 }
 
-/** @throws with a sentence for people where it is no program that can be read */
-export async function read(server: Server, file: File): Promise<Opened> {
-    if (file.size > MOST) {
-        throw new Error(`${file.name} is too large for a program.`);
-    }
-    let text: string;
+function textOf(name: string, bytes: Uint8Array): string {
     try {
-        text = new TextDecoder('utf-8', { fatal: true }).decode(await file.arrayBuffer());
+        return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
     } catch {
-        throw new Error(`${file.name} is not a text in UTF-8.`);
+        throw new Error(`${name} is not a text in UTF-8.`);
     }
-    if (/\.(clad|ladder-test)$/i.test(file.name)) {
-        return { name: file.name, text };
+}
+
+const isProgram = (name: string) => /\.clad$/i.test(name);
+const isScenarios = (name: string) => /\.ladder-test$/i.test(name);
+
+/**
+ * Reads files that were given together: each program is one, scenarios go with the program among them, else with the one that is
+ * open, and a program of another system may have what belongs to it next to it.
+ *
+ * @throws with a sentence for people where there is no program that can be read
+ */
+export async function read(complete: Complete, files: readonly File[], open: Linked): Promise<readonly Read[]> {
+    const large = files.find(({ size }) => size > MOST);
+    if (large) {
+        throw new Error(`${large.name} is too large for a program.`);
     }
-    const converted = await server.execute('ladder.convert', { uri: `${FOLDER}/${encodeURIComponent(file.name)}`, text, to: 'clad' });
-    const name = nameOf(file.name.replace(/\.[^.]*$/, ''));
+    const all = await Promise.all(files.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) })));
+    const texts = all.filter(({ name }) => isProgram(name) || isScenarios(name)).map(({ name, bytes }) => ({ name, text: textOf(name, bytes) }));
+    const scenarios = texts.find(({ name }) => isScenarios(name));
+    const programs = texts.filter(({ name }) => isProgram(name)).map(({ name, text }) => ({ name: nameOf(name), text }));
+    if (scenarios) {
+        const last = programs.pop() ?? open;
+        const program = { ...last, scenarios: scenarios.text };
+        return [...programs, program].map((one) => ({ program: one, summary: `${one === program ? scenarios.name : one.name} is open.` }));
+    }
+    if (programs.length > 0) {
+        return programs.map((program) => ({ program, summary: `${program.name} is open.` }));
+    }
+    const [first] = all;
+    return first ? [await translated(complete, first.name, Object.fromEntries(all.map(({ name, bytes }) => [name, bytes])))] : [];
+}
+
+async function translated(complete: Complete, file: string, files: Files): Promise<Read> {
+    const converted = await complete.execute('ladder.convert', { uri: `${FOLDER}/${encodeURIComponent(file)}`, to: 'clad' }, files);
     return {
-        name,
-        text: converted.text,
-        summary: `${summary(file.name, converted)}.`,
-        ...(hasReport(converted) ? { report: report(file.name, converted) } : {}),
+        program: { name: nameOf(file.replace(/\.[^.]*$/, '')), text: converted.text },
+        summary: `${summary(file, converted)}.`,
+        ...(hasReport(converted) ? { report: report(file, converted) } : {}),
     };
 }
 

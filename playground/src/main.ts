@@ -4,15 +4,15 @@ import { reasonOf } from '../../panels/reason.ts';
 import { setUp } from './editors.ts';
 import { byId, setText } from './element.ts';
 import { type Example, examples } from './examples.ts';
-import { save, stemOf, toCsv, toPng, toSvg } from './exports.ts';
+import { save, saveIn, stemOf, toCsv, toPng, toSvg } from './exports.ts';
 import { read, takeFiles } from './foreign.ts';
-import { fromFragment, type Linked, nameOf, toFragment } from './link.ts';
+import { fromFragment, type Linked, toFragment } from './link.ts';
 import { type Item, menu } from './menu.ts';
+import { Programs } from './programs.ts';
+import { withoutNetwork } from './withoutNetwork.ts';
 import { theme } from './appearance.ts';
 import { simulationKeys, Toolbar } from './toolbar.ts';
 import { formatDocument } from '@codemirror/lsp-client';
-
-const KEPT = 'ladder.program';
 
 const spoken = byId('status');
 const shown = byId('message');
@@ -41,56 +41,57 @@ async function orSay(work: () => Promise<void>): Promise<void> {
     }
 }
 
-const { server, program, scenarios, simulation, panels, documents } = setUp(say);
+/** Says in the page what a person has to wait for. */
+function busy(text?: string): void {
+    if (text === undefined) {
+        shown.hidden = true;
+    } else {
+        say(text);
+        clearTimeout(later);
+    }
+}
+
+const { server, complete, program, scenarios, simulation, panels, documents } = setUp(say, busy);
 const { trace } = panels;
 theme((chosen) => panels.frames.forEach((frame) => (frame.theme = chosen)));
 panels.onReady(() => panels.frames.forEach((frame) => (frame.theme = document.documentElement.dataset['theme'] ?? '')));
 
-/** Another program takes the place of the one that is there. */
-async function open({ name, text, scenarios: tests }: Linked): Promise<void> {
+const back = byId('back') as HTMLButtonElement;
+const programs = new Programs(program, scenarios, {
+    message: say,
+    opened() {
+        void simulation.stop();
+        panels.forget();
+        documents.title('program', program.name);
+        documents.title('scenarios', scenarios.name);
+        document.title = `${program.name} – Ladder playground`;
+        step.hidden = true;
+        const { before } = programs;
+        back.disabled = !before;
+        back.title = before ? `Brings back what was open before: ${before.name}` : 'Nothing was open before';
+    },
+});
+
+/** Another program is opened next to the one that is there. */
+async function open(linked: Linked): Promise<void> {
     await simulation.stop();
-    program.open(name, text);
-    scenarios.open(`${stemOf(name)}.ladder-test`, tests ?? '');
-    panels.forget();
-    documents.title('program', name);
-    documents.title('scenarios', scenarios.name);
+    programs.open(linked);
     documents.choose('program');
-    document.title = `${name} – Ladder playground`;
-    keep();
-}
-
-const here = (): Linked => ({ name: program.name, text: program.text, scenarios: scenarios.text });
-
-/** What was typed is there again when the page is. */
-function keep(): void {
-    localStorage.setItem(KEPT, JSON.stringify(here()));
-}
-
-window.addEventListener('pagehide', keep);
-document.addEventListener('visibilitychange', () => document.hidden && keep());
-
-function kept(): Linked | undefined {
-    try {
-        const read = JSON.parse(localStorage.getItem(KEPT) ?? 'null') as Partial<Linked> | null;
-        return typeof read?.text === 'string' ? { name: nameOf(read.name), text: read.text, ...(typeof read.scenarios === 'string' ? { scenarios: read.scenarios } : {}) } : undefined;
-    } catch {
-        return undefined;
-    }
 }
 
 const step = byId('step');
 let all: readonly Example[] = [];
 
-function openExample(example: Example): void {
-    void open(example);
+async function openExample({ name, text, scenarios: tests, ...example }: Example): Promise<void> {
+    await open({ name, text, ...(tests === undefined ? {} : { scenarios: tests }) });
     const group = all.filter(({ group }) => group === example.group);
-    const at = group.indexOf(example);
+    const at = group.findIndex(({ title }) => title === example.title);
     const link = (title: string, to: Example | undefined) => {
         const button = document.createElement('button');
         button.type = 'button';
         button.textContent = title;
         button.disabled = !to;
-        button.addEventListener('click', () => to && openExample(to));
+        button.addEventListener('click', () => to && void openExample(to));
         return button;
     };
     const chapter = document.createElement('a');
@@ -103,25 +104,23 @@ function openExample(example: Example): void {
 }
 
 async function openFiles(files: readonly File[]): Promise<void> {
-    for (const file of files) {
-        const opened = await read(server, file);
-        if (opened.name.endsWith('.ladder-test')) {
-            scenarios.open(`${stemOf(program.name)}.ladder-test`, opened.text);
+    for (const { program: one, summary, report } of await read(complete, files, programs.current)) {
+        await open(one);
+        if (one.scenarios !== undefined) {
             documents.choose('scenarios');
-        } else {
-            await open({ name: nameOf(opened.name), text: opened.text });
         }
-        say(opened.summary ?? `${file.name} is open.`);
-        if (opened.report !== undefined) {
-            panels.report(opened.report);
+        say(summary);
+        if (report !== undefined) {
+            panels.report(report);
         }
     }
 }
 
 async function share(): Promise<void> {
     const address = new URL(location.href);
-    address.hash = await toFragment(here());
+    address.hash = await toFragment(programs.current);
     history.replaceState(null, '', address);
+    programs.isLinked();
     try {
         await navigator.clipboard.writeText(address.href);
         say('The link is copied: it holds the program itself, and nothing was sent anywhere.');
@@ -139,19 +138,22 @@ async function exportItems(): Promise<readonly Item[]> {
         { title: 'Picture (PNG)', act: () => void orSay(async () => save(`${stem}.png`, await toPng(await toSvg(server, program)))) },
         { title: 'Trace of the simulation (CSV)', act: () => void orSay(async () => save(`${stem}.csv`, await toCsv(simulation), 'text/csv')) },
     ];
-    const { notations } = await server.execute('ladder.notations', {});
-    const others = notations.map(({ name: to, title }): Item => ({
-        title: `As ${title}`,
-        act: () =>
-            void orSay(async () => {
-                const converted = await server.execute('ladder.convert', { uri: program.uri, to });
-                save(`${stem}.${converted.extension || 'txt'}`, converted.text);
-                say(`${converted.translated} translated, ${converted.approximated} approximated, ${converted.refused} refused.`);
-            }),
-    }));
-    return [...own, ...others];
+    try {
+        const { notations } = await complete.execute('ladder.notations', {}, {});
+        return [...own, ...notations.map(({ name: to, title }): Item => ({
+            title: `As ${title}`,
+            act: () => void orSay(async () => say(await saveIn(to, complete, program))),
+        }))];
+    } catch (error) {
+        say(reasonOf(error));
+        return own;
+    }
 }
 
+back.addEventListener('click', () => void orSay(async () => {
+    await simulation.stop();
+    await programs.back();
+}));
 byId('share').addEventListener('click', () => void orSay(share));
 byId('format').addEventListener('click', () => formatDocument((documents.chosen === 'scenarios' ? scenarios : program).view));
 menu(byId('export') as HTMLButtonElement, exportItems);
@@ -181,17 +183,22 @@ simulation.onChange(() => {
 });
 
 async function begin(): Promise<void> {
-    const loading = examples(openExample).then((loaded) => (all = loaded));
-    let linked: Linked | undefined;
+    const loading = examples((example) => void openExample(example)).then((loaded) => (all = loaded));
+    const [navigation] = performance.getEntriesByType('navigation') as PerformanceNavigationTiming[];
+    const isAgain = location.hash === '' || navigation?.type !== 'navigate';
+    if (isAgain && (await programs.restore(true))) {
+        return;
+    }
     try {
-        linked = await fromFragment(location.hash);
+        const linked = await fromFragment(location.hash);
+        if (linked) {
+            programs.openLinked(linked);
+            return;
+        }
     } catch (error) {
         say(`This link cannot be read: ${reasonOf(error)}`);
     }
-    const known = linked ?? kept();
-    if (known) {
-        await open(known);
-    } else {
+    if (!(await programs.restore(false))) {
         await loading;
         const first = all[0];
         if (first) {
@@ -203,7 +210,9 @@ async function begin(): Promise<void> {
 window.addEventListener('hashchange', () => void orSay(async () => {
     const linked = await fromFragment(location.hash);
     if (linked) {
-        await open(linked);
+        await simulation.stop();
+        programs.openLinked(linked);
     }
 }));
+void withoutNetwork(byId('offline'), say);
 void orSay(begin).then(() => void trace.tell());

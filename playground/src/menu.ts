@@ -7,7 +7,7 @@ export interface Item {
 }
 
 /** @param items asked for whenever the list is opened */
-export function menu(button: HTMLButtonElement, items: () => readonly Item[] | Promise<readonly Item[]>): void {
+export function menu(button: HTMLButtonElement, items: () => Promise<readonly Item[]>): void {
     const list = element('div', { class: 'menu', popover: 'auto', role: 'menu', 'aria-label': button.textContent ?? '' });
     button.after(list);
     button.setAttribute('aria-haspopup', 'menu');

@@ -4,9 +4,12 @@ import { Decoration, type DecorationSet, EditorView } from '@codemirror/view';
 
 import type { Exercised, Range, ScenarioRun, ScenariosRun } from '../../panels/protocol.ts';
 import { reasonOf } from '../../panels/reason.ts';
+import type { Complete } from './complete.ts';
 import { element } from './element.ts';
 import type { OpenText } from './openText.ts';
+import { Proofs } from './proofs.ts';
 import type { Server } from './server.ts';
+import type { Simulation } from './simulation.ts';
 
 const setMarks = StateEffect.define<DecorationSet>();
 
@@ -45,10 +48,14 @@ export class ScenariosPanel {
     readonly #scenarios: OpenText;
     readonly #say: (text: string) => void;
     readonly #show: (text: OpenText) => void;
-    readonly #results = element('div', { class: 'results' });
+    readonly #results = element('div', { class: 'runs' });
+    readonly #proofs: Proofs;
 
     /** @param show puts one of the texts in front of a person */
-    constructor(panel: HTMLElement, server: Server, program: OpenText, scenarios: OpenText, say: (text: string) => void, show: (text: OpenText) => void) {
+    constructor(
+        panel: HTMLElement, server: Server, complete: Complete, program: OpenText, scenarios: OpenText, simulation: Simulation,
+        say: (text: string) => void, show: (text: OpenText) => void,
+    ) {
         this.#server = server;
         this.#program = program;
         this.#scenarios = scenarios;
@@ -56,14 +63,22 @@ export class ScenariosPanel {
         this.#show = show;
         const run = element('button', { type: 'button', class: 'primary', onclick: () => void this.run() }, 'Run all scenarios');
         const open = element('button', { type: 'button', onclick: () => show(scenarios) }, 'Edit them');
-        panel.append(element('div', { class: 'bar' }, run, open), this.#results);
+        this.#proofs = new Proofs(complete, program, scenarios, simulation, {
+            message: say,
+            link: (title, range) => this.#link(title, scenarios, range),
+            show: () => show(scenarios),
+        });
+        const prove = element('button', { type: 'button', class: 'primary', onclick: () => void this.#proofs.prove() }, 'Prove all properties');
+        panel.append(element('div', { class: 'bar' }, run, prove, open), element('div', { class: 'results' }, this.#proofs.node, this.#results));
         this.forget();
     }
 
     /** Another program is in the editor. */
     forget(): void {
+        this.#proofs.node.replaceChildren();
         this.#results.replaceChildren(
             element('p', { class: 'hint' }, 'Scenarios are the unit tests of a program: what is given to it, and what is expected, as timing diagrams in text.'),
+            element('p', { class: 'hint' }, 'Properties say what must hold in every run, such as "never up and down": they are proved, or a run is found that violates them.'),
         );
     }
 

@@ -2,7 +2,9 @@
 import type { LSPClientConfig, LSPClientExtension } from '@codemirror/lsp-client';
 import type { Extension } from '@codemirror/state';
 
-import { type Commands, type OtherCommands, shownNotification, type State, stateNotification } from '../../panels/protocol.ts';
+import {
+    type Commands, type DebuggerMessage, fromDebuggerNotification, type OtherCommands, shownNotification, type State, stateNotification, toDebuggerNotification,
+} from '../../panels/protocol.ts';
 import { Client } from './client.ts';
 import { Connection } from './connection.ts';
 import { sanitized } from './sanitized.ts';
@@ -14,6 +16,7 @@ const TIMEOUT = 60_000;
 
 export interface ServerEvents {
     state(state: State): void;
+    debugger(message: DebuggerMessage): void;
     /** A sentence for people. */
     message(text: string): void;
     /** The server has ended. */
@@ -49,6 +52,10 @@ export class Server {
                     events.state(state);
                     return true;
                 },
+                [fromDebuggerNotification]: (_, message: DebuggerMessage) => {
+                    events.debugger(message);
+                    return true;
+                },
                 'window/showMessage': (_, { message }: { message: string }) => {
                     events.message(message);
                     return true;
@@ -60,7 +67,7 @@ export class Server {
     }
 
     #connect(): Connection {
-        const connection = new Connection((reason) => this.#events.failed(reason));
+        const connection = new Connection('ladder.wasm', (reason) => this.#events.failed(reason));
         this.client.connect(connection);
         return connection;
     }
@@ -77,8 +84,19 @@ export class Server {
         return this.#execute(command, argument);
     }
 
+    /** Puts files next to the texts that are open. */
+    files(files: Readonly<Record<string, string>>): void {
+        this.#connection.files(files);
+    }
+
     simulate<Name extends keyof Commands>(name: Name, argument: object): Promise<Commands[Name]['answer']> {
         return this.#execute(`ladder.simulate.${name}`, argument);
+    }
+
+    /** A request for the debugger of a session. */
+    debug(session: string, seq: number, command: string, given: object = {}): void {
+        const message = { seq, type: 'request', command, arguments: given };
+        this.client.notification<DebuggerMessage>(toDebuggerNotification, { session, message });
     }
 
     /** The last state of a session is on the screen. */

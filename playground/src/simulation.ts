@@ -1,9 +1,9 @@
 // The simulation of the program: what a person does with it, and what its views are told.
 import type { Lines } from '../../panels/diagram/messages.ts';
 import { operandAt } from '../../panels/operands.ts';
-import type { Commands, Given, History, Operand, Range, Speed, State, Tag, Why } from '../../panels/protocol.ts';
+import type { Commands, DebuggerMessage, Given, History, Operand, Range, Speed, State, Tag, Why } from '../../panels/protocol.ts';
 import { reasonOf } from '../../panels/reason.ts';
-import { Session } from '../../panels/session.ts';
+import { type Send, Session } from '../../panels/session.ts';
 import type { OpenText } from './openText.ts';
 import type { Server } from './server.ts';
 
@@ -29,6 +29,7 @@ export class Simulation {
     readonly #listeners = new Set<() => void>();
     readonly #lines = new Set<() => Lines | undefined>();
     readonly #tags = new Set<() => readonly string[]>();
+    readonly #send: Send = (name, argument) => this.#server.simulate(name, argument);
     #speed: Speed = { speed: 1 };
     #isAnnounced = false;
 
@@ -61,7 +62,7 @@ export class Simulation {
     async start(isPaused = false): Promise<void> {
         await this.stop();
         const program = this.#program;
-        const session = await this.#tell(Session.start(program, this.#shown(), (name, argument) => this.#server.simulate(name, argument)));
+        const session = await this.#tell(Session.start(program, this.#shown(), this.#send));
         if (!session) {
             return;
         }
@@ -72,6 +73,34 @@ export class Simulation {
         this.look();
         if (!isPaused) {
             await this.run();
+        }
+    }
+
+    /** Plays a scenario that is in no file, and stays where a property of the file is violated, else at its end. */
+    async play(files: Readonly<Record<string, string>>, file: string, scenario: string): Promise<void> {
+        await this.stop();
+        this.#server.files(files);
+        const [launch, shown] = [{ scenarioFile: decodeURIComponent(new URL(file).pathname), scenarioText: scenario }, this.#shown()];
+        const started = await this.#tell(this.#server.simulate('debug', { launch, options: { show: shown } }));
+        if (!started) {
+            return;
+        }
+        this.session = new Session(this.#program, started, shown, this.#send);
+        this.#announce();
+        this.look();
+        const { session } = started;
+        this.#server.debug(session, 1, 'initialize', { adapterID: 'ladder' });
+        this.#server.debug(session, 2, 'launch', launch);
+        this.#server.debug(session, 3, 'configurationDone');
+    }
+
+    /** The debugger that plays a scenario has come to its end: the simulation stays where it is. */
+    receiveOfDebugger({ session, message }: DebuggerMessage): void {
+        const { event, body } = message as { event?: string; body?: { category?: string; output?: string } };
+        if (event === 'output' && body?.category === 'stderr' && session === this.session?.id) {
+            this.#events.message((body.output ?? '').trim());
+        } else if (event === 'stopped' || event === 'terminated') {
+            this.#server.debug(session, 4, 'disconnect');
         }
     }
 

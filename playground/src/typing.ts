@@ -2,7 +2,7 @@
 // Enter begins.
 import { acceptCompletion, completionStatus, moveCompletionSelection } from '@codemirror/autocomplete';
 import { LSPPlugin } from '@codemirror/lsp-client';
-import { EditorSelection, type Extension, Prec, type StateCommand } from '@codemirror/state';
+import { type ChangeDesc, ChangeSet, EditorSelection, type Extension, Prec, type StateCommand, type Text } from '@codemirror/state';
 import { type Command, EditorView, keymap, ViewPlugin, type ViewUpdate } from '@codemirror/view';
 
 import { isDrawn, nextStop } from '../../panels/nextStop.ts';
@@ -21,26 +21,42 @@ function triggers(view: EditorView): readonly string[] {
     return provider ? [provider.firstTriggerCharacter, ...(provider.moreTriggerCharacter ?? [])] : [];
 }
 
-/** Makes what the server answers to a typed character, unless more was typed meanwhile. */
+/** What the first key of an element is. */
+const ELEMENT = /^[[(<\-\\/]/;
+
+/** Whether nothing was done since but to type the first elements of the rung that Enter begins, at this place of the text before. */
+function beginsRung(since: ChangeDesc, place: number, now: Text): boolean {
+    let isThere = true;
+    since.iterChangedRanges((from, to) => (isThere &&= from === place && to === place));
+    return isThere && ELEMENT.test(now.sliceString(place, since.mapPos(place, 1)));
+}
+
+/** Makes what the server answers to a typed character, unless more was typed meanwhile; the rail of a new rung is put in front of that. */
 async function typed(view: EditorView, ch: string): Promise<void> {
     const plugin = LSPPlugin.get(view);
     if (!plugin) {
         return;
     }
-    plugin.client.sync();
+    const { client, uri } = plugin;
+    client.sync();
     const { doc, selection } = view.state;
-    const position = plugin.toPosition(selection.main.head);
-    const asked = { textDocument: { uri: plugin.uri }, position, ch, options: { tabSize: 4, insertSpaces: true } };
-    const edits = await plugin.client.request<typeof asked, readonly Edit[] | null>('textDocument/onTypeFormatting', asked);
-    if (!edits || edits.length === 0 || view.state.doc !== doc) {
-        return;
-    }
-    // What comes after the cursor leaves it where it is, but that a new line begins with.
-    const head = view.state.selection.main.head;
-    const changes = view.state.changes(changesOf(view, edits));
-    const anchor = changes.mapPos(head, ch === '\n' ? 1 : -1);
-    const effects = ch === '\n' ? begins(changes.apply(doc), anchor) : [];
-    view.dispatch({ changes, effects, selection: { anchor }, userEvent: 'input.type.format', scrollIntoView: true });
+    const { head: place } = selection.main;
+    const asked = { textDocument: { uri }, position: plugin.toPosition(place), ch, options: { tabSize: 4, insertSpaces: true } };
+    await client.withMapping(async (mapping) => {
+        const edits = await client.request<typeof asked, readonly Edit[] | null>('textDocument/onTypeFormatting', asked);
+        const { state } = view;
+        const since = mapping.getMapping(uri);
+        const isBegun = ch === '\n' && since !== null && beginsRung(since, place, state.doc);
+        if (!edits || edits.length === 0 || LSPPlugin.get(view)?.uri !== uri || (state.doc !== doc && !isBegun)) {
+            return;
+        }
+        const made = ChangeSet.of(changesOf(doc, edits), doc.length);
+        const changes = since ? made.map(since, true) : made;
+        // What comes after the cursor leaves it where it is, but that a new line begins with.
+        const anchor = changes.mapPos(state.selection.main.head, ch === '\n' ? 1 : -1);
+        const effects = ch === '\n' ? begins(changes.apply(state.doc), anchor) : [];
+        view.dispatch({ changes, effects, selection: { anchor }, userEvent: 'input.type.format', scrollIntoView: true });
+    });
 }
 
 const drawing = ViewPlugin.fromClass(

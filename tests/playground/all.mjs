@@ -3,14 +3,16 @@ import { begin, end } from './page.mjs';
 import { book } from './book.mjs';
 import { serve } from './files.mjs';
 import { failures } from './steps.mjs';
+import { keeping } from './keeping.mjs';
 import { looks } from './looks.mjs';
+import { proving } from './proving.mjs';
 import { running } from './running.mjs';
 import { sharing } from './sharing.mjs';
 import { speed } from './speed.mjs';
 import { testing } from './testing.mjs';
 import { writing } from './writing.mjs';
 
-const parts = { writing, running, testing, sharing, looks, book, speed };
+const parts = { writing, running, testing, proving, keeping, sharing, looks, book, speed };
 const wanted = process.argv.slice(2);
 const unknown = wanted.filter((name) => !(name in parts));
 if (unknown.length > 0) {

@@ -73,6 +73,22 @@ export async function looks(site) {
         }
         assert.deepEqual(await found(it), []);
     }, failed);
+    const phone = await Playground.open(site, { viewport: PHONE, hasTouch: true });
+    await step('on a phone a touch says what a tag holds and why, and the next one ends that', async () => {
+        await phone.page.locator('#simulation .act-run').tap();
+        await phone.standing('running');
+        const live = phone.page.locator('.cm-tooltip-hover .live');
+        await phone.page.locator('#program .switch').first().tap();
+        await phone.page.waitForTimeout(700);
+        assert.equal(await live.count(), 0, 'a switch is switched, and says nothing');
+        await phone.page.locator('#program .cm-line span', { hasText: /^stop$/ }).last().tap();
+        await live.waitFor();
+        await phone.picture('phone hover');
+        assert.equal(await phone.page.evaluate(() => document.documentElement.scrollWidth), PHONE.width);
+        await phone.page.locator('h1 span').tap();
+        await phone.until('it to go', async () => (await live.count()) === 0);
+    }, (name) => phone.picture(`failed ${name}`));
+    await phone.close().catch((error) => step('nothing strange happens where it is touched', () => Promise.reject(error)));
     await it.close().catch((error) => step('nothing strange happens on a phone', () => Promise.reject(error)));
 
     const keys = await Playground.open(site);

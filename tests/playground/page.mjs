@@ -21,9 +21,12 @@ export async function end() {
 export class Playground {
     /** What must not happen on any page: errors, breaches of its policy, words to other hosts. */
     strange = [];
+    /** The addresses of all that it has loaded. */
+    requested = [];
 
-    static async open(site, { fragment = '', text, viewport = { width: 1400, height: 850 }, colorScheme = 'light' } = {}) {
-        const context = await browser.newContext({ viewport, colorScheme, acceptDownloads: true, permissions: ['clipboard-read', 'clipboard-write'] });
+    static async open(site, { fragment = '', text, viewport = { width: 1400, height: 850 }, colorScheme = 'light', serviceWorkers = 'block', hasTouch = false } = {}) {
+        // What a service worker loads is not seen here, so there is none but where it is tested.
+        const context = await browser.newContext({ viewport, colorScheme, serviceWorkers, hasTouch, acceptDownloads: true, permissions: ['clipboard-read', 'clipboard-write'] });
         const playground = new Playground();
         playground.context = context;
         playground.page = await context.newPage();
@@ -35,12 +38,27 @@ export class Playground {
         return playground;
     }
 
+    /** The playground in another tab of the same browser. */
+    async another(site) {
+        const playground = new Playground();
+        playground.context = this.context;
+        playground.page = await this.context.newPage();
+        playground.page.setDefaultTimeout(10_000);
+        playground.strange = this.strange;
+        playground.watch(playground.page, site);
+        await playground.page.goto(`${site}/playground/index.html`);
+        await playground.page.locator('#program .cm-line').first().waitFor();
+        return playground;
+    }
+
     watch(page, site) {
-        const { strange } = this;
+        const { strange, requested } = this;
         page.on('pageerror', (error) => strange.push(`error: ${error.message}`));
-        page.on('console', (message) => ['error', 'warning'].includes(message.type()) && strange.push(`console: ${message.text()}`));
+        const isStrange = (message) => ['error', 'warning'].includes(message.type()) && !message.text().includes('blocked by Playwright');
+        page.on('console', (message) => isStrange(message) && strange.push(`console: ${message.text()}`));
         page.on('request', (request) => {
             const url = request.url();
+            requested.push(url);
             if (!url.startsWith(site) && !/^(data|blob):/.test(url)) {
                 strange.push(`request: ${url}`);
             }

@@ -58,6 +58,21 @@ export async function running(site) {
         await coilIs('run', true);
         await it.page.keyboard.press('F4');
     }, failed);
+    await step('a hover says in two lines what a tag holds and why, and more when it is asked for', async () => {
+        await it.page.locator('#program .cm-line span', { hasText: /^ready$/ }).last().hover();
+        const live = it.page.locator('.cm-tooltip-hover .live');
+        await live.waitFor();
+        const lines = await live.locator('p').allTextContents();
+        assert.equal(lines.length, 2, lines.join('\n'));
+        assert.match(lines[0], /^ready = [01]$/);
+        const heights = await live.evaluate((node) => [...node.querySelectorAll('p')].map((line) => line.getClientRects().length && line.offsetHeight / parseFloat(getComputedStyle(line).lineHeight)));
+        assert.ok(heights.every((height) => height < 1.9), heights.join());
+        await it.picture('hover while it runs');
+        await live.getByRole('button', { name: 'More' }).click();
+        await it.page.locator('.cm-tooltip-hover', { hasText: /Written|Read/ }).waitFor();
+        await it.page.locator('h1').hover();
+        await it.until('the hover to go', async () => (await it.page.locator('.cm-tooltip-hover').count()) === 0);
+    }, failed);
     await step('the list of tags switches, sets and forces', async () => {
         await it.tab('tags');
         const tags = it.page.locator('#tags');

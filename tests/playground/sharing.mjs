@@ -1,5 +1,6 @@
 // Programs that come and go: examples, steps of the book, links, files of other systems, and all that is exported.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
@@ -102,6 +103,23 @@ export async function sharing(site) {
             await it.page.locator('#choice button').click();
         }
     }, failed);
+    await step('a report opens at its top, and its lines are wrapped', async () => {
+        const rungs = Array.from({ length: 80 }, (_, at) => `SOR XIC I:1/${at % 16} MSG MG9:${at} EOR\n`).join('');
+        await it.page.locator('#file').setInputFiles({ name: 'plant.slc', mimeType: 'text/plain', buffer: Buffer.from(rungs) });
+        const report = it.page.locator('#choice pre');
+        await report.waitFor();
+        await it.picture('report');
+        const { top, overflow, lines } = await report.evaluate((node) => ({ top: node.scrollTop, overflow: node.scrollWidth - node.clientWidth, lines: node.textContent.split('\n').length }));
+        assert.ok(lines > 50, `${lines} lines`);
+        assert.deepEqual({ top, overflow }, { top: 0, overflow: 0 });
+        for (const part of ['h2', 'button']) {
+            const box = await it.page.locator(`#choice ${part}`).boundingBox();
+            assert.ok(box.y >= 0 && box.y + box.height <= 850, `${part} is out of sight`);
+        }
+        await it.page.locator('#choice button').click();
+        await it.page.locator('#back').click();
+        await it.until('the program before', async () => (await it.page.locator('#tab-program').textContent()).includes('motor.clad'));
+    }, failed);
     const exported = async (title) => {
         await it.page.locator('#export').click();
         const [download] = await Promise.all([it.page.waitForEvent('download'), it.page.getByRole('menuitem', { name: title }).click()]);
@@ -131,6 +149,12 @@ export async function sharing(site) {
         const { name, bytes } = await exported('As Click program in Python');
         assert.equal(name, 'motor.py');
         assert.match(bytes.toString(), /def main/);
+    }, failed);
+    await step('what becomes several files is one archive', async () => {
+        const { name, bytes } = await exported('As C library');
+        assert.equal(name, 'motor.zip');
+        const names = execFileSync('python3', ['-c', 'import io, sys, zipfile; print(*zipfile.ZipFile(io.BytesIO(sys.stdin.buffer.read())).namelist())'], { input: bytes, encoding: 'utf8' });
+        assert.equal(names.trim(), 'motor.c motor.h');
     }, failed);
     await step('what was typed is there again on the next visit', async () => {
         await it.page.locator('#program .cm-content').click();

@@ -123,6 +123,19 @@ export async function writing(site) {
         await it.picture('hover');
         await it.page.mouse.move(5, 600);
     }, failed);
+    await step('a link in a hover leads to the line that it names, in the text that it names', async () => {
+        await it.tab('scenarios');
+        await it.page.locator('#scenarios .cm-content').click();
+        await it.page.keyboard.insertText('program test.clad\nstep 100ms\n\nscenario "s"\nstart _-\nrun => _-\n');
+        await it.page.locator('#scenarios .cm-line span', { hasText: /^run$/ }).first().hover();
+        const link = it.page.locator('.cm-tooltip-hover a[href*="#L4"]').first();
+        await link.waitFor();
+        await it.picture('hover in scenarios');
+        await link.click();
+        await it.until('the line of the program', async () => (await it.page.locator('#program .cm-activeLine').textContent()).includes('warmup'));
+        assert.ok(await it.page.locator('#program').isVisible());
+        await it.page.mouse.move(5, 600);
+    }, failed);
     await step('rename reaches all places, and the drawing stays aligned', async () => {
         await it.cursor(1, 65);
         await it.until('the tag at the cursor', async () => (await it.lines())[0].includes('( run )'));
@@ -138,7 +151,8 @@ export async function writing(site) {
         await it.cursor(1, (await it.lines())[0].indexOf('motor_runs') + 1);
         await it.page.keyboard.press('Shift+F12');
         await it.page.locator('.cm-lsp-reference').first().waitFor();
-        assert.equal(await it.page.locator('.cm-lsp-reference').count(), 3);
+        // Three in the program, one in the scenarios.
+        assert.equal(await it.page.locator('.cm-lsp-reference').count(), 4);
         await it.picture('references');
         await it.page.keyboard.press('Escape');
     }, failed);
