@@ -115,9 +115,9 @@ impl<'m> Lanes<'m> {
             while lanes != 0 {
                 let lane = lanes.trailing_zeros();
                 lanes &= lanes - 1;
-                let dice = self.any() as usize;
-                let number = self.model.world.constants[dice % numbers];
-                let number = number.wrapping_add([0, 1, -1, 0][dice >> 40 & 3]);
+                let dice = self.any();
+                let number = self.model.world.constants[(dice % numbers as u64) as usize];
+                let number = number.wrapping_add([0, 1, -1, 0][(dice >> 40 & 3) as usize]);
                 for (bit, value) in given[first..].iter_mut().enumerate() {
                     let high = (number >> bit.min(63) & 1) as u64;
                     *value = *value & !(1 << lane) | high << lane;
