@@ -117,7 +117,7 @@ fn machines_are_told() {
             {"file":"motor.ladder-test","program":"motor.clad","seconds":T,"errors":[],"scenarios":[{"name":"the seal-in holds after start is let go","line":4,"column":10,"passed":true,"steps":9,"scans":90,"seconds":T,"differences":[],"faults":[]}]}
             ],
             "summary": {"files":1,"passed":1,"failed":0,"not_run":0,"seconds":T},
-            "mutation": [{"program":"motor.clad","caught":6,"missed":1,"same":0,"unknown":0,"score":85,"changes":[{"line":2,"column":7,"end_line":2,"end_column":17,"change":"contact inverted","before":"[ ]( run )","after":"[/]( run )","fate":"missed","scenario":"scenario \"line 2\"\ntime    10ms\nrun  => _\n","diagram":"time            10ms\nrun   expected  _____\n      got       -----\n                ^^^^"}]}],
+            "mutation": [{"program":"motor.clad","caught":6,"missed":1,"same":0,"unknown":0,"score":85,"changes":[{"line":2,"column":7,"end_line":2,"end_column":17,"change":"contact inverted","before":"[ ]( run )","after":"[/]( run )","fate":"missed","scenario":"scenario \"line 2\"\ntime    10ms\nrun  => _\n","diagram":"time            10ms\nrun   expected  ____\n      got       ----\n                ^^^^"}]}],
             "coverage": [{"file":"motor.clad","networks":{"exercised":1,"all":1},"contacts":{"exercised":3,"all":3},"coils":{"exercised":1,"all":1},"rungs":[{"line":1,"scans":90},{"line":2,"scans":90}],"parts":[{"kind":"contact","line":1,"column":7,"on":true,"off":true,"matters":true},{"kind":"contact","line":1,"column":24,"on":true,"off":true,"matters":true},{"kind":"coil","line":1,"column":68,"on":true,"off":true},{"kind":"contact","line":2,"column":7,"on":true,"off":true,"matters":false}]}]}
         "#]],
     );

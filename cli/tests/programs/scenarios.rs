@@ -499,11 +499,11 @@ fn a_waveform_that_differs_is_shown_with_the_numbers_that_were_given() {
             tank.ladder-test
               ok    fills
               FAIL  differs
-                    auto             ___-----------
+                    auto             ___----------
                     level            10 30 50 70 .
                     t                .  2s .  .  .
-                    pump   expected  ______--------
-                           got       _________-----
+                    pump   expected  ______-------
+                           got       _________----
                                            ^^
                     pump is FALSE in step 2 (at 20ms), TRUE was expected
                     at tank.ladder-test:11:11

@@ -373,11 +373,13 @@ VAR m1 : $Motor; END_VAR
         exit status 0
         -- stdout
         lamp is 0: line 12, ( )( lamp ) writes 0; blocked by [ ]( m1.run ) (line 12, column 4): m1.run is 0
-          m1.run is 0: line 11, [$Motor]( m1, b1, b2 ) writes 0; power came straight from the rail
-            b1 is 1: it is an input
-            b2 is 0: it is an input
-            m1.t.ET is T#300ms: line 11, [$Motor]( m1, b1, b2 ) writes T#300ms; power came straight from the rail
-            m1.tripped is 0: line 11, [$Motor]( m1, b1, b2 ) writes 0; power came straight from the rail
+          m1.run is 0: line 5, ( )( run ) writes 0; blocked by [TON]( t, 2s ) (line 5, column 47): m1.t.ET is T#300ms
+            m1.t.ET is T#300ms: line 5, [TON]( t, 2s ) writes T#300ms; power came through [ ]( start ) (line 5, column 4): m1.start is 1, [/]( stop ) (line 5, column 18): m1.stop is 0, [/]( tripped ) (line 5, column 31): m1.tripped is 0
+              m1.start is 1, though not in the table: line 11, [$Motor]( m1, b1, b2 ) writes 1; power came straight from the rail
+                b1 is 1: it is an input
+              m1.stop is 0, though not in the table: line 11, [$Motor]( m1, b1, b2 ) writes 0; power came straight from the rail
+                b2 is 0: it is an input
+              m1.tripped is 0: no network writes it
 
         │  m1.run                                                              lamp   │
         ┝━━┥   ├───────────────────────────────────────────────────────────────(   )──┤
