@@ -81,6 +81,8 @@ export async function keeping(site) {
     }, failed);
     await step('two tabs do not overwrite each other', async () => {
         await write('# the first tab #');
+        // A tab that is left keeps its text at once; here both are in sight.
+        await it.until('the text to be kept', () => it.page.evaluate(() => Object.values(localStorage).some((kept) => kept.includes('# the first tab #'))));
         const other = await it.another(site);
         await shows('# the first tab #', other);
         await write('# the second tab #', other);
