@@ -1,9 +1,9 @@
 """Programs as Structured Text and as PLCopen XML, compiled by matiec and run: each compiles, and does what the simulator shows, or is
 refused with a reason.
 
-    compiled.py [--only st|plcopen] [FOLDER]
+    compiled.py [--only st|plcopen] [--sample N] [FOLDER]
 
-FOLDER has further programs, each a `.clad` file. LADDER_PEERS names the folder with the compiler (`matiec/`), with what makes
+FOLDER has further programs, each a `.clad` file; N of them are taken. LADDER_PEERS names the folder with the compiler (`matiec/`), with what makes
 Structured Text of PLCopen XML (`xml2st/`), and with what runs the result (`iec_trace.py`).
 """
 
@@ -140,12 +140,15 @@ def main():
         return
     words = argparse.ArgumentParser()
     words.add_argument("--only", choices=ENDS)
+    words.add_argument("--sample", type=int)
     words.add_argument("folder", nargs="?")
     given = words.parse_args()
     trace = tracer(Path(tools))
     programs = sorted((ROOT / "examples").glob("*.clad")) + sorted((ROOT / "tests/peers/programs").glob("*.clad"))
     with tempfile.TemporaryDirectory() as work, ThreadPoolExecutor(2) as pool:
-        programs += [alone(program, Path(work)) for program in sorted(Path(given.folder).glob("*.clad"))] if given.folder else []
+        further = sorted(Path(given.folder).glob("*.clad")) if given.folder else []
+        step = max(len(further) // given.sample, 1) if given.sample else 1
+        programs += [alone(program, Path(work)) for program in further[::step]]
         jobs = [(program, notation) for notation in ENDS if given.only in (None, notation) for program in programs]
         found = list(pool.map(partial(attempt, trace, Path(work)), jobs))
     wrong = [(job, what) for job, what in zip(jobs, found) if what not in (None, "refused")]

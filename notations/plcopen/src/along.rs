@@ -7,6 +7,7 @@ use crate::arrays;
 use crate::graph::Kind;
 use crate::model::{Body, Project, Role, Type, Unit, UnitKind, Variable};
 use crate::own;
+use crate::shared;
 use ladder_analysis::names::system_tag::SystemTag;
 use ladder_notation::LineColumn;
 use std::fmt::Write as _;
@@ -115,6 +116,7 @@ pub(crate) fn add(project: &mut Project, system: &[(SystemTag, String)], name: S
 /// Takes these units out of a project, where they are as they were written. The globals of `SYS` have no meaning without theirs.
 pub(crate) fn take_out(project: &mut Project) {
     arrays::take_out(project);
+    shared::take_out(project);
     let globals: Vec<(SystemTag, String)> = project
         .globals
         .iter()
@@ -157,7 +159,9 @@ pub(crate) fn take_out(project: &mut Project) {
             .translated(unit.place, format!("unit {}", unit.name));
     }
     for unit in &mut project.units {
-        called.iter().for_each(|name| without(unit, name));
+        for name in &called {
+            without(unit, name);
+        }
         let Body::Graph(graph) = &mut unit.body else {
             continue;
         };

@@ -26,6 +26,7 @@ pub mod model;
 mod own;
 mod read;
 mod scope;
+mod shared;
 mod sketch;
 mod standard;
 mod write;

@@ -7,7 +7,7 @@ use ladder_notation::LineColumn;
 use std::collections::HashSet;
 
 /// What the remark on such a global begins with. What was said of the tag follows.
-const SHARED: &str = "handed to functions in ladder text. ";
+const SHARED: &str = "handed to functions in ladder text.";
 
 /// Makes globals of the variables of the last unit, the program, that have these names.
 pub(crate) fn move_out(project: &mut Project, names: &HashSet<String>) {
@@ -19,7 +19,7 @@ pub(crate) fn move_out(project: &mut Project, names: &HashSet<String>) {
             let said = variable.comment.take().unwrap_or_default();
             project.globals.push(Variable {
                 role: Role::Global,
-                comment: Some(format!("{SHARED}{said}")),
+                comment: Some(format!("{SHARED} {said}").trim_end().to_owned()),
                 ..variable.clone()
             });
             *variable = external(&variable.name, variable);
@@ -38,7 +38,7 @@ pub(crate) fn take_out(project: &mut Project) {
     let shared: Vec<Variable> = project.globals.extract_if(.., is_shared).collect();
     for mut global in shared {
         let said = global.comment.take().unwrap_or_default();
-        global.comment = Some(said[SHARED.len()..].to_owned()).filter(|said| !said.is_empty());
+        global.comment = Some(said[SHARED.len()..].trim_start().to_owned()).filter(|said| !said.is_empty());
         let mut users = HashSet::new();
         for unit in &mut project.units {
             let is_program = unit.kind == UnitKind::Program;

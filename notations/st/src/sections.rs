@@ -186,6 +186,18 @@ pub(crate) fn passed(project: &Project<'_>, unit: UnitKind) -> String {
     project.passed(unit).iter().map(line).collect()
 }
 
+/// What a unit uses of the configuration. Constants there are constants in the unit, too.
+pub(crate) fn externals(project: &Project<'_>, all: Vec<Local>, out: &mut String) {
+    let variables = declare::variables(project.program, None);
+    let is_constant = |local: &Local| {
+        let root = project.shared_root(&local.name);
+        root.is_some_and(|root| variables.iter().any(|it| it.root == root && it.tag.constant))
+    };
+    let (constants, others): (Vec<_>, Vec<_>) = all.into_iter().partition(is_constant);
+    section("VAR_EXTERNAL", &others, out);
+    section("VAR_EXTERNAL CONSTANT", &constants, out);
+}
+
 /// What units share, and the program that runs.
 pub(crate) fn configuration(
     project: &Project<'_>,

@@ -6,7 +6,7 @@ use crate::pieces::PIECES;
 use crate::project::declare::{self};
 use crate::project::{Project, Service, Stop, UnitKind};
 use crate::sections::{
-    Body, block_variables, configuration, own_variables, passed, program_variables, section,
+    Body, block_variables, configuration, externals, own_variables, passed, program_variables, section,
 };
 use crate::states::piece_of;
 use crate::term::{Binding, Term};
@@ -337,7 +337,7 @@ fn assembled(
                 ty: ty.clone(),
             })
             .collect();
-        section("VAR_EXTERNAL", &all, &mut out);
+        externals(project, all, &mut out);
         lines(&body.first, &mut out);
         if matches!(body.kind, UnitKind::Block(_)) {
             out.push_str("    power_out := power_in;\n");
@@ -362,7 +362,7 @@ fn assembled(
             .collect()
     };
     section("VAR", &local(inner), &mut out);
-    section("VAR_EXTERNAL", &local(outer), &mut out);
+    externals(project, local(outer), &mut out);
     for line in prelude {
         out.push_str(&format!("    {line}\n"));
     }

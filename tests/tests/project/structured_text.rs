@@ -350,7 +350,7 @@ fn examples_do_the_same_in_structured_text() {
 fn semantics_are_the_same_in_structured_text() {
     let (same, refused) = check_folder("tests/corpus/semantics");
     println!("{same} do the same; refused: {refused:#?}");
-    assert!(refused.len() * 2 < same, "{refused:#?}");
+    assert!(refused.len() * 3 <= same, "{refused:#?}");
 }
 
 #[test]

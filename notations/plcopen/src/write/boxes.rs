@@ -75,6 +75,20 @@ impl Writer<'_> {
         ) {
             self.remark(rung, FAULT);
         }
+        self.is_taken(op)?;
+        // NOT is an operator for compilers, and no function.
+        if op == Op::Not
+            && let Some(ty) = self.result_type()
+        {
+            let mask = match ty {
+                Scalar::Bool => "TRUE".to_owned(),
+                ty => (u64::MAX >> (64 - ty.width().clamp(8, 64))).to_string(),
+            };
+            let mut inputs = self.inputs_as(rung, function, 1, None)?;
+            "IN1".clone_into(&mut inputs[0].name);
+            inputs.push(pin("IN2", rung.value(mask)));
+            return self.call(rung, "XOR", inputs, power);
+        }
         let (of_time, is_time) = self.of_time(op);
         let name = match op {
             Op::Add if is_time => "ADD_TIME",
@@ -88,7 +102,6 @@ impl Writer<'_> {
         {
             return self.formula(rung, op, power);
         }
-        self.is_taken(op)?;
         let inputs = self.inputs_as(rung, function, 1, None)?;
         match self.result_type() {
             Some(ty) if ty.is_enumeration() => {
@@ -299,6 +312,15 @@ impl Writer<'_> {
                 .arguments
                 .iter()
                 .find(|bound| bound.parameter == Some(number));
+            if parameter.is_shared {
+                if bound.is_none_or(|bound| self.text(rung, bound).as_ref() != Ok(&parameter.name)) {
+                    return Err(format!(
+                        "`{}` of a function has another name where it is called",
+                        parameter.name
+                    ));
+                }
+                continue;
+            }
             if matches!(parameter.kind, Input | InOut) {
                 let from = match bound {
                     Some(bound) => {

@@ -46,6 +46,15 @@ fn scalar(scalar: Scalar) -> Type {
     }
 }
 
+/// Whether a variable of a type is an instance of a function block there.
+pub(super) fn is_instance(ty: OwnType) -> bool {
+    match ty {
+        OwnType::State(_) => true,
+        OwnType::Compound(id) => !matches!(id.get(), Compound::Array(_)),
+        _ => false,
+    }
+}
+
 /// Why a second name for a structure is not written.
 pub(super) const ALIAS: &str = "a structure has one name there: use that of its declaration";
 
@@ -57,11 +66,10 @@ pub(super) const ALIAS: &str = "a structure has one name there: use that of its 
 /// Why not.
 pub(super) fn is_taken(ty: OwnType, role: Role) -> Result<(), String> {
     let is_plain = |ty: OwnType| match ty {
-        OwnType::Scalar(_) | OwnType::Array { .. } => true,
-        OwnType::State(_) => false,
         OwnType::Compound(id) => {
             matches!(id.get(), Compound::Array(array) if matches!(array.element, OwnType::Scalar(_)))
         }
+        ty => !is_instance(ty),
     };
     let is_held = match ty {
         OwnType::Compound(id) => match id.get() {
@@ -76,7 +84,7 @@ pub(super) fn is_taken(ty: OwnType, role: Role) -> Result<(), String> {
              a tag of its own"
             .to_owned());
     }
-    if !is_plain(ty) && matches!(role, Role::Input | Role::Output) {
+    if is_instance(ty) && matches!(role, Role::Input | Role::Output | Role::InOut) {
         return Err(
             "compilers there hand no timer, counter, block or structure to a block: hand what is in it"
                 .to_owned(),
@@ -93,11 +101,9 @@ pub(super) fn lowest(spec: &TypeSpec) -> Option<Initial> {
     }
 }
 
-/// Whether a declaration names a structure by another name than its own, which compilers take for another type.
-pub(super) fn is_alias(spec: &TypeSpec, ty: OwnType) -> bool {
-    let (SpecKind::Named(name), OwnType::Compound(id)) = (&spec.kind, ty) else {
-        return false;
-    };
+/// Whether what is called so is a structure with another name of its own, which compilers take for another type.
+pub(super) fn is_alias(name: &str, ty: OwnType) -> bool {
+    let OwnType::Compound(id) = ty else { return false };
     matches!(id.get(), Compound::Structure(structure) if !structure.name.eq_ignore_ascii_case(name))
 }
 
@@ -313,7 +319,8 @@ pub(super) fn variable(
 ) -> Result<Variable, String> {
     tag.ty.map_or(Ok(()), |ty| is_taken(ty, role))?;
     if let (Some(declared), Some(ty)) = (&tag.cold.declared, tag.ty)
-        && is_alias(&declared.spec, ty)
+        && let SpecKind::Named(name) = &declared.spec.kind
+        && is_alias(name, ty)
     {
         return Err(ALIAS.to_owned());
     }
@@ -328,6 +335,13 @@ pub(super) fn variable(
     variable.role = role;
     variable.address = tag.cold.address.as_deref().map(str::to_ascii_uppercase);
     variable.initial = initial(source, tag)?;
+    let is_of_names = matches!(tag.ty, Some(OwnType::Array { element, .. }) if element.is_enumeration());
+    if is_of_names && variable.initial.is_some() {
+        return Err(
+            "compilers there take no values for an array of an enumeration: move them in the first scan"
+                .to_owned(),
+        );
+    }
     if tag.is_declared() {
         variable.comment = said(source.context, at);
     }

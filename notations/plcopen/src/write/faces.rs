@@ -2,7 +2,7 @@
 
 use ladder_analysis::program::ParameterKind;
 use ladder_syntax::Name;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// How blocks of one's own are called from outside, by their names.
 #[derive(Default)]
@@ -25,6 +25,8 @@ pub(super) struct Face {
 pub(super) struct Parameter {
     pub(super) name: String,
     pub(super) kind: ParameterKind,
+    /// It is a global: see [`shared`](crate::shared).
+    pub(super) is_shared: bool,
 }
 
 impl Faces {
@@ -34,6 +36,13 @@ impl Faces {
 
     pub(super) fn insert(&mut self, block: &str, face: Face) {
         self.0.insert(Name::new(block), face);
+    }
+
+    /// The names of what functions share.
+    pub(super) fn shared(&self) -> HashSet<String> {
+        let parameters = self.0.values().flat_map(|face| &face.parameters);
+        let shared = parameters.filter(|parameter| parameter.is_shared);
+        shared.map(|parameter| parameter.name.clone()).collect()
     }
 
     /// Marks these as not whole, and all that use them. `users` has for each block those that use it.

@@ -22,6 +22,7 @@ use super::along;
 use super::arrays;
 use super::emit;
 use super::model::{Project, Role, Task, TypeDeclaration, UnitKind};
+use super::shared;
 use declare::Source;
 use faces::{Broken, Face, Faces, Parameter};
 use ladder_analysis::context::Body;
@@ -150,6 +151,7 @@ fn project(analysis: &Analysis, unwritable: &Unwritable) -> Result<(Project, Rep
         priority: 0,
         programs: vec![(LineColumn::START, name)],
     });
+    shared::move_out(&mut project, &faces.shared());
     along::add(&mut project, &system, sets_system);
     arrays::name_all(&mut project, |like| shared.globals.fresh(like));
     debug_assert!(
@@ -219,7 +221,11 @@ fn types(own: &Unit<'_>, shared: &Shared<'_>, report: &mut Report) -> Vec<TypeDe
         let at = declare::place(context, ty.declaration.at.start());
         let made = match ty.ty.map(|ty| declare::is_taken(ty, Role::Local)) {
             Some(Err(why)) => Err(why),
-            Some(Ok(())) if ty.ty.is_some_and(|ty| declare::is_alias(&declared.spec, ty)) => {
+            Some(Ok(()))
+                if ty
+                    .ty
+                    .is_some_and(|it| declare::is_alias(&ty.declaration.name, it)) =>
+            {
                 Err(declare::ALIAS.to_owned())
             }
             _ => declare::type_in(&source, &declared.spec),
@@ -281,6 +287,9 @@ fn faces(own: &Unit<'_>, shared: &Shared<'_>) -> Faces {
         let parameters = block.parameters.iter().map(|parameter| Parameter {
             name: scope.names.get(&parameter.name).unwrap_or_default().to_owned(),
             kind: parameter.kind,
+            is_shared: own
+                .tags(number + 1)
+                .any(|tag| tag.name == parameter.name && own.is_shared(number, tag)),
         });
         let face = Face {
             name: shared.blocks.get(&block.name).unwrap_or_default().to_owned(),

@@ -15,7 +15,7 @@ use ladder_analysis::names::scope::{Origin, SectionKind, TagFacts};
 use ladder_analysis::program::Program;
 use ladder_format::program::Qualifier;
 use ladder_notation::guard::is_guarded;
-use ladder_notation::{LineColumn, Report, foreign_text_of};
+use ladder_notation::{LineColumn, Report, foreign_text_of, is_function};
 use ladder_syntax::TextSize;
 use std::rc::Rc;
 
@@ -67,7 +67,7 @@ impl<'u> Unit<'u> {
     }
 
     /// The tags of a scope that are declared or used there. Direct addresses have no declaration.
-    fn tags(&self, scope: usize) -> impl Iterator<Item = &'u TagFacts> {
+    pub(super) fn tags(&self, scope: usize) -> impl Iterator<Item = &'u TagFacts> {
         let context = self.context();
         let end = self.end;
         context.scopes[scope]
@@ -84,6 +84,24 @@ impl<'u> Unit<'u> {
         let mut blocks = self.program.blocks.iter();
         let block = blocks.find(|block| block.name == facts.name);
         facts.unread.is_some() || block.is_some_and(|block| is_guarded(self.program, block))
+    }
+
+    /// Whether a block that is a function is handed an instance, which is a global there.
+    pub(super) fn is_shared(&self, block: usize, parameter: &TagFacts) -> bool {
+        let parse = &self.context().parse;
+        let header = parse
+            .frame()
+            .blocks
+            .get(block)
+            .map_or(0, |block| block.lines.start);
+        let mut above = (0..header).rev().map(|line| parse.lines()[line].text().trim());
+        let is_handed = parameter.origin == Origin::Declared(SectionKind::InOut)
+            && parameter.ty.is_some_and(declare::is_instance);
+        is_handed
+            && above
+                .by_ref()
+                .take_while(|line| line.starts_with('#'))
+                .any(|line| is_function(line.trim_start_matches(['#', ' '])))
     }
 
     /// The text in ST of a block that is an unread part, if it is one, and its names are those of the text.
@@ -175,6 +193,7 @@ impl<'u> Unit<'u> {
                 (Some(_), _) => Role::External,
                 // What is at an address is neither an input nor an output: the address says it.
                 (None, Role::Input | Role::Output) if tag.cold.address.is_some() => Role::Local,
+                (None, Role::InOut) if scope > 0 && self.is_shared(scope - 1, tag) => Role::External,
                 (None, role) => role,
             };
             match declare::variable(&source, global.unwrap_or(tag), name, role) {

@@ -92,13 +92,14 @@ impl Project<'_> {
         )
     }
 
-    /// Whether a declaration says all that a variable begins with: a value, or an array of values.
+    /// Whether a declaration says all that a variable begins with: a value, or an array of values. What is built on matiec crashes
+    /// on an array of names.
     fn is_declared_whole(ty: Type, parts: &Parts<'_>) -> bool {
         let is_of_values = match ty {
             Type::Scalar(_) => true,
-            ty => ty
-                .array()
-                .is_some_and(|(_, element)| matches!(element, Type::Scalar(_))),
+            ty => ty.array().is_some_and(
+                |(_, element)| matches!(element, Type::Scalar(scalar) if !scalar.is_enumeration()),
+            ),
         };
         is_of_values && parts.values().all(|tag| tag.initial.iter().all(is_in_reach))
     }

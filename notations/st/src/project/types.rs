@@ -3,7 +3,7 @@
 use super::{Declared, Project, root};
 use crate::names::{self, Names};
 use crate::states::piece_of;
-use ladder_analysis::program::{Expr, ExprKind};
+use ladder_analysis::program::{Argument, Expr, ExprKind};
 use ladder_analysis::values::compound::{Compound, EnumId};
 use ladder_analysis::values::types::{Scalar, Type};
 
@@ -38,7 +38,7 @@ impl Project<'_> {
         }
     }
 
-    /// Arrays that are passed to functions and blocks have a name.
+    /// Arrays that are passed to functions and blocks have a name, and those that are copied whole.
     pub(super) fn name_passed_arrays(&mut self, names: &mut Names) {
         let mut types: Vec<Type> = Vec::new();
         for (block, user) in self.program.blocks.iter().enumerate() {
@@ -51,6 +51,15 @@ impl Project<'_> {
         for (&(block, tag), &ty) in &self.declared {
             if block.is_none() && self.is_passed(tag) {
                 types.push(ty);
+            }
+        }
+        let blocks = self.program.networks.iter().flat_map(|network| &network.blocks);
+        for bound in blocks.flat_map(|block| &block.arguments) {
+            if let Argument::Parts(parts) = &bound.argument
+                && let Some(tag) = parts.first().and_then(Argument::root)
+            {
+                let tag = &self.program.tags[tag.0 as usize];
+                types.extend(self.declared_type(tag.block, root(tag)));
             }
         }
         types.sort_by_key(|ty| self.spelled(*ty));

@@ -256,7 +256,7 @@ VAR  a : BOOL;  i : INT;  n, m : DINT;  r : REAL;  t : TIME;  s : STRING;  w : W
 
             +---------------[CALC]( r, (r + 1.0) * i - r / 3.0 )--[LIMIT]( n, 0, m, 99 )--[SEL]( n, a, 1, m )--+
 
-            +------------[MUL]( t, t, 2 )--[ADD]( t, t, T#5s )--[TYP]( i, r )--[CALC]( n, -m )--[NOT]( w, w )--+
+            +-----[MUL]( t, t, 2 )--[ADD]( t, t, T#5s )--[TYP]( i, r )--[CALC]( n, -m )--[XOR]( w, w, 65535 )--+
 
             +-------[CONCAT]( s, s, 'a$'b' )--[LEN]( n, s )--[CALC]( a, n > 3 AND NOT a )--+
 
