@@ -116,7 +116,7 @@ impl Writer<'_> {
                         Op::NegatedContact => vec![invert(rung, value)],
                         _ => value,
                     };
-                    return Ok(self.with_power(rung, power, value));
+                    return Ok(with_power(rung, power, value));
                 }
                 let modifier = match row.op {
                     Op::NegatedContact => modifier(true, Edge::None),
@@ -160,7 +160,7 @@ impl Writer<'_> {
                         vec![rung.block((function.name, None), inputs, &["OUT"], touched, false)]
                     }
                 };
-                self.with_power(rung, power, result)
+                with_power(rung, power, result)
             }
             Op::Ton
             | Op::Tof
@@ -234,15 +234,6 @@ impl Writer<'_> {
         })
     }
 
-    /// A condition in series with the power that comes to it.
-    fn with_power(&self, rung: &mut Rung, power: Vec<End>, condition: Vec<End>) -> Vec<End> {
-        if rung.is_rail(&power) {
-            return condition;
-        }
-        let inputs = vec![pin("IN1", power), pin("IN2", condition)];
-        vec![rung.block(("AND", None), inputs, &["OUT"], Touched::default(), false)]
-    }
-
     /// A comparison of values of an enumeration, for which compilers have the operator and no function.
     fn of_names(&self, rung: &mut Rung, op: Op) -> Result<Option<Vec<End>>, String> {
         let is_name =
@@ -288,4 +279,13 @@ impl Writer<'_> {
         }
         Ok(tag)
     }
+}
+
+/// A condition in series with the power that comes to it.
+fn with_power(rung: &mut Rung, power: Vec<End>, condition: Vec<End>) -> Vec<End> {
+    if rung.is_rail(&power) {
+        return condition;
+    }
+    let inputs = vec![pin("IN1", power), pin("IN2", condition)];
+    vec![rung.block(("AND", None), inputs, &["OUT"], Touched::default(), false)]
 }

@@ -102,7 +102,7 @@ impl Networks<'_, '_> {
             let inputs = from.map(|node| pin(name, vec![End { node, output: 0 }]));
             let mut node = Node::new(at, kind, inputs.into_iter().collect());
             if is_block {
-                node.outputs[0].name = along::RUNS.to_owned();
+                along::RUNS.clone_into(&mut node.outputs[0].name);
             }
             from = Some(self.graph.nodes.len());
             self.graph.nodes.push(node);

@@ -370,7 +370,7 @@ pub(super) fn value(value: &Value, ty: Scalar) -> Result<String, String> {
         (Value::Real(number), _) => real_text(*number, ty),
         (Value::Text(bytes), _) => {
             let mut out = String::from("'");
-            for byte in bytes.iter() {
+            for byte in &**bytes {
                 match byte {
                     b'$' | b'\'' => out.extend(['$', char::from(*byte)]),
                     b' '..=b'~' => out.push(char::from(*byte)),

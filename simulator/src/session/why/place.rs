@@ -136,9 +136,9 @@ impl<'s> Reads<'s> {
             ExprKind::Call(_, arguments) => arguments.iter().for_each(|argument| self.expr(argument)),
             ExprKind::Sum(range) => self.range(range),
             ExprKind::Offset(subscripts) => {
-                subscripts
-                    .iter()
-                    .for_each(|subscript| self.expr(&subscript.index));
+                for subscript in subscripts {
+                    self.expr(&subscript.index);
+                }
             }
         }
     }

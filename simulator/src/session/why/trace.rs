@@ -204,9 +204,11 @@ fn run(
         }
         halted(simulation, pc);
         for &(at, end) in halts.blocks.get(&pc).into_iter().flatten() {
-            let around = open.iter().rev();
-            let around = around.filter(|open| open.start <= pc && end <= open.end);
-            let scope = around.filter_map(|open| open.inside.as_ref()).next();
+            let mut around = open
+                .iter()
+                .rev()
+                .filter(|open| open.start <= pc && end <= open.end);
+            let scope = around.find_map(|open| open.inside.as_ref());
             let scope = scope.cloned().unwrap_or_default();
             let next = seen.look_before(simulation, asked, (at, pc..end), (scope, depth));
             open.push(next);
