@@ -303,6 +303,10 @@ END_FUNCTION_BLOCK
             END_STRUCT;
         END_TYPE
 
+        TYPE
+            Row_0_TO_1 : ARRAY[0..1, 5..5] OF Row;
+        END_TYPE
+
         FUNCTION_BLOCK Bump
         VAR_INPUT
             power_in : BOOL;
@@ -319,7 +323,7 @@ END_FUNCTION_BLOCK
 
         PROGRAM plant
         VAR
-            rows : ARRAY[0..1, 5..5] OF Row;
+            rows : Row_0_TO_1;
             f : Item;
             one : Row := [1, 2, 3];
             k : INT;

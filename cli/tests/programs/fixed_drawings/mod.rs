@@ -92,6 +92,8 @@ fn fixed_at_random(drawing: &Drawing, dice: &mut Dice) -> Result<(), String> {
             .diagnostics()
             .iter()
             .flat_map(|found| &found.fixes)
+            // A preset that the drawing does not have is the one thing that is proposed without being known.
+            .filter(|fix| !fix.title.starts_with("Add P"))
             .collect();
         if fixes.is_empty() {
             break;

@@ -5,6 +5,7 @@ use crate::refactor::{Action, ActionKind};
 use ladder_analysis::names::declaring::Places;
 use ladder_analysis::names::scope::SectionKind;
 use ladder_analysis::networks::network::Formal;
+use ladder_analysis::with_article;
 use ladder_analysis::{Analysis, Diagnostic};
 use ladder_format::Edit;
 use ladder_instructions::{Accepts, StateType};
@@ -48,7 +49,7 @@ pub(super) fn offer(analysis: &Analysis, found: &Diagnostic) -> Option<Action> {
     if network.scope > 0 || context.scopes[network.scope].declares() {
         edits.extend(Places::new(context, network.scope).declare(SectionKind::Var, &name, &ty)?);
     }
-    let title = format!("Give this block a {kind} of its own: `{name}`");
+    let title = format!("Give this block {} of its own: `{name}`", with_article(kind));
     Some(Action::new(ActionKind::QuickFix, title, edits).making_up(name))
 }
 
