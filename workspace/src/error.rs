@@ -31,8 +31,6 @@ pub enum Problem {
     NoneOfThese,
     /// Larger than [`MAX_FILE_BYTES`].
     TooLarge,
-    /// The same of a settings file, of which less is read.
-    SettingsTooLarge,
     /// Bytes that are not UTF-8.
     NotUtf8 {
         /// Where the first such byte is.
@@ -141,7 +139,6 @@ impl fmt::Display for Problem {
                 "the file is larger than {} MiB, the most that is read",
                 MAX_FILE_BYTES >> 20
             ),
-            Problem::SettingsTooLarge => f.write_str("a ladder.toml has at most 1 MiB, and this one is larger"),
             Problem::NotUtf8 { utf16: true, .. } => {
                 f.write_str("the file is not UTF-8 but UTF-16; save it as UTF-8 in your editor")
             }

@@ -1,6 +1,6 @@
 //! `ladder check`
 
-use crate::harness::{Folder, MOTOR};
+use crate::harness::{Folder, MOTOR, Run};
 use expect_test::{Expect, expect};
 
 /// A program with an error.
@@ -174,4 +174,23 @@ fn colours_only_where_they_are_wanted() {
         coloured(&[("CLICOLOR_FORCE", "1"), ("NO_COLOR", "1")]),
         (false, false)
     );
+}
+
+#[test]
+fn without_a_path_it_is_this_folder() {
+    let rung = "+--[ ]( a )--( )( y )--+\n";
+    let folder = Folder::with(&[
+        ("a.clad", rung),
+        (
+            "a.ladder-test",
+            "program a.clad\n\nscenario \"on\"\na    -\ny => -\n",
+        ),
+    ]);
+    let without_times = |run: Run| run.to_string().split(", in ").next().map(str::to_owned);
+    for command in ["check", "test"] {
+        let named = without_times(folder.ladder(&[command, "."]));
+        assert_eq!(without_times(folder.ladder(&[command])), named);
+    }
+    folder.ladder(&["fmt"]);
+    assert_ne!(folder.read("a.clad"), rung);
 }

@@ -217,3 +217,11 @@ fn a_block_of_a_program() {
     "#]]
     .assert_eq(&explain(&["$Alarm", "none.clad"]));
 }
+
+#[test]
+fn a_block_is_found_without_its_sign() {
+    let folder = Folder::with(&[]);
+    let page = |name: &str| folder.ladder(&["explain", name]).to_string();
+    assert_eq!(page("PID"), page("$PID"));
+    assert_eq!(page("debounce"), page("$Debounce"));
+}

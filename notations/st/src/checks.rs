@@ -149,6 +149,10 @@ impl Unit<'_, '_> {
 /// `a >= first AND a <= last`
 pub(crate) fn is_within(term: &Term, first: i128, last: i128, ty: Scalar) -> Option<Term> {
     let (least, most) = ty.bounds().unwrap_or((i128::MIN, i128::MAX));
+    // Compilers refuse to compare an unsigned number with one below 0.
+    if last < least || first > most {
+        return Some(Term::whole("FALSE"));
+    }
     let low =
         (first > least).then(|| Term::binary(term, ">=", &Term::whole(first.to_string()), Binding::Order));
     let high =

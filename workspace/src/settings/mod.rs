@@ -23,7 +23,7 @@ pub use lint::{Levels, Lint};
 pub use project::Project;
 pub use simulate::Simulate;
 
-use crate::error::{FileError, Problem};
+use crate::error::FileError;
 use crate::named::Named;
 use crate::root::Root;
 use ladder_analysis::rules::rule_named;
@@ -63,15 +63,8 @@ impl Root {
     }
 }
 
-/// A settings file that is larger than this is none, or one that keeps others busy.
+/// A settings file that is larger than this, in bytes, is none, or one that keeps others busy.
 const MOST_BYTES: usize = 1 << 20;
-
-fn of_this_size(file: &Path, text: String) -> Result<String, FileError> {
-    if text.len() <= MOST_BYTES {
-        return Ok(text);
-    }
-    Err(FileError::new(file, Problem::SettingsTooLarge))
-}
 
 impl Settings {
     /// The settings that hold for a program: those of the nearest `ladder.toml` above it, or none at all.
@@ -107,8 +100,8 @@ impl Settings {
     /// # Errors
     /// It cannot be read, or something in it is wrong.
     pub fn read(file: &Path) -> Result<Settings, SettingsError> {
-        let text = crate::text::read(file).and_then(|text| of_this_size(file, text));
-        Settings::parse(file, &text.map_err(SettingsError::File)?)
+        let text = crate::text::read(file).map_err(SettingsError::File)?;
+        Settings::parse(file, &text)
     }
 
     /// As [`Settings::read`], for the settings file that was found in a workspace, which lies inside of that.
@@ -123,12 +116,11 @@ impl Settings {
     /// The text of a settings file that was found in a workspace.
     ///
     /// # Errors
-    /// It lies outside, cannot be read, or is too large.
+    /// It lies outside, or cannot be read.
     pub fn own_text(file: &Path) -> Result<String, FileError> {
         let folder = file.parent().unwrap_or(Path::new(""));
         let name = file.file_name().unwrap_or_default().to_string_lossy();
-        let text = Named::in_settings(folder, &name).read()?;
-        of_this_size(file, text)
+        Named::in_settings(folder, &name).read()
     }
 
     /// As [`Settings::read`], from its text. `file` names it in messages and says where its paths start.
@@ -151,6 +143,10 @@ impl Settings {
     pub fn examine(file: &Path, text: &str) -> (Settings, Vec<SettingError>) {
         let folder = file.parent().map_or_else(PathBuf::new, Path::to_owned);
         let mut reader = Reader::new(Source::File);
+        if text.len() > MOST_BYTES {
+            reader.wrong(0..0, "a ladder.toml has at most 1 MiB, and this one is larger");
+            return (Settings::default(), errors(text, reader.finish()));
+        }
         let settings = match DeTable::parse(text) {
             Ok(document) => {
                 let mut top = reader.top(given::from_toml(document));

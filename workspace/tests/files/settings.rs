@@ -101,6 +101,16 @@ fn what_is_no_toml() {
 }
 
 #[test]
+fn what_is_larger_than_a_settings_file_can_be() {
+    wrong(
+        &"#".repeat((1 << 20) + 1),
+        expect![[r#"
+            ladder.toml:1:1: a ladder.toml has at most 1 MiB, and this one is larger
+        "#]],
+    );
+}
+
+#[test]
 fn unknown_keys_and_tables() {
     wrong(
         "[formt]\nwidth = 5\n",
