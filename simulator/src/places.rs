@@ -3,8 +3,17 @@
 
 use crate::layout::Home;
 use crate::memory::{Bit, Word};
-use ladder_analysis::program::TagId;
+use ladder_analysis::program::{Program, TagId};
 use std::collections::HashMap;
+
+/// Of each network whether it is in the body of a user-defined block.
+pub(crate) fn networks_of_bodies(program: &Program) -> Vec<bool> {
+    let mut is_of_body = vec![false; program.networks.len()];
+    for user in &program.blocks {
+        is_of_body[user.networks.clone()].fill(true);
+    }
+    is_of_body
+}
 
 /// Where tags live.
 pub(crate) type Homes = Vec<(TagId, Home)>;

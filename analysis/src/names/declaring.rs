@@ -166,8 +166,8 @@ fn first_place(parse: &Parse, block: Option<usize>) -> TextSize {
     after_mark(parse.line_start(first - above))
 }
 
-/// The line end that the text uses.
-fn line_end(parse: &Parse) -> &'static str {
+/// The line end that the text uses: that of its first line.
+pub fn line_end(parse: &Parse) -> &'static str {
     let first = parse.lines().first().map(|line| line.text().to_owned());
     match first {
         Some(line) if line.ends_with("\r\n") => "\r\n",

@@ -1,6 +1,7 @@
 //! The fix of a section, a structure or a block definition that is not closed: its last line, where it ends.
 
 use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::names::declaring::line_end;
 use ladder_syntax::{DeclarationProblem, LineKind, Parse, TextRange};
 
 /// Has a fix write what is missing.
@@ -32,7 +33,7 @@ pub(crate) fn with_end(parse: &Parse, problem: DeclarationProblem, found: Diagno
         return found;
     };
     let at = parse.line_range(last).end();
-    let line_end = line_end_of(lines[0].text());
+    let line_end = line_end(parse);
     let text = if lines[last].text().ends_with(['\n', '\r']) {
         format!("{keyword}{line_end}")
     } else {
@@ -65,14 +66,4 @@ fn end_of_what_begins(parse: &Parse, line: usize, is_block: bool) -> Option<usiz
         .iter()
         .find(|section| section.lines.start == line && !section.closed);
     begun.filter(|_| !is_ended).map(|section| section.lines.end)
-}
-
-fn line_end_of(line: &str) -> &'static str {
-    if line.ends_with("\r\n") {
-        "\r\n"
-    } else if line.ends_with('\r') {
-        "\r"
-    } else {
-        "\n"
-    }
 }

@@ -4,6 +4,7 @@
 //! comments and the lines between rungs keep their text to the letter.
 
 use ladder_analysis::context::Context;
+pub(crate) use ladder_analysis::names::declaring::line_end;
 use ladder_analysis::networks::NetworkAt;
 use ladder_analysis::networks::order::order;
 use ladder_analysis::program::Step;
@@ -333,21 +334,6 @@ pub(crate) fn line_text(parse: &Parse, line: usize) -> String {
 /// The text of some logical lines.
 pub(crate) fn lines_text(parse: &Parse, lines: Range<usize>) -> String {
     lines.map(|line| line_text(parse, line)).collect()
-}
-
-/// The line end that the text uses.
-pub(crate) fn line_end(parse: &Parse) -> &'static str {
-    if parse.lines().is_empty() {
-        return "\n";
-    }
-    let first = line_text(parse, 0);
-    if first.ends_with("\r\n") {
-        "\r\n"
-    } else if first.ends_with('\r') {
-        "\r"
-    } else {
-        "\n"
-    }
 }
 
 fn items(

@@ -3,6 +3,7 @@
 
 use super::user_block::DEEPEST;
 use super::{Result, too_large};
+use crate::places::networks_of_bodies;
 use ladder_analysis::program::{Block, BlockKind, Program};
 
 /// More blocks than this in bodies are refused: code for them takes some hundred MB.
@@ -11,15 +12,11 @@ const MOST_BLOCKS: u64 = 1 << 20;
 /// Refuses a program whose bodies hold more blocks than the simulator has memory for.
 pub(super) fn check(program: &Program) -> Result<()> {
     let mut known = vec![None; program.blocks.len()];
-    let mut is_body = vec![false; program.networks.len()];
-    for user in &program.blocks {
-        is_body[user.networks.clone()].fill(true);
-    }
     let mut all = 0_u64;
     let outside = program
         .networks
         .iter()
-        .zip(is_body)
+        .zip(networks_of_bodies(program))
         .filter(|(_, is_body)| !is_body);
     for block in outside.flat_map(|(network, _)| &network.blocks) {
         all = all.saturating_add(in_body_of(block, program, &mut known, 0));

@@ -10,7 +10,7 @@ use super::{Reason, Write, place};
 use crate::fault::Fault;
 use crate::layout::Home;
 use crate::memory::Bit;
-use crate::places::BlockAt;
+use crate::places::{BlockAt, networks_of_bodies};
 use crate::simulation::{Scope, Simulation, State, Status};
 use crate::tags::{Point, Within};
 use crate::timers::Timer;
@@ -126,14 +126,9 @@ impl Moment {
         }
         let stretches = simulation.compiled.stretches.iter().enumerate();
         let program = simulation.program();
-        let is_of_body = |network: &usize| {
-            program
-                .blocks
-                .iter()
-                .any(|block| block.networks.contains(network))
-        };
+        let is_of_body = networks_of_bodies(program);
         let starts =
-            stretches.filter(|(network, stretch)| stretch.start < stretch.end && !is_of_body(network));
+            stretches.filter(|(network, stretch)| stretch.start < stretch.end && !is_of_body[*network]);
         let starts = starts
             .map(|(network, stretch)| (stretch.start, network))
             .collect();

@@ -158,15 +158,17 @@ enum Body {
 
 fn run(
     simulation: &mut Simulation,
-    halts: Halts,
+    mut halts: Halts,
     asked: &Asked<'_>,
     halted: &mut dyn FnMut(&mut Simulation, u32),
     found: &mut dyn FnMut(&Simulation, Traced, bool),
 ) {
     halts.mark(&mut simulation.compiled.code, true);
     let mut open: Vec<Open> = Vec::new();
-    let mut seen = Seen::default();
-    seen.outs.clone_from(&halts.outs);
+    let mut seen = Seen {
+        outs: std::mem::take(&mut halts.outs),
+        ..Seen::default()
+    };
     simulation.begin_scan();
     while Limit::of(simulation) != asked.limit {
         let stepped = simulation.step(Until::Marked);

@@ -2,7 +2,7 @@
 
 use super::place;
 use crate::memory::Bit;
-use crate::places::BlockAt;
+use crate::places::{BlockAt, networks_of_bodies};
 use crate::simulation::Simulation;
 use crate::tags::Point;
 use ladder_analysis::program::{Argument, Block, BlockKind, ParameterKind, Program, Step, TagId};
@@ -24,10 +24,7 @@ pub(in crate::session) struct Writers {
 impl Writers {
     pub(in crate::session) fn of(simulation: &Simulation) -> Writers {
         let program = simulation.program();
-        let mut is_of_body = vec![false; program.networks.len()];
-        for block in &program.blocks {
-            is_of_body[block.networks.clone()].fill(true);
-        }
+        let is_of_body = networks_of_bodies(program);
         let mut of_bodies = vec![None; program.blocks.len()];
         let mut of_tags: HashMap<TagId, Vec<BlockAt>> = HashMap::new();
         let mut calls = vec![0; program.functions.len()];
