@@ -66,7 +66,19 @@ pub(crate) fn as_bit(text: &str) -> Option<String> {
     is_path.then(|| format!("{number}.{}", mask.trailing_zeros()))
 }
 
-/// Makes blocks again of comparisons of names, which are expressions in a project: see the writer.
+/// The expression that is true where the bit that an expression is is low.
+pub(crate) fn low(bit: &str) -> Option<String> {
+    as_bit(bit)?;
+    Some(format!("{} = 0", bit.strip_suffix(" <> 0")?))
+}
+
+/// The bit that is low where an expression is true.
+fn is_low(text: &str) -> Option<String> {
+    let bit = format!("{} <> 0", text.strip_suffix(" = 0")?);
+    as_bit(&bit).map(|_| bit)
+}
+
+/// Makes blocks again of comparisons of names, which are expressions in a project, and bits of their comparisons: see the writer.
 pub(crate) fn with_comparisons(unit: &mut Unit) {
     let Body::Graph(graph) = &mut unit.body else {
         return;
@@ -87,6 +99,10 @@ pub(crate) fn with_comparisons(unit: &mut Unit) {
         let Kind::Value(text, false) = &graph.nodes[node].kind else {
             continue;
         };
+        if let Some(bit) = is_low(text) {
+            graph.nodes[node].kind = Kind::Value(bit, true);
+            continue;
+        }
         let Some((name, sides)) = comparison(text).filter(|_| !in_formulas.contains(&node)) else {
             continue;
         };

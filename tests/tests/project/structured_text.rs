@@ -11,10 +11,10 @@ use ladder_invariants::generator::{Dice, Mode, program};
 use ladder_simulator::{Options, Simulation};
 use ladder_tests::project;
 use ladder_tests::structured_text::{Machine, Value as Held};
+use std::cell::Cell;
 use std::collections::HashMap;
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 const SCANS: usize = 12;
 
@@ -46,13 +46,22 @@ fn written(analysis: &Analysis) -> Result<String, String> {
     text.map_err(|error| error.message)
 }
 
+thread_local! {
+    /// How many programs this test has kept: tests run side by side, and a program has the same name in every run.
+    static KEPT: Cell<usize> = const { Cell::new(0) };
+}
+
 /// Puts a program and its text into the folder `LADDER_ST_FOLDER`, if there is one: for those who read them with something else.
 fn keep(program: &str, text: Option<&str>) {
-    static COUNT: AtomicUsize = AtomicUsize::new(0);
     if let Ok(folder) = std::env::var("LADDER_ST_FOLDER") {
-        let number = COUNT.fetch_add(1, Ordering::Relaxed);
+        let number = KEPT.replace(KEPT.get() + 1);
+        let thread = std::thread::current();
+        let test = thread
+            .name()
+            .and_then(|name| name.rsplit("::").next())
+            .unwrap_or("program");
         let keep = |end: &str, text: &str| {
-            std::fs::write(Path::new(&folder).join(format!("program{number}.{end}")), text)
+            std::fs::write(Path::new(&folder).join(format!("{test}_{number}.{end}")), text)
                 .expect("the folder takes files");
         };
         keep("clad", program);

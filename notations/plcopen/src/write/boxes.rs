@@ -1,6 +1,6 @@
 //! Functions, function blocks and blocks of one's own as boxes with pins.
 
-use super::declare::state_name;
+use super::declare::{named, scalar, state_name};
 use super::element::{FAULT, Power, Writer};
 use super::functions::Function;
 use super::rung::{Rung, modifier, pin};
@@ -11,7 +11,7 @@ use crate::graph::{Edge, End, Pin};
 use crate::own;
 use ladder_analysis::program::ParameterKind::{InOut, Input, Output};
 use ladder_analysis::program::{Argument, Bound, Expr, ExprKind};
-use ladder_analysis::values::types::{Scalar, common};
+use ladder_analysis::values::types::{Scalar, Type, common};
 use ladder_instructions::{Instruction, Op};
 
 impl Writer<'_> {
@@ -156,12 +156,23 @@ impl Writer<'_> {
         let result = self.first_text(rung)?;
         inputs.insert(0, pin("EN", power));
         let end = rung.block((name, None), inputs, &["ENO", "OUT"], self.touched(), true);
-        let out = End { output: 1, ..end };
+        let mut out = End { output: 1, ..end };
+        // What compilers have as INT whatever takes it.
+        if let ("LEN" | "FIND", Some(ty)) = (name, self.result_type())
+            && ty != Scalar::Int
+        {
+            let inputs = vec![pin("EN", vec![end]), pin("IN", vec![out])];
+            let conversion = format!("INT_TO_{}", ty.name());
+            let touched = Touched::default();
+            out.node = rung
+                .block((&conversion, None), inputs, &["ENO", "OUT"], touched, false)
+                .node;
+        }
         // Generators find the type of a result by a variable that takes it, and no type in elements of arrays.
         if result.contains('[')
             && let Some(ty) = self.result_type()
         {
-            let unused = rung.made("unused", &type_name(ty), own::SINK);
+            let unused = rung.made("unused", scalar(ty), own::SINK);
             rung.variable(unused, out, Touched::default());
         }
         rung.variable(result, out, self.touched());
@@ -299,7 +310,7 @@ impl Writer<'_> {
             }
             _ => rung.made(
                 known.name.trim_start_matches('$'),
-                &face.name,
+                named(&*face.name),
                 "the state of a block",
             ),
         };
@@ -338,14 +349,29 @@ impl Writer<'_> {
                 outputs.push(parameter.name.clone());
             }
             if let (Output, Some(bound)) = (parameter.kind, bound) {
-                taken.push((outputs.len() - 1, self.text(rung, bound)?));
+                // Compilers convert nothing on its way.
+                let conversion = match (
+                    self.program.tags[known.parameters[number].0.0 as usize].ty,
+                    &bound.argument,
+                ) {
+                    (Type::Scalar(from), Argument::Place(_, to)) if from.name() != to.name() => {
+                        Some(format!("{}_TO_{}", from.name(), to.name()))
+                    }
+                    _ => None,
+                };
+                taken.push((outputs.len() - 1, self.text(rung, bound)?, conversion));
             }
         }
         let touched = self.touched().anything();
         let outputs: Vec<&str> = outputs.iter().map(String::as_str).collect();
         let end = rung.block((&face.name, Some(instance)), inputs, &outputs, touched, true);
-        for (output, text) in taken {
-            rung.variable(text, End { output, ..end }, self.touched());
+        for (output, text, conversion) in taken {
+            let mut from = End { output, ..end };
+            if let Some(name) = conversion {
+                let inputs = vec![pin("IN", vec![from])];
+                from = rung.block((&name, None), inputs, &["OUT"], Touched::default(), false);
+            }
+            rung.variable(text, from, self.touched());
         }
         if rung.is_asked() {
             rung.ask(end);

@@ -33,11 +33,13 @@ pub(super) fn state_name(state: StateType) -> &'static str {
     }
 }
 
-fn named(name: impl Into<String>) -> Type {
+/// A type by its name.
+pub(super) fn named(name: impl Into<String>) -> Type {
     Type::Named(name.into())
 }
 
-fn scalar(scalar: Scalar) -> Type {
+/// An elementary type, or an enumeration.
+pub(super) fn scalar(scalar: Scalar) -> Type {
     match scalar {
         Scalar::String(DEFAULT_STRING) => Type::Text(None),
         Scalar::String(length) => Type::Text(Some(length.into())),
@@ -71,6 +73,19 @@ pub(super) fn is_taken(ty: OwnType, role: Role) -> Result<(), String> {
         }
         ty => !is_instance(ty),
     };
+    let element = match ty {
+        OwnType::Array { element, .. } => Some(OwnType::Scalar(element)),
+        OwnType::Compound(id) => match id.get() {
+            Compound::Array(array) => Some(array.element),
+            _ => None,
+        },
+        _ => None,
+    };
+    if let Some(OwnType::Scalar(Scalar::Date | Scalar::Dt)) = element {
+        return Err(
+            "compilers there have no arrays of DATE and DT: give each element a tag of its own".to_owned(),
+        );
+    }
     let is_held = match ty {
         OwnType::Compound(id) => match id.get() {
             Compound::Structure(structure) => structure.members.iter().all(|member| is_plain(member.ty)),
@@ -306,6 +321,65 @@ fn initial(source: &Source<'_>, tag: &TagFacts) -> Result<Option<Initial>, Strin
     }
 }
 
+/// Whether no part of an array or a structure begins with a value of an enumeration, at which compilers there end with a fault of
+/// their own.
+///
+/// # Errors
+///
+/// If one does.
+fn has_no_name(initial: &Initial, ty: OwnType) -> Result<(), String> {
+    let of_part = |initial: &Initial, ty: OwnType| match ty {
+        OwnType::Scalar(ty) if ty.is_enumeration() => Err(
+            "compilers there take no value of an enumeration for a part of an \
+             array or a structure: move it in the first scan"
+                .to_owned(),
+        ),
+        ty => has_no_name(initial, ty),
+    };
+    match (initial, ty) {
+        (Initial::Array(values), OwnType::Array { element, .. }) => values
+            .iter()
+            .try_for_each(|(_, value)| of_part(value, OwnType::Scalar(element))),
+        (Initial::Array(values), OwnType::Compound(id)) => match id.get() {
+            Compound::Array(array) => values
+                .iter()
+                .try_for_each(|(_, value)| of_part(value, array.element)),
+            _ => Ok(()),
+        },
+        (Initial::Structure(values), OwnType::Compound(id)) => match id.get() {
+            Compound::Structure(structure) => values.iter().try_for_each(|(name, value)| {
+                let mut members = structure.members.iter();
+                let member = members.find(|member| identifier(&member.name) == *name);
+                member.map_or(Ok(()), |member| of_part(value, member.ty))
+            }),
+            _ => Ok(()),
+        },
+        _ => Ok(()),
+    }
+}
+
+/// What a structure begins with as what its members begin with: generators have no other place for it.
+///
+/// # Errors
+///
+/// If a member has parts that begin with something already.
+pub(super) fn in_members(ty: &mut Type, initial: Initial) -> Result<Option<Initial>, String> {
+    let (Type::Structure(members), Initial::Structure(values)) = (ty, &initial) else {
+        return Ok(Some(initial));
+    };
+    for (name, value) in values {
+        for member in members.iter_mut().filter(|member| member.name == *name) {
+            if matches!(member.initial, Some(Initial::Structure(_))) {
+                return Err(
+                    "what it begins with is said of its members there: say it there here, too".to_owned(),
+                );
+            }
+            member.initial = Some(value.clone());
+        }
+    }
+    Ok(None)
+}
+
 /// A tag as a variable of this name. Its qualifier is the caller's.
 ///
 /// # Errors
@@ -335,12 +409,8 @@ pub(super) fn variable(
     variable.role = role;
     variable.address = tag.cold.address.as_deref().map(str::to_ascii_uppercase);
     variable.initial = initial(source, tag)?;
-    let is_of_names = matches!(tag.ty, Some(OwnType::Array { element, .. }) if element.is_enumeration());
-    if is_of_names && variable.initial.is_some() {
-        return Err(
-            "compilers there take no values for an array of an enumeration: move them in the first scan"
-                .to_owned(),
-        );
+    if let (Some(initial), Some(ty)) = (&variable.initial, tag.ty) {
+        has_no_name(initial, ty)?;
     }
     if tag.is_declared() {
         variable.comment = said(source.context, at);

@@ -1,5 +1,6 @@
 //! Edges and inverted power as elements of a drawing.
 
+use super::declare::named;
 use super::rung::{Rung, pin};
 use super::touched::Touched;
 use crate::graph::{End, Modifier, Storage};
@@ -37,8 +38,8 @@ pub(super) fn fell(
     high: impl FnOnce(&mut Rung) -> Vec<End>,
 ) -> String {
     let none = Modifier::default();
-    let was = rung.made("was", "BOOL", "what it was at the last evaluation");
-    let fell = rung.made("fell", "BOOL", "it fell");
+    let was = rung.made("was", named("BOOL"), "what it was at the last evaluation");
+    let fell = rung.made("fell", named("BOOL"), "it fell");
     let rail = vec![rung.rail()];
     let from = vec![rung.contact(&was, none, rail, Touched::default())];
     let from = low(rung, from);

@@ -1,6 +1,7 @@
 //! Blocks on a rung as elements of a drawing.
 
 use super::boxes::function_block;
+use super::declare::named;
 use super::edge::{fell, fell_power, invert};
 use super::faces::Faces;
 use super::functions;
@@ -9,6 +10,7 @@ use super::text::Words;
 use super::touched::Touched;
 use super::unit::Unit;
 use crate::graph::{Edge, End, Kind, Modifier, Storage};
+use crate::own;
 use ladder_analysis::networks::BlockAt;
 use ladder_analysis::networks::facts::{Node, NodeKind};
 use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Program};
@@ -111,10 +113,14 @@ impl Writer<'_> {
                     if row.op == Op::RisingContact {
                         return Err("an edge of a bit of a number: write it into a BOOL first".to_owned());
                     }
-                    let value = rung.value(tag);
-                    let value = match row.op {
-                        Op::NegatedContact => vec![invert(rung, value)],
-                        _ => value,
+                    // Generators find no type for what NOT makes of a formula.
+                    let value = match (row.op, own::low(&tag)) {
+                        (Op::NegatedContact, Some(low)) => rung.value(low),
+                        (Op::NegatedContact, None) => {
+                            let value = rung.value(tag);
+                            vec![invert(rung, value)]
+                        }
+                        _ => rung.value(tag),
                     };
                     return Ok(with_power(rung, power, value));
                 }
@@ -137,7 +143,7 @@ impl Writer<'_> {
             }
             Op::Inverter => vec![invert(rung, power)],
             Op::OneShotRising => {
-                let instance = rung.made("trigger", "R_TRIG", "finds an edge");
+                let instance = rung.made("trigger", named("R_TRIG"), "finds an edge");
                 function_block(
                     rung,
                     ("R_TRIG", instance),

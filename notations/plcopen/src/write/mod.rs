@@ -230,9 +230,12 @@ fn types(own: &Unit<'_>, shared: &Shared<'_>, report: &mut Report) -> Vec<TypeDe
             }
             _ => declare::type_in(&source, &declared.spec),
         };
-        let made = made.and_then(|made| {
-            let initial = declare::declared_initial(&source, declared)?;
-            Ok((made, initial.or_else(|| declare::lowest(&declared.spec))))
+        let made = made.and_then(|mut made| {
+            let initial = match declare::declared_initial(&source, declared)? {
+                Some(initial) => declare::in_members(&mut made, initial)?,
+                None => declare::lowest(&declared.spec),
+            };
+            Ok((made, initial))
         });
         match made {
             Ok((made, initial)) => types.push(TypeDeclaration {

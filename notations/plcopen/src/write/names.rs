@@ -11,6 +11,8 @@ pub(super) fn identifier(name: &str) -> String {
     for c in name.chars() {
         match c {
             c if c.is_ascii_alphanumeric() => out.push(c),
+            // A direct address has a name there.
+            '%' => {}
             _ if out.ends_with('_') => {}
             _ => out.push('_'),
         }
@@ -125,6 +127,7 @@ mod tests {
             ("a__b_", "a_b"),
             ("Step", "Step_1"),
             ("2x", "n_2x"),
+            ("%IX0.3", "IX0_3"),
         ] {
             assert_eq!(identifier(tag), name);
         }

@@ -2,6 +2,7 @@
 //! to that coil, and again for the next; here each contact is read once, where it stands. Where that would make a difference
 //! power goes into a tag, and on from a contact on it.
 
+use super::declare::named;
 use super::names::Names;
 use super::touched::Touched;
 use crate::graph::{Edge, End, Kind, Modifier, Node, Output, Pin, Storage};
@@ -115,7 +116,7 @@ impl Rung {
                 return Err(format!("it has more than {MOST_NODES} elements"));
             }
             if self.held.contains(&step) && power != [rail] {
-                let tag = self.made("power", "BOOL", "power at a point of the drawing");
+                let tag = self.made("power", named("BOOL"), "power at a point of the drawing");
                 let touched = Touched::default();
                 let coil = Kind::Coil(tag.clone(), Modifier::default(), Storage::None);
                 self.push(coil, vec![pin("", power)], touched.clone(), true);
@@ -238,9 +239,9 @@ impl Rung {
     }
 
     /// A variable that the ladder text does not have; comes back its name.
-    pub(super) fn made(&mut self, like: &str, ty: &str, comment: &str) -> String {
+    pub(super) fn made(&mut self, like: &str, ty: Type, comment: &str) -> String {
         let name = self.names.fresh(like);
-        let mut variable = Variable::local(self.place, name.clone(), Type::Named(ty.to_owned()));
+        let mut variable = Variable::local(self.place, name.clone(), ty);
         variable.comment = Some(comment.to_owned());
         self.made.push(variable);
         name
@@ -251,7 +252,7 @@ impl Rung {
         let tag = match self.names.get(own::SINK) {
             Some(tag) => tag.to_owned(),
             None => {
-                let tag = self.made("unused", "BOOL", own::SINK);
+                let tag = self.made("unused", named("BOOL"), own::SINK);
                 self.names.alias(own::SINK, &tag);
                 tag
             }

@@ -46,7 +46,7 @@ impl Words<'_> {
                 return Err(format!("the type of `{name}` has no counterpart"));
             }
             NodeKind::Name(name) => self.name(name),
-            NodeKind::Address(address) => address.to_ascii_uppercase(),
+            NodeKind::Address(address) => self.name(address),
             NodeKind::Literal(_) => literal(self.slice(node.range + self.base), None),
             NodeKind::Member(base, word) => match &base.kind {
                 NodeKind::Name(name) if name.eq_ignore_ascii_case("SYS") => {

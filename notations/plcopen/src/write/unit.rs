@@ -16,7 +16,7 @@ use ladder_analysis::program::Program;
 use ladder_format::program::Qualifier;
 use ladder_notation::guard::is_guarded;
 use ladder_notation::{LineColumn, Report, foreign_text_of, is_function};
-use ladder_syntax::TextSize;
+use ladder_syntax::{Name, TextSize};
 use std::rc::Rc;
 
 /// What all units of a project share.
@@ -61,19 +61,26 @@ impl<'u> Unit<'u> {
         'u: 't,
     {
         let shared = self.context().shared(tag);
-        let is_global =
-            shared.origin == Origin::Declared(SectionKind::Global) || shared.cold.foreign.is_some();
+        let is_global = shared.origin == Origin::Declared(SectionKind::Global)
+            || shared.cold.foreign.is_some()
+            // Blocks there have nothing at an address.
+            || shared.name.starts_with('%') && self.is_of_a_block(&Name::new(&shared.name));
         is_global.then_some(shared)
     }
 
-    /// The tags of a scope that are declared or used there. Direct addresses have no declaration.
+    /// Whether the body of a block names a tag.
+    fn is_of_a_block(&self, name: &Name) -> bool {
+        let mut bodies = self.context().scopes.iter().skip(1);
+        bodies.any(|scope| scope.find(name).is_some())
+    }
+
+    /// The tags of a scope that are declared or used there.
     pub(super) fn tags(&self, scope: usize) -> impl Iterator<Item = &'u TagFacts> {
         let context = self.context();
         let end = self.end;
         context.scopes[scope]
             .tags
             .iter()
-            .filter(move |tag| !tag.name.starts_with('%'))
             .filter(move |tag| !tag.name.eq_ignore_ascii_case("SYS"))
             .filter(move |tag| context.place_of(tag).start() < end || end == TextSize::default())
     }
@@ -141,9 +148,13 @@ impl<'u> Unit<'u> {
                 continue;
             }
             let global = self.global(tag);
-            match global.and_then(|global| project.globals.get(&global.name)) {
-                Some(global) => names.alias(&tag.name, global),
-                None => drop(names.declare(&tag.name)),
+            let name = match global.and_then(|global| project.globals.get(&global.name)) {
+                Some(global) => global.to_owned(),
+                None => names.fresh(&tag.name),
+            };
+            names.alias(&tag.name, &name);
+            if let Some(address) = &tag.cold.address {
+                names.alias(address, &name);
             }
         }
         Scope { names, power }
