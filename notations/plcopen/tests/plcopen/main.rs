@@ -8,4 +8,5 @@ mod oracle;
 mod projects;
 mod ten;
 mod traces;
+mod unread;
 mod written;

@@ -4,6 +4,7 @@ mod back;
 mod broken;
 mod corpus;
 mod reading;
+mod unread;
 mod writing;
 
 use ladder_format::Options;

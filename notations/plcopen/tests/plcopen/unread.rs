@@ -1,0 +1,227 @@
+//! What is not read: texts between drawings, texts that may end the unit, blocks that nothing declares, tasks at other times.
+
+use crate::harness::{check, program, project, short, unit};
+use expect_test::expect;
+
+fn drawn(tag: &str) -> String {
+    let rung = short(&format!("leftPowerRail 1\ncoil 2 from=1 {tag}"));
+    format!("<body><LD>{rung}</LD></body>")
+}
+
+#[test]
+fn worksheets_stay_in_their_order() {
+    let variables = "<localVars><variable name=\"a\"><type><BOOL/></type></variable><variable name=\"b\"><type><BOOL/></type></variable></localVars>";
+    let text = "<body WorksheetName=\"middle\"><ST>a := b;</ST></body>";
+    let main = format!(
+        "<pou name=\"Main\" pouType=\"program\"><interface>{variables}</interface>{}{text}{}</pou>",
+        drawn("a"),
+        drawn("b")
+    );
+    check(
+        &project("", &main, ""),
+        expect![[r#"
+        # worksheet middle of Main is not read: a scan runs past it, and what it may write is not known. #
+        FUNCTION_BLOCK [$worksheetMiddleOfMain]
+        # ladder: unread #
+        # a := b; #
+        END_FUNCTION_BLOCK
+
+        VAR
+            a : BOOL;
+            b : BOOL;
+        END_VAR
+
+        +--------------------------------------------------------------------( )( a )--+
+
+        +----------------------------------------------------[$worksheetMiddleOfMain]--+
+
+        +--------------------------------------------------------------------( )( b )--+
+        approximated worksheet middle: a text is not read: a scan runs past it, and what it may write is not known
+    "#]],
+    );
+}
+
+#[test]
+fn a_text_that_may_end_the_unit_takes_it_along() {
+    let body = |code: &str| format!("leftPowerRail 1\ncontact 2 from=1 a\nBOX 3 {code}\ncoil 4 from=3 b");
+    let of = |code: &str| {
+        let text = program("a : BOOL\nb : BOOL", &body("x"));
+        let start = text.find("\n<BOX").expect("the box is there");
+        let end = text.find("</BOX>").expect("the box ends") + "</BOX>".len();
+        let block = format!(
+            "<block localId=\"3\" typeName=\"EXECUTE\"><inputVariables><variable formalParameter=\"EN\"><connectionPointIn><connection refLocalId=\"2\"/></connectionPointIn></variable></inputVariables><inOutVariables/><outputVariables><variable formalParameter=\"ENO\"><connectionPointOut/></variable></outputVariables><addData><data><STCode>{code}</STCode></data></addData></block>"
+        );
+        project("", &format!("{}{block}{}", &text[..start], &text[end..]), "")
+    };
+    check(
+        &of("b := FALSE;"),
+        expect![[r#"
+        # EXECUTE is not read: a scan runs past it, and what it may write is not known. #
+        FUNCTION_BLOCK [$EXECUTE]
+        # ladder: unread #
+        # b := FALSE; #
+        END_FUNCTION_BLOCK
+
+        VAR
+            a : BOOL;
+            b : BOOL;
+        END_VAR
+
+        +--[ ]( a )----------------------------------------------[$EXECUTE]--( )( b )--+
+        approximated block EXECUTE: ST is not read: a scan runs past it, and what it may write is not known
+    "#]],
+    );
+    check(
+        &of("IF a THEN RETURN; END_IF;"),
+        expect![[r#"
+        # Main (LD) is not read: a scan runs past it, and what it may write is not known. #
+        FUNCTION_BLOCK [$MainLD]
+        # ladder: unread #
+        # \h EXECUTE is not read: a scan runs past it, and what it may write is not known. \h #
+        # FUNCTION_BLOCK [$EXECUTE] #
+        # \h ladder: unread \h #
+        # \h IF a THEN RETURN; END_IF; \h #
+        # END_FUNCTION_BLOCK #
+        #  #
+        # +--[ ]( a )----------------------------------------------[$EXECUTE]--( )( b )--+ #
+        END_FUNCTION_BLOCK
+
+        VAR
+            a : BOOL;
+            b : BOOL;
+        END_VAR
+
+        +-------------------------------------------------------------------[$MainLD]--+
+        approximated body of Main: LD is not read: a scan runs past it, and what it may write is not known
+    "#]],
+    );
+}
+
+#[test]
+fn blocks_that_nothing_declares() {
+    let main = program(
+        "a : BOOL\nn : INT\nt : TIME\nfilter : LibFilter\ndelay : TON\nq : BOOL",
+        "leftPowerRail 1
+         contact 2 from=1 a
+         inVariable 3 n
+         block 4 LibFilter filter EN=2 IN=3 / ENO OUT LATE HIGH
+         outVariable 5 from=4.OUT n
+         block 6 TON delay IN=4.HIGH PT=4.LATE / Q ET
+         coil 7 from=6 q",
+    );
+    check(
+        &project("", &main, ""),
+        expect![[r#"
+        # LibFilter is not read: a scan runs past it, and what it may write is not known. #
+        FUNCTION_BLOCK [$LibFilter]
+        VAR_INPUT
+            operands : STRING[254] := '';
+        END_VAR
+        # ladder: unread #
+        END_FUNCTION_BLOCK
+
+        VAR
+            a           : BOOL;
+            n           : INT;
+            t           : TIME;
+            delay       : TON;
+            q           : BOOL;
+            libfilter   : TIME;  # the result of LibFilter #
+            libfilter_2 : BOOL;  # the result of LibFilter #
+        END_VAR
+
+        +--[ ]( a )---[$LibFilter]( 'filter, IN := n, OUT => n, LATE => libfilter, HIGH => libfilter_2' )--+
+
+        +--[ ]( libfilter_2 )---------------------[TON]( delay, libfilter )--( )( q )--+
+        approximated variable filter: it holds the state of a block that is not read, and is left out with that
+        approximated LibFilter filter: neither the project nor ladder text has a block `LibFilter`: a scan runs past it, and what it may write is not known
+    "#]],
+    );
+}
+
+#[test]
+fn tasks_at_other_times() {
+    let of = |name: &str, body: &str| unit("program", name, "a : BOOL\nb : BOOL", body);
+    let fast = of(
+        "Fast",
+        &format!(
+            "<LD>{}</LD>",
+            short("leftPowerRail 1\ncontact 2 from=1 a\ncoil 3 from=2 shared")
+        ),
+    );
+    let once = of(
+        "Once",
+        &format!("<LD>{}</LD>", short("leftPowerRail 1\ncoil 2 from=1 shared")),
+    );
+    let text = of("Text", "<ST>shared := FALSE;</ST>");
+    let instances = r#"<configuration name="c"><resource name="r"><task name="fast" interval="T#20ms" priority="1"><pouInstance name="f" typeName="Fast"/></task>
+<task name="event" single="shared" priority="2"><pouInstance name="o" typeName="Once"/><pouInstance name="t" typeName="Text"/></task>
+<globalVars><variable name="shared"><type><BOOL/></type></variable><variable name="other"><type><BOOL/></type></variable></globalVars></resource></configuration>"#;
+    check(
+        &project("", &(fast + &once + &text), instances),
+        expect![[r#"
+        # ladder: cycle 20ms #
+
+        VAR_GLOBAL
+            shared : BOOL;
+            other  : BOOL;
+        END_VAR
+
+        # Text (ST) is not read: a scan runs past it, and what it may write is not known. #
+        FUNCTION_BLOCK [$TextST]
+        # ladder: unread, at any time #
+        # shared := FALSE; #
+        END_FUNCTION_BLOCK
+
+        # Once in task event: it runs when shared rises there, between any two networks of the other tasks. #
+        FUNCTION_BLOCK [$OnceInTaskEvent]
+        # ladder: unread, at any time, writes Once_a, Once_b, shared #
+        # when shared rises #
+        END_FUNCTION_BLOCK
+
+        # of Fast #
+        VAR
+            a : BOOL;
+            b : BOOL;
+        END_VAR
+
+        # of Once #
+        VAR
+            Once_a : BOOL;  # a in the project #
+            Once_b : BOOL;  # b in the project #
+        END_VAR
+
+        # of Text #
+        VAR
+            Text_a : BOOL;  # a in the project #
+            Text_b : BOOL;  # b in the project #
+        END_VAR
+
+        +----------------------------------------------------------[$OnceInTaskEvent]--+
+
+        +--------------------------------------------------------------<CALL>( Fast )--+
+
+        +--------------------------------------------------------------<CALL>( Once )--+
+
+        +--------------------------------------------------------------<CALL>( Text )--+
+
+        +--<FUN>( Fast )---------------------------------------------------------------+
+
+        +--[ ]( a )-----------------------------------------------------( )( shared )--+
+
+        +--<FUN>( Once )---------------------------------------------------------------+
+
+        +---------------------------------------------------------------( )( shared )--+
+
+        +--<FUN>( Text )---------------------------------------------------------------+
+
+        +-------------------------------------------------------------------[$TextST]--+
+        approximated variable a: it is spelled `Once_a` here
+        approximated variable b: it is spelled `Once_b` here
+        approximated body of Text: ST is not read: a scan runs past it, and what it may write is not known
+        approximated variable a: it is spelled `Text_a` here
+        approximated variable b: it is spelled `Text_b` here
+        approximated task event: it runs when shared rises there, and in every scan here
+    "#]],
+    );
+}
