@@ -1,6 +1,7 @@
 //! The unread parts of programs are named, once for each program.
 
 use crate::terminal;
+use crate::xml::attribute;
 use ladder_analysis::program::Program;
 use ladder_workspace::shown;
 use std::collections::BTreeSet;
@@ -17,6 +18,21 @@ pub(crate) fn note(file: &str, program: &Program) {
     if is_new {
         terminal::note(&message);
     }
+}
+
+/// Their names in a report in the form of JUnit.
+pub(crate) fn properties(names: &[String]) -> String {
+    if names.is_empty() {
+        return String::new();
+    }
+    let mut out = String::from("    <properties>\n");
+    for name in names {
+        let name = attribute(name);
+        out.push_str(&format!(
+            "      <property name=\"unread part\" value=\"{name}\"/>\n"
+        ));
+    }
+    out + "    </properties>\n"
 }
 
 /// Their names, for reports.

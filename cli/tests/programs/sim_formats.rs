@@ -51,6 +51,36 @@ fn svg() {
     check("svg", expect_file!["traces/kinds.svg"]);
 }
 
+/// Reports that machines read name what did nothing, too.
+#[test]
+fn unread_parts_are_named() {
+    let folder = Folder::with(&[
+        (
+            "u.clad",
+            "FUNCTION_BLOCK [$PART]\n# ladder: unread, writes b #\nEND_FUNCTION_BLOCK\n\n+--[$PART]--[ ]( b )--( )( y )--+\n",
+        ),
+        (
+            "u.ladder-test",
+            "program u.clad\n\nscenario \"one\"\ny => _\n\nproperty \"two\"\nnever y\n",
+        ),
+    ]);
+    let run = folder.ladder(&["sim", "u.clad", "--scans", "1", "--format", "json"]);
+    assert!(
+        run.stdout.contains("\n  \"unread_parts\": [\"PART\"],\n"),
+        "{}",
+        run.stdout
+    );
+    for command in ["test", "prove"] {
+        let junit = folder
+            .ladder(&[command, "u.ladder-test", "--format", "junit"])
+            .stdout;
+        assert!(
+            junit.contains("<property name=\"unread part\" value=\"PART\"/>"),
+            "{junit}"
+        );
+    }
+}
+
 /// Another reader than the one that wrote it agrees about the JSON, and both say the same as the CSV.
 #[test]
 fn json_says_what_csv_says() {

@@ -6,15 +6,18 @@ use ladder_analysis::values::types::Scalar;
 use ladder_generator::generator::Dice;
 use ladder_simulator::Point;
 
-/// Properties of some of a program's tags. None: it has errors.
+/// Properties of some of a program's tags. None: it has errors, or no tag to say anything of.
 pub(crate) fn properties(case: &Case, dice: &mut Dice) -> Option<String> {
     let simulation = case.opened()?;
     let points = simulation.points().iter().filter(|point| !point.read_only);
     let (bools, others): (Vec<&Point>, Vec<&Point>) = points.partition(|point| point.ty == Scalar::Bool);
     let is_compared = |point: &&Point| !matches!(point.ty, Scalar::Enum(_)) && !point.ty.is_string();
     let others: Vec<&Point> = others.into_iter().filter(is_compared).collect();
+    if bools.is_empty() && others.is_empty() {
+        return None;
+    }
     let holds = |dice: &mut Dice| {
-        if others.is_empty() || dice.one_in(2) {
+        if others.is_empty() || !bools.is_empty() && dice.one_in(2) {
             dice.of(&bools).name.clone()
         } else {
             let point = dice.of(&others);

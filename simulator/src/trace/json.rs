@@ -16,6 +16,15 @@ impl Write for Json {
         push_string(&header.program, out);
         out.push_str(",\n  \"interval_ms\": ");
         out.push_str(&value_text::milliseconds(header.interval));
+        for (index, name) in header.unread_parts.iter().enumerate() {
+            out.push_str(if index == 0 {
+                ",\n  \"unread_parts\": ["
+            } else {
+                ", "
+            });
+            push_string(name, out);
+        }
+        out.push_str(if header.unread_parts.is_empty() { "" } else { "]" });
         out.push_str(",\n  \"tags\": [");
         for (index, tag) in header.tags.iter().enumerate() {
             out.push_str(if index == 0 { "\n" } else { ",\n" });

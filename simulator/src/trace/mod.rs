@@ -37,6 +37,8 @@ struct Header {
     program: String,
     /// Nanoseconds from one scan to the next.
     interval: i64,
+    /// The names of what is not run, as no reader understood it.
+    unread_parts: Vec<String>,
     tags: Vec<Tag>,
 }
 
@@ -88,6 +90,11 @@ impl Trace {
         let header = Header {
             program: program.to_owned(),
             interval: simulation.options().interval,
+            unread_parts: simulation
+                .program()
+                .unread_parts()
+                .map(|(_, name, _)| name.to_owned())
+                .collect(),
             tags: tags.collect(),
         };
         let mut writer: Box<dyn Write> = match format {

@@ -2,6 +2,7 @@
 
 use super::file::{FileAnswers, PropertyAnswer};
 use crate::outcome::Outcome;
+use crate::run::unread;
 use crate::xml::{attribute, escaped};
 use ladder_prover::Verdict;
 use ladder_prover::drawn;
@@ -34,6 +35,7 @@ pub(super) fn write(
             failures(answers),
             answers.seconds
         )?;
+        out.write_all(unread::properties(&answers.unread_parts).as_bytes())?;
         for problem in &answers.problems {
             let place = &problem.place;
             writeln!(

@@ -3,6 +3,7 @@
 use super::mutation::Mutated;
 use super::report::FileReport;
 use super::{All, Writer};
+use crate::run::unread;
 use crate::xml::{attribute, escaped};
 use std::fmt::Write as _;
 use std::io::{self, Write};
@@ -84,6 +85,7 @@ impl Junit {
              skipped=\"0\" time=\"{:.6}\" file=\"{file}\">",
             report.seconds
         )?;
+        out.push_str(&unread::properties(&report.unread_parts));
         for problem in &report.problems {
             let place = &problem.place;
             writeln!(
