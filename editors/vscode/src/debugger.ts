@@ -5,6 +5,7 @@ import * as vscode from 'vscode';
 
 import { reasonOf } from '../../../panels/reason.ts';
 import { completed, expressionAt, type ActiveFile } from './debugConfiguration.ts';
+import { RefusedBreakpoints } from './refusedBreakpoints.ts';
 import type { Server } from './server.ts';
 import type { Simulation } from './simulation.ts';
 import { withLinesOnly } from './stackFrames.ts';
@@ -78,6 +79,7 @@ const programs: vscode.DebugConfigurationProvider = {
 /** Passes the messages of the editor's debugger to the session that the live view shows, and back. */
 class Bridge implements vscode.DebugAdapter {
     readonly #said = new vscode.EventEmitter<vscode.DebugProtocolMessage>();
+    readonly #refused = new RefusedBreakpoints();
     readonly #subscriptions: vscode.Disposable;
     readonly #server: Server;
     readonly #session: string;
@@ -91,8 +93,10 @@ class Bridge implements vscode.DebugAdapter {
         this.#session = session;
         this.#gone = gone;
         this.#subscriptions = vscode.Disposable.from(
+            this.#refused,
             server.onDebuggerSays((said) => {
                 if (said.session === session) {
+                    this.#refused.hears(said.message);
                     this.#said.fire(withLinesOnly(said.message));
                 }
             }),
@@ -101,6 +105,7 @@ class Bridge implements vscode.DebugAdapter {
     }
 
     handleMessage(message: vscode.DebugProtocolMessage): void {
+        this.#refused.asks(message);
         this.#server.tellDebugger({ session: this.#session, message });
     }
 

@@ -16,63 +16,60 @@ export const propertyId = (name: string) => `${PREFIX}"${name}"`;
 
 export const isProperty = ({ id }: vscode.TestItem) => id.startsWith(`${PREFIX}"`);
 
-/** Proves properties of a file: all of them together, if all are asked for. */
-export async function proveAll(
-    server: Server,
-    run: vscode.TestRun,
-    file: vscode.TestItem,
-    items: readonly vscode.TestItem[],
-    token: vscode.CancellationToken,
-): Promise<void> {
+/** Whom is asked, where it is reported, and what the scenarios of the same run show of properties that are violated, by their names. */
+export interface Proving {
+    readonly server: Server;
+    readonly run: vscode.TestRun;
+    readonly token: vscode.CancellationToken;
+    readonly shown: ReadonlyMap<string, readonly vscode.TestMessage[]>;
+}
+
+/** Proves properties of a file: all of them together, if all are asked for. One that a scenario violates has failed whether it is asked for or not. */
+export async function proveAll(proving: Proving, file: vscode.TestItem, items: readonly vscode.TestItem[]): Promise<void> {
+    const { run, shown } = proving;
     items.forEach((item) => run.started(item));
+    for (const [name, messages] of shown) {
+        const item = file.children.get(propertyId(name));
+        if (item && !items.includes(item)) {
+            run.failed(item, messages);
+        }
+    }
     const all = [...file.children].filter(([, item]) => isProperty(item)).length;
     if (items.length === all && all > 1) {
-        const proved = await ask(server, run, items, {}, token);
+        const proved = await ask(proving, items, {});
         for (const item of proved ? items : []) {
-            report(run, item, proved?.find(({ name }) => propertyId(name) === item.id));
+            report(proving, item, proved?.find(({ name }) => propertyId(name) === item.id));
         }
         return;
     }
     for (const item of items) {
-        await proveOne(server, run, item, token);
+        await proveOne(proving, item);
     }
 }
 
 /** Proves one property, and debugs the run that was found. */
-export async function debugProperty(
-    server: Server,
-    run: vscode.TestRun,
-    item: vscode.TestItem,
-    token: vscode.CancellationToken,
-): Promise<void> {
-    run.started(item);
-    const property = await proveOne(server, run, item, token);
+export async function debugProperty(proving: Proving, item: vscode.TestItem): Promise<void> {
+    proving.run.started(item);
+    const property = await proveOne(proving, item);
     const scenario = property?.scenario && scenariosOf(property.scenario)[0];
     if (item.uri && property && scenario) {
-        await debugOne(item.uri, scenario.name, token, property.scenario);
+        await debugOne(item.uri, scenario.name, proving.token, property.scenario);
     }
 }
 
-async function proveOne(
-    server: Server,
-    run: vscode.TestRun,
-    item: vscode.TestItem,
-    token: vscode.CancellationToken,
-): Promise<PropertyProved | undefined> {
-    const proved = await ask(server, run, [item], { name: item.label }, token);
+async function proveOne(proving: Proving, item: vscode.TestItem): Promise<PropertyProved | undefined> {
+    const proved = await ask(proving, [item], { name: item.label });
     if (proved) {
-        report(run, item, proved[0]);
+        report(proving, item, proved[0]);
     }
     return proved?.[0];
 }
 
 /** Asks the server; what goes wrong is told at each of the items. */
 async function ask(
-    server: Server,
-    run: vscode.TestRun,
+    { server, run, token, shown }: Proving,
     items: readonly vscode.TestItem[],
     only: { name?: string },
-    token: vscode.CancellationToken,
 ): Promise<readonly PropertyProved[] | undefined> {
     const uri = items[0]?.uri?.toString();
     if (uri === undefined) {
@@ -83,7 +80,10 @@ async function ask(
     } catch (error) {
         const isOvertaken = error instanceof ResponseError && error.code === LSPErrorCodes.ContentModified;
         for (const item of items) {
-            if (token.isCancellationRequested || isOvertaken) {
+            const violated = shown.get(item.label);
+            if (violated) {
+                run.failed(item, violated);
+            } else if (token.isCancellationRequested || isOvertaken) {
                 run.skipped(item);
             } else {
                 run.errored(item, new vscode.TestMessage(reasonOf(error)));
@@ -93,7 +93,7 @@ async function ask(
     }
 }
 
-function report(run: vscode.TestRun, item: vscode.TestItem, property: PropertyProved | undefined): void {
+function report({ run, shown }: Proving, item: vscode.TestItem, property: PropertyProved | undefined): void {
     if (!property) {
         run.errored(item, new vscode.TestMessage('The file has no such property any more.'));
         return;
@@ -104,7 +104,8 @@ function report(run: vscode.TestRun, item: vscode.TestItem, property: PropertyPr
     for (const line of [`${item.label}: ${sentence}`, ...(diagram ? diagram.split('\n') : [])]) {
         run.appendOutput(`${line}\r\n`, undefined, item);
     }
-    if (verdict === 'proved' || verdict === 'possible') {
+    const violated = shown.get(item.label) ?? [];
+    if (violated.length === 0 && (verdict === 'proved' || verdict === 'possible')) {
         run.passed(item);
         return;
     }
@@ -112,7 +113,9 @@ function report(run: vscode.TestRun, item: vscode.TestItem, property: PropertyPr
     if (item.uri && item.range) {
         message.location = new vscode.Location(item.uri, item.range.start);
     }
-    if (verdict === 'unknown') {
+    if (violated.length > 0) {
+        run.failed(item, verdict === 'violated' ? [message, ...violated] : violated);
+    } else if (verdict === 'unknown') {
         run.errored(item, message);
     } else {
         run.failed(item, message);

@@ -98,6 +98,28 @@ export function waysOf({ kind, on, off, matters }: Covered['parts'][number]): { 
     return [{ name: isOn, isSeen: on }, { name: isOff, isSeen: off }, ...shown];
 }
 
+/** The scenarios that show a property to be violated, by the name of the property, each with what it says of that. */
+export function violatedBy(scenarios: readonly ScenarioResult[]): Map<string, { scenario: ScenarioResult; message: string }[]> {
+    const found = new Map<string, { scenario: ScenarioResult; message: string }[]>();
+    for (const scenario of scenarios) {
+        for (const { property, message } of scenario.violations ?? []) {
+            found.set(property, [...(found.get(property) ?? []), { scenario, message }]);
+        }
+    }
+    return found;
+}
+
+/**
+ * What of a scenario is a failure of its own: all but the properties that it violates, each of which is one failure in its own
+ * place however many scenarios show it.
+ */
+export function ownFailure(scenario: ScenarioResult, hasPlace: (property: string) => boolean): { isFailure: boolean; violations: NonNullable<ScenarioResult['violations']> } {
+    const violations = (scenario.violations ?? []).filter(({ property }) => !hasPlace(property));
+    const isElsewhere = violations.length < (scenario.violations?.length ?? 0);
+    const isOwn = violations.length > 0 || scenario.differences.length > 0 || scenario.stopped_in_step !== undefined;
+    return { isFailure: !scenario.passed && (isOwn || !isElsewhere), violations };
+}
+
 /** The changes that no scenario notices, for the output of a run. */
 export function missedLines({ program, caught, missed, changes }: Mutated): string[] {
     const lines = changes

@@ -10,7 +10,7 @@ import { CoveredFile, details } from './scenarioCoverage.ts';
 import { debugProperty, isProperty, propertyId, proveAll } from './propertyProofs.ts';
 import { debugOne } from './scenarioDebugging.ts';
 import { propertiesOf, scenariosOf, type Scenario } from './scenarioFile.ts';
-import { report } from './scenarioReport.ts';
+import { report, violations } from './scenarioReport.ts';
 import type { Server } from './server.ts';
 
 const PATTERN = '**/*.ladder-test';
@@ -232,16 +232,15 @@ export class TestExplorer implements vscode.Disposable {
                     break;
                 }
                 const [properties, scenarios] = [items.filter(isProperty), items.filter((item) => !isProperty(item))];
-                if (scenarios.length > 0) {
-                    await this.#runFile(run, program, file, scenarios, options, token);
-                }
-                await proveAll(this.#server, run, file, properties, token);
+                const shown = scenarios.length > 0 ? await this.#runFile(run, program, file, scenarios, options, token) : new Map();
+                await proveAll({ server: this.#server, run, token, shown }, file, properties);
             }
         } finally {
             run.end();
         }
     }
 
+    /** @returns what the scenarios show of properties that are violated, by the names of these */
     async #runFile(
         run: vscode.TestRun,
         program: string | undefined,
@@ -249,14 +248,14 @@ export class TestExplorer implements vscode.Disposable {
         items: readonly vscode.TestItem[],
         options: readonly string[],
         token: vscode.CancellationToken,
-    ): Promise<void> {
+    ): Promise<ReadonlyMap<string, vscode.TestMessage[]>> {
         items.forEach((item) => run.started(item));
         if (!file.uri || program === undefined) {
             const why = vscode.workspace.isTrusted
                 ? 'There is no program "ladder"; the log says more ("Ladder: Show Log").'
                 : 'Nothing is run in a workspace that is not trusted.';
             items.forEach((item) => run.errored(item, new vscode.TestMessage(why)));
-            return;
+            return new Map();
         }
         const said = await execute(program, ['test', '--format', 'json', ...options, '--', file.uri.fsPath], token);
         let results: Results | undefined;
@@ -269,13 +268,14 @@ export class TestExplorer implements vscode.Disposable {
         if (!result) {
             const message = new vscode.TestMessage(said.stderr.trim() || 'The scenarios could not be run.');
             items.forEach((item) => (token.isCancellationRequested ? run.skipped(item) : run.errored(item, message)));
-            return;
+            return new Map();
         }
         const lines = (await textOf(file.uri)).split(/\r\n|\n|\r/);
         this.#showDifferences(file.uri, result, lines);
+        const ran = result.scenarios.filter(({ name }) => items.some(({ id }) => id === name));
         for (const item of items) {
-            const scenario = result.scenarios.find(({ name }) => name === item.id);
-            report(run, item, scenario, result, lines);
+            const scenario = ran.find(({ name }) => name === item.id);
+            report(run, item, scenario, result, lines, (property) => file.children.get(propertyId(property)) !== undefined);
         }
         for (const mutated of results?.mutation ?? []) {
             const program = vscode.workspace.asRelativePath(whole(mutated.program));
@@ -284,6 +284,7 @@ export class TestExplorer implements vscode.Disposable {
         for (const covered of results?.coverage ?? []) {
             run.addCoverage(new CoveredFile(vscode.Uri.file(whole(covered.file)), covered));
         }
+        return violations(file, { ...result, scenarios: ran });
     }
 
     /** The columns that differ, as findings in their file. */
@@ -310,7 +311,7 @@ export class TestExplorer implements vscode.Disposable {
                         return;
                     }
                     if (isProperty(item)) {
-                        await debugProperty(this.#server, run, item, token);
+                        await debugProperty({ server: this.#server, run, token, shown: new Map() }, item);
                         continue;
                     }
                     run.started(item);

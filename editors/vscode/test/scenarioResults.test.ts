@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { failingStretches, missedLines, unitsBefore, waysOf } from '../src/scenarioResults.ts';
+import { failingStretches, missedLines, ownFailure, unitsBefore, violatedBy, waysOf, type ScenarioResult } from '../src/scenarioResults.ts';
 import { scenariosOf } from '../src/scenarioFile.ts';
 
 test('the scenarios of a file, and where they end', () => {
@@ -51,4 +51,33 @@ test('changes that no scenario notices are told with one that would', () => {
         '    scenario "line 8"',
         '    pedal -',
     ]);
+});
+
+const violating = (name: string, more: Partial<ScenarioResult> = {}): ScenarioResult => ({
+    name,
+    line: 1,
+    passed: false,
+    seconds: 0,
+    differences: [],
+    violations: [{ property: 'not both', line: 3, column: 10, message: 'it is violated in scan 2' }],
+    faults: [],
+    ...more,
+});
+
+test('a property that several scenarios violate is one failure, with each of them', () => {
+    const found = violatedBy([violating('a'), violating('b'), violating('c', { passed: true, violations: [] })]);
+    assert.deepEqual([...found.keys()], ['not both']);
+    assert.deepEqual(found.get('not both')?.map(({ scenario }) => scenario.name), ['a', 'b']);
+});
+
+test('a scenario that only violates a property is no failure of its own', () => {
+    const difference = { tag: 'run', line: 2, column: 10, steps: [0], places: [], message: '' };
+    const fails = (scenario: ScenarioResult, hasPlace = true) => ownFailure(scenario, () => hasPlace).isFailure;
+    assert.equal(fails(violating('a')), false);
+    assert.equal(fails(violating('a', { differences: [difference] })), true);
+    assert.equal(fails(violating('a', { stopped_in_step: 1 })), true);
+    // A property that is not in the list would be lost.
+    assert.equal(fails(violating('a'), false), true);
+    assert.equal(fails(violating('a', { violations: [] })), true);
+    assert.equal(fails(violating('a', { passed: true, violations: [] })), false);
 });

@@ -13,6 +13,7 @@ use serde_json::{Value as Json, json};
 
 use super::asked::Asked;
 use super::attached::Lent;
+use super::breakpoint_requests;
 use super::breakpoints::Table;
 use super::capabilities::capabilities;
 use super::configuration::{BackBy, Configuration};
@@ -71,6 +72,8 @@ pub struct Adapter {
     pub(super) faults_seen: (u64, usize),
     /// The faults that were written.
     pub(super) faults_reported: HashSet<(Location, String)>,
+    /// After how many scans the last one was judged that was gone back into since.
+    pub(super) judged: Option<u64>,
     /// That the program has ended was shown.
     pub(super) end_is_shown: bool,
     /// How many requests wait that a long scan is given up for.
@@ -103,6 +106,7 @@ impl Adapter {
             stops_at_violations: true,
             faults_seen: (0, 0),
             faults_reported: HashSet::new(),
+            judged: None,
             end_is_shown: false,
             urgent,
             lent: None,
@@ -243,7 +247,9 @@ impl Adapter {
             }
             "threads" => Ok(json!({"threads": [{"id": THREAD, "name": "Scan"}]})),
             "setBreakpoints" => self.set_breakpoints(&request.arguments()?),
-            "setFunctionBreakpoints" | "setInstructionBreakpoints" => Ok(json!({"breakpoints": []})),
+            "setFunctionBreakpoints" | "setInstructionBreakpoints" => {
+                Ok(breakpoint_requests::not_by_name(&request.arguments))
+            }
             "breakpointLocations" => self.breakpoint_locations(&request.arguments()?),
             "dataBreakpointInfo" => self.data_breakpoint_info(&request.arguments()?),
             "setDataBreakpoints" => self.set_data_breakpoints(&request.arguments()?),
@@ -373,6 +379,7 @@ impl Adapter {
         self.configuration = configuration;
         self.faults_seen = (0, 0);
         self.faults_reported.clear();
+        self.judged = None;
         self.end_is_shown = false;
         for note in &notes {
             self.note(Some(note));
@@ -439,6 +446,7 @@ impl Adapter {
     /// The simulation was led to another scan: what was given and found there before is of another past.
     pub(super) fn led_elsewhere(&mut self) {
         self.faults_seen = (0, 0);
+        self.judged = None;
         self.end_is_shown = false;
         if let Some(target) = &mut self.target {
             target.give_again();

@@ -13,6 +13,16 @@ use super::messages::{
 use super::running::{EXPECTATIONS, FAULTS, PROPERTIES};
 use super::variables;
 
+/// The answer to breakpoints that are asked for by the name of a function or by an address.
+pub(super) fn not_by_name(arguments: &Json) -> Json {
+    let asked = arguments["breakpoints"].as_array().map_or(0, Vec::len);
+    let refused = json!({
+        "verified": false,
+        "message": "a breakpoint is in a line: set one at the first rung of the function or block",
+    });
+    json!({"breakpoints": vec![refused; asked]})
+}
+
 impl Adapter {
     /// Sets the places for the engine where it is to stop.
     pub(super) fn arm(&mut self) {

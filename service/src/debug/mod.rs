@@ -26,6 +26,7 @@ mod capabilities;
 mod condition;
 mod configuration;
 mod console;
+mod expectations;
 mod launch;
 mod marker;
 mod messages;

@@ -283,13 +283,15 @@ impl Adapter {
             return After::Go;
         };
         target.keep();
+        let scans = target.simulation().scans();
         if let Some(stopped) = self.fault_stop() {
             return After::Stop(stopped);
         }
-        let unmet = self.check_expectations();
-        let violated = self.check_properties();
-        if let Some(stopped) = unmet.or(violated) {
-            return After::Stop(stopped);
+        if self.judged != Some(scans) {
+            let violated = self.check_properties();
+            if let Some(stopped) = self.check_expectations().or(violated) {
+                return After::Stop(stopped);
+            }
         }
         let is_over = self.target.as_ref().is_some_and(|target| {
             target
@@ -298,33 +300,6 @@ impl Adapter {
                 .is_some_and(|play| play.is_over(&target.session))
         });
         if is_over { self.finish() } else { After::Go }
-    }
-
-    /// After a step of a scenario: what did not come out as expected.
-    fn check_expectations(&mut self) -> Option<Stopped> {
-        let target = self.target.as_mut()?;
-        let unmet = target.play.as_mut()?.unmet(&target.session);
-        let play = target.play.as_ref()?;
-        let first = unmet.first()?.clone();
-        let scan = target.simulation().scans().saturating_sub(1);
-        let step = play.step(scan);
-        let lines: Vec<(String, ladder_syntax::TextRange)> = unmet
-            .into_iter()
-            .map(|unmet| (format!("step {step}: {}\n", unmet.message), unmet.range))
-            .collect();
-        let description = format!(
-            "{} in step {step} ({})",
-            first.message,
-            play.file.place_name(first.range)
-        );
-        for (line, range) in lines {
-            self.write_in(&line, range, |target| target.play.as_ref().map(|play| &play.file));
-        }
-        let stops = self.stops_at_expectations && !self.configuration.no_debug;
-        stops.then(|| Stopped {
-            exception: Some(EXPECTATIONS),
-            ..Stopped::because("exception", description)
-        })
     }
 
     /// After a scan: which properties it violates that the one before did not.

@@ -1,6 +1,7 @@
 //! The call stack: what is open in the scan, from the innermost block out to the main program and the scenario.
 
-use ladder_simulator::{Activation, Routine};
+use ladder_analysis::program::{Location, Program};
+use ladder_simulator::{Activation, Routine, Status};
 use ladder_syntax::TextRange;
 use serde_json::{Value as Json, json};
 
@@ -8,11 +9,7 @@ use super::sources::Counting;
 use super::target::Target;
 
 /// The frames, the innermost first. `place` is where the innermost shows itself, if not where it goes on.
-pub(super) fn frames(
-    target: &Target,
-    place: Option<ladder_analysis::program::Location>,
-    counting: Counting,
-) -> Vec<Json> {
+pub(super) fn frames(target: &Target, place: Option<Location>, counting: Counting) -> Vec<Json> {
     let is_open = target.session.is_open();
     let mut frames = Vec::new();
     for (depth, activation) in target.activations().iter().enumerate() {
@@ -20,7 +17,10 @@ pub(super) fn frames(
         let source = target.source(location.file);
         let mut frame = json!({
             "id": depth + 1,
-            "name": name(target, activation, is_open),
+            "name": match place.filter(|_| depth == 0).and_then(|place| network_of(target, place)) {
+                Some(network) => name_after(target, activation, network, is_open),
+                None => name(target, activation, is_open),
+            },
             "source": source.json(),
         });
         extend(&mut frame, &counting.range(source, location.range));
@@ -51,8 +51,38 @@ fn extend(frame: &mut Json, range: &Json) {
 
 /// `main, rung in line 12`
 fn name(target: &Target, activation: &Activation, is_open: bool) -> String {
+    let routine = routine_name(target, activation);
+    if !is_open && target.simulation().status() != Status::Faulted {
+        return format!("{routine}, before scan {}", target.simulation().scans());
+    }
+    format!("{routine}, {}", rung(target, activation.network))
+}
+
+/// The same of a frame that shows a block of a network that was run: `main, rung in line 12, end of scan 3`
+fn name_after(target: &Target, activation: &Activation, network: usize, is_open: bool) -> String {
+    let routine = match routine_of(target.simulation().program(), network) {
+        routine if routine == activation.routine => routine_name(target, activation),
+        // It has gone back to what called it.
+        routine => routine_name(
+            target,
+            &Activation {
+                routine,
+                instance: None,
+                ..*activation
+            },
+        ),
+    };
+    let rung = rung(target, network);
+    if is_open || target.simulation().status() == Status::Faulted {
+        return format!("{routine}, {rung}");
+    }
+    let scan = target.simulation().scans().saturating_sub(1);
+    format!("{routine}, {rung}, end of scan {scan}")
+}
+
+fn routine_name(target: &Target, activation: &Activation) -> String {
     let program = target.simulation().program();
-    let routine = match activation.routine {
+    match activation.routine {
         Routine::Main => "main".to_owned(),
         Routine::Function(function) => program.functions[function].name.clone(),
         Routine::Block(block) => {
@@ -64,17 +94,36 @@ fn name(target: &Target, activation: &Activation, is_open: bool) -> String {
                 None => block.clone(),
             }
         }
-    };
-    let network = program.networks[activation.network].location;
-    let source = target.source(network.file);
-    let line = source.line(network.range.start()) + 1;
-    if !is_open && target.simulation().status() != ladder_simulator::Status::Faulted {
-        return format!("{routine}, before scan {}", target.simulation().scans());
     }
-    format!(
-        "{routine}, rung in line {line}{}",
-        comment_above(target, network.file, network.range)
-    )
+}
+
+/// The network that a block is in.
+fn network_of(target: &Target, place: Location) -> Option<usize> {
+    let mut networks = target.simulation().program().networks.iter();
+    networks.position(|network| {
+        network.location.file == place.file && network.location.range.contains_range(place.range)
+    })
+}
+
+/// What a network belongs to.
+fn routine_of(program: &Program, network: usize) -> Routine {
+    let is_in = |networks: &std::ops::Range<usize>| networks.contains(&network);
+    let function = program.functions.iter().position(|it| is_in(&it.networks));
+    let block = || program.blocks.iter().position(|it| is_in(&it.networks));
+    match function
+        .map(Routine::Function)
+        .or_else(|| block().map(Routine::Block))
+    {
+        Some(routine) => routine,
+        None => Routine::Main,
+    }
+}
+
+/// `rung in line 12: what a comment above it says`
+fn rung(target: &Target, network: usize) -> String {
+    let Location { file, range } = target.simulation().program().networks[network].location;
+    let line = target.source(file).line(range.start()) + 1;
+    format!("rung in line {line}{}", comment_above(target, file, range))
 }
 
 /// What a comment directly above a rung says, if it is short.

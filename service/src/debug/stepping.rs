@@ -132,6 +132,7 @@ impl Adapter {
     /// Goes back by a block, a rung or a scan.
     pub(super) fn step_back_by(&mut self, by: BackBy) -> Result<(), String> {
         self.forget_stop();
+        self.judged = None;
         self.end_is_shown = false;
         let went = self.go_back(by)?;
         self.stop(if went {
@@ -195,6 +196,7 @@ impl Adapter {
     pub(super) fn run_back(&mut self) -> Result<(), String> {
         self.target()?;
         self.forget_stop();
+        self.judged = None;
         self.end_is_shown = false;
         self.going = Some(Going::Back);
         Ok(())

@@ -3,6 +3,7 @@
 use super::Session;
 use super::why::{Inquiry, Why, Writers};
 use crate::tags::Point;
+use ladder_analysis::program::Location;
 
 impl Session {
     /// Why a point holds what it holds now.
@@ -10,7 +11,17 @@ impl Session {
         self.inquire(point).0
     }
 
-    /// The same, and how many kept scans were gone back over for it.
+    /// The blocks outside of bodies that may write a point, in the order of the program.
+    pub fn writers_of(&self, point: &Point) -> Vec<Location> {
+        let writers = self.writers.get_or_init(|| Writers::of(&self.simulation));
+        let program = self.simulation.program();
+        let blocks = writers.of_point(&self.simulation, point).into_iter();
+        blocks
+            .map(|at| program.networks[at.network].blocks[at.block].location)
+            .collect()
+    }
+
+    /// Why a point holds what it holds, and how many kept scans were gone back over for it.
     pub(super) fn inquire(&mut self, point: &Point) -> (Why, usize) {
         let state = self.simulation.state();
         let faults = self.simulation.machine.faults.len();

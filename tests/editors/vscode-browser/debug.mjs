@@ -150,6 +150,24 @@ export async function debug(page, { step, until, weights, screenshot }) {
         await page.locator('.monaco-editor .view-line', { hasText: '[GE]' }).click();
         await page.keyboard.press('F9');
     });
+    await step('a condition on a tag that is unknown is refused, with the reason next to it', async () => {
+        await page.locator('.monaco-editor .view-line', { hasText: '[P]' }).click();
+        await command(page, 'Debug: Add Conditional Breakpoint...');
+        await page.locator('.breakpoint-widget .monaco-editor').click();
+        await page.keyboard.type('nix > 3');
+        await page.keyboard.press('Control+Enter');
+        await page.keyboard.press('Enter');
+        await page.locator('.codicon-debug-breakpoint-unverified').first().waitFor();
+        const reason = () => page.evaluate(() => {
+            const spans = [...document.querySelectorAll('.monaco-editor .view-line span')];
+            return spans.map((span) => getComputedStyle(span, '::after').content).find((content) => content.includes('nix')) ?? '';
+        });
+        await until('the reason', async () => /Breakpoint:.there.is.no.tag.`nix`/.test(await reason()));
+        await screenshot(page, 'debug-refused');
+        await page.locator('.monaco-editor .view-line', { hasText: '[P]' }).click();
+        await page.keyboard.press('F9');
+        await until('no reason', async () => (await reason()) === '');
+    });
     await step('a run stops where a tag changes', async () => {
         await expand(page, 'Internal');
         await fromMenu(page, 'presses', 'Break on Value Change');
@@ -205,6 +223,13 @@ export async function debug(page, { step, until, weights, screenshot }) {
         await page.keyboard.press('F5');
         await stack.getByText('scenario "stop does nothing", step 3').waitFor();
         await screenshot(page, 'debug-scenario-at-cursor');
+    });
+    await step('it stops at the coil that is wrong, in its scan, with the first scope open', async () => {
+        await page.locator('.tab.active', { hasText: 'motor.clad' }).waitFor();
+        await page.locator('.exception-widget').getByText('run is FALSE, expected TRUE in step 3').waitFor();
+        await stack.getByText('main, rung in line').waitFor();
+        await page.getByText('Ladder: paused, scan 3').waitFor();
+        await until('a scope that is open', async () => (await page.locator('.debug-variables .monaco-list-row[aria-expanded="true"]').count()) > 0);
         await page.keyboard.press('Shift+F5');
         await page.locator('.debug-toolbar').waitFor({ state: 'hidden' });
     });

@@ -6,7 +6,25 @@ import { command, open } from './palette.mjs';
 /** The properties, one of which is violated. */
 export const FILE = 'shutter.ladder-test';
 
+/** Two scenarios that violate the same property. */
+const SHOWN = 'ways.ladder-test';
+
 export const files = {
+    [SHOWN]: `program shutter.clad
+
+property "it goes"
+always up or not go_up
+
+scenario "down, then up"
+go_down  --
+go_up    _-
+down  => --
+
+scenario "up later"
+go_down  ---
+go_up    __-
+down  => ---
+`,
     'shutter.clad': `VAR_INPUT
     go_up, go_down : BOOL;
 END_VAR
@@ -74,5 +92,18 @@ export async function proofs(page, { step, until, screenshot }) {
         await lenses.first().click();
         await mark('passed').first().waitFor();
         assert.equal(await mark('failed').count(), 0);
+    });
+    await step('a property that two scenarios violate is one failure, with both of them', async () => {
+        await open(page, SHOWN);
+        await editor.locator('.testing-run-glyph').nth(2).waitFor();
+        await command(page, 'Test: Run Tests in Current File');
+        await mark('failed').first().waitFor();
+        await until('two that passed', async () => (await mark('passed').count()) === 2);
+        assert.equal(await mark('failed').count(), 1);
+        const panel = page.locator('.part.panel');
+        for (const name of ['down, then up', 'up later']) {
+            await panel.locator('.monaco-list-row', { hasText: `scenario "${name}"` }).first().waitFor();
+        }
+        await screenshot(page, 'proofs-shown');
     });
 }

@@ -1,8 +1,10 @@
 //! Sessions with the adapter, message by message.
 
 mod compound;
+mod expectations;
 mod hostile;
 mod properties;
+mod refused;
 mod watches;
 
 use std::sync::atomic::AtomicUsize;

@@ -75,7 +75,7 @@ impl Writers {
     }
 
     /// The blocks outside of bodies that may write a point, themselves or in their bodies.
-    pub(super) fn of_point(&self, simulation: &Simulation, point: &Point) -> Vec<BlockAt> {
+    pub(in crate::session) fn of_point(&self, simulation: &Simulation, point: &Point) -> Vec<BlockAt> {
         let mut blocks = self.of_tag(place::tag_of(simulation, point)).to_vec();
         blocks.extend(self.of_tag(place::holder_of(simulation, point)));
         if point.name.starts_with('$') {
