@@ -19,6 +19,9 @@ export interface SimulationEvents {
     stopped(range: Range): void;
 }
 
+/** So many states of sessions that are not known yet are kept. */
+const MOST_EARLY = 4;
+
 export class Simulation {
     session: Session<OpenText> | undefined;
     /** The lines with a breakpoint, from 0. */
@@ -32,6 +35,8 @@ export class Simulation {
     readonly #send: Send = (name, argument) => this.#server.simulate(name, argument);
     #speed: Speed = { speed: 1 };
     #isAnnounced = false;
+    /** States that came before the answer that tells of their session. */
+    #early: readonly State[] = [];
 
     constructor(server: Server, program: OpenText, events: SimulationEvents) {
         this.#server = server;
@@ -66,9 +71,8 @@ export class Simulation {
         if (!session) {
             return;
         }
-        this.session = session;
+        this.#begin(session);
         session.notes.forEach((note) => this.#events.message(note));
-        this.#announce();
         await this.#sendBreakpoints();
         this.look();
         if (!isPaused) {
@@ -85,13 +89,21 @@ export class Simulation {
         if (!started) {
             return;
         }
-        this.session = new Session(this.#program, started, shown, this.#send);
-        this.#announce();
+        this.#begin(new Session(this.#program, started, shown, this.#send));
         this.look();
         const { session } = started;
         this.#server.debug(session, 1, 'initialize', { adapterID: 'ladder' });
         this.#server.debug(session, 2, 'launch', launch);
         this.#server.debug(session, 3, 'configurationDone');
+    }
+
+    /** Shows a session. The server sends no more of it until the state that came first is on the screen. */
+    #begin(session: Session<OpenText>): void {
+        this.session = session;
+        this.#announce();
+        const early = this.#early.filter((state) => state.session === session.id);
+        this.#early = [];
+        early.forEach((state) => this.receive(state));
     }
 
     /** The debugger that plays a scenario has come to its end: the simulation stays where it is. */
@@ -215,6 +227,7 @@ export class Simulation {
     receive(state: State): void {
         const { session } = this;
         if (session?.id !== state.session) {
+            this.#early = [...this.#early.slice(1 - MOST_EARLY), state];
             return;
         }
         session.seen = state.commands ?? 0;

@@ -47,6 +47,7 @@ export async function proving(site) {
         await violated.getByRole('button', { name: 'Play this run' }).click();
         await it.page.locator('#message', { hasText: 'both never' }).waitFor();
         await it.standing('paused');
+        await it.until('the scan of the stop', async () => /scan [1-9]/.test(await it.page.locator('.standing').textContent()));
         await it.tab('tags');
         for (const tag of ['up', 'down']) {
             await it.until(`${tag} to be on`, async () => (await it.page.locator('#tags').getByRole('switch', { name: tag, exact: true }).getAttribute('aria-checked')) === 'true');
