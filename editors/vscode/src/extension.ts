@@ -14,7 +14,7 @@ import { showPower } from './decorations.ts';
 import { DiagramEditors } from './diagram/editor.ts';
 import { showFaults } from './faults.ts';
 import { FilledSnippet } from './filledSnippet.ts';
-import { linksInHovers } from './hover.ts';
+import { liveHovers } from './hover.ts';
 import { lensesFollow } from './lenses.ts';
 import { Fences } from './markdown/fences.ts';
 import { showLibraryBlocks } from './libraryBlocks.ts';
@@ -78,7 +78,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         registerTasks(server),
         tests,
         lensesFollow(server, simulation),
-        linksInHovers(simulation),
+        liveHovers(server, simulation),
         showPower(simulation),
         showFaults(simulation),
         showStatus(simulation),

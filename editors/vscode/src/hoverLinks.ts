@@ -12,6 +12,9 @@ export const LINKED = [
     'ladder.trace.add',
 ] as const;
 
+/** Shows all that is known of what is under the pointer. */
+export const MORE = 'ladder.hover.more';
+
 function link(title: string, command: (typeof LINKED)[number], { name }: Tag): string {
     return `[${title}](command:${command}?${encodeURIComponent(JSON.stringify([{ name }]))})`;
 }
@@ -32,4 +35,10 @@ export function hoverLinks(tags: readonly Tag[]): string {
         return `\`${tag.name}\` = ${escaped(tag.text)}: ${links.join(' · ')}`;
     });
     return lines.join('\n\n');
+}
+
+/** The line below them: why the value is what it is, and the way to the rest, for which its command is given what is in `more`. */
+export function reasonLine(reason: string | undefined, more: readonly object[] | undefined): string {
+    const rest = more && `[More](command:${MORE}?${encodeURIComponent(JSON.stringify(more))})`;
+    return [reason === undefined ? '' : escaped(reason), rest ?? ''].filter(Boolean).join(' · ');
 }

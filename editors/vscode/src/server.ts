@@ -73,6 +73,8 @@ export class Server implements vscode.Disposable {
     readonly onDebuggerSays = this.#debuggerSaid.event;
     /** Whether a simulation of a document is open. */
     isSimulated: (document: vscode.TextDocument) => boolean = () => false;
+    /** Whether a hover has a value of a running program alone. */
+    isBrief: (document: vscode.TextDocument, position: vscode.Position) => boolean = () => false;
     /** The server runs, for the first time or again. */
     readonly onDidStart = this.#started.event;
     /** The server has ended, wanted or not: its sessions are gone. */
@@ -166,6 +168,8 @@ export class Server implements vscode.Disposable {
                 middleware: {
                     provideCompletionItem: async (document, position, context, token, next) =>
                         followed(await next(document, position, context, token)),
+                    provideHover: (document, position, token, next) =>
+                        this.isBrief(document, position) ? undefined : next(document, position, token),
                     provideCodeLenses: (document, token, next) => lensesOf(document, token, next, this.isSimulated(document)),
                     provideOnTypeFormattingEdits: async (document, position, character, options, token, next) => {
                         await this.#typedAhead.typed(

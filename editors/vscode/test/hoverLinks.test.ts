@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import type { Tag } from '../../../panels/protocol.ts';
-import { hoverLinks } from '../src/hoverLinks.ts';
+import { hoverLinks, reasonLine } from '../src/hoverLinks.ts';
 
 const tag = (more: Partial<Tag>): Tag => ({ name: 'start', type: 'BOOL', value: false, text: '0', role: 'input', forced: false, ...more });
 const titles = (markdown: string) => [...markdown.matchAll(/\[([^\]]+)\]\(command:([.\w]+)/g)].map(([, title, command]) => `${title} ${command}`);
@@ -25,4 +25,12 @@ test('what is forced can be released, a number is set, a constant is neither', (
 
 test('a value is no Markdown', () => {
     assert.ok(hoverLinks([tag({ type: 'STRING', value: '*[x](y)*', text: '*[x](y)*' })]).includes('\\*\\[x\\]\\(y\\)\\*'));
+});
+
+test('below the value is why, and the way to the rest', () => {
+    const line = reasonLine('lamp is 1: [ ]( run ) is *on*', [{ line: 3 }]);
+    assert.ok(!line.includes('*on*'));
+    assert.deepEqual(titles(line), ['More ladder.hover.more']);
+    assert.equal(reasonLine(undefined, undefined), '');
+    assert.equal(line.split('\n').length, 1);
 });

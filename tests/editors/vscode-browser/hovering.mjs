@@ -24,7 +24,10 @@ export async function hovering(page, { step, until, screenshot }) {
     /** Where a text is on the page. */
     const placeOf = async (name) => {
         const span = line(`( ${name}`).locator('> span');
-        const { x, y, width } = await span.boundingBox();
+        let box;
+        // A line that is drawn again just then has no place.
+        await until(`the place of ${name}`, async () => (box = await span.boundingBox()) !== null);
+        const { x, y, width } = box;
         const text = await span.textContent();
         return { x: x + (width / text.length) * (text.indexOf(name) + 1.5), y: y + 9 };
     };
@@ -58,8 +61,8 @@ export async function hovering(page, { step, until, screenshot }) {
     await page.waitForTimeout(2000);
     await screenshot(page, 'flicker');
     for (const [what, name, value] of [
-        ['contact that changes with each scan', 'flip6', /flip6 is [01]/],
-        ['timer whose value is above its line', 'since', /since\.ET is (T#)?\d/],
+        ['contact that changes with each scan', 'flip6', /flip6 = [01]/],
+        ['timer whose value is above its line', 'since', /since\.ET = (T#)?\d/],
     ]) {
         await step(`one movement of the pointer shows the value of a ${what}, each of ${TIMES} times`, async () => {
             assert.equal(await shown(name, value), TIMES);
@@ -86,6 +89,21 @@ export async function hovering(page, { step, until, screenshot }) {
             const isOn = (await page.locator('.monaco-list-row', { hasText: 'flip6' }).first().textContent()).endsWith('1');
             return (isOn ? /bold$/ : /thin$/).test((await parts()).at(-1));
         });
+    });
+    await step('the hover of a program that is paused is its value and why, and all of it when that is asked for', async () => {
+        const { x, y } = await placeOf('late');
+        await page.mouse.move(x, y);
+        await hover(/late = 0/).waitFor();
+        const text = async () => (await page.locator('.monaco-hover:visible').allTextContents()).join(' ');
+        await until('why', async () => /late is 0/.test(await text()));
+        assert.doesNotMatch(await text(), /BOOL/);
+        await screenshot(page, 'hover-brief');
+        await page.locator('.monaco-hover:visible a', { hasText: 'More' }).click();
+        await hover(/BOOL/).waitFor();
+        await screenshot(page, 'hover-more');
+        await page.mouse.move(2, 2);
+        await page.keyboard.press('Escape');
+        await page.locator('.monaco-hover:visible').first().waitFor({ state: 'detached' });
     });
     await line('since').click();
     await page.keyboard.press('Shift+F5');

@@ -106,7 +106,7 @@ export async function running(page, { step, until, weights, row, screenshot }) {
         await page.keyboard.press('Escape');
     });
     await step('the pointer shows a value that changes while the program runs', async () => {
-        const value = page.locator('.monaco-hover', { hasText: /since\.ET is (T#)?\d/ }).first();
+        const value = page.locator('.monaco-hover', { hasText: /since\.ET = (T#)?\d/ }).first();
         await page.mouse.move(0, 0);
         await line('( since').getByText('since', { exact: false }).first().hover();
         await value.waitFor();
