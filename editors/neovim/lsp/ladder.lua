@@ -1,15 +1,19 @@
 -- What `vim.lsp.enable('ladder')` starts. Change parts of it with `vim.lsp.config('ladder', { ... })`.
 return {
   cmd = { require('ladder.program').command('ladder'), 'lsp' },
-  filetypes = { 'clad', 'ladderclick', 'laddertest', 'toml' },
+  filetypes = { 'clad', 'ladderclick', 'ladderforeign', 'laddertest', 'toml', 'xml' },
   -- Only what a person has called a Click program is one for the server: files in Python are not sent.
   get_language_id = function(_, filetype)
     return filetype == 'ladderclick' and 'ladder-click' or filetype
   end,
-  -- Of all files in TOML only ladder.toml is the server's. A program without a project gets a server too.
+  -- Of all files in TOML only ladder.toml is the server's, of those in XML only programs. A program without a project gets a
+  -- server too.
   root_dir = function(bufnr, attach)
     local name = vim.fs.basename(vim.api.nvim_buf_get_name(bufnr))
-    if vim.bo[bufnr].filetype ~= 'toml' or name == 'ladder.toml' then
+    local filetype = vim.bo[bufnr].filetype
+    local is_other = (filetype == 'toml' and name ~= 'ladder.toml')
+      or (filetype == 'xml' and not require('ladder.click').is_foreign(bufnr))
+    if not is_other then
       attach(vim.fs.root(bufnr, { 'ladder.toml', '.git' }))
     end
   end,

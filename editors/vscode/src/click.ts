@@ -1,12 +1,10 @@
-// Click programs in Python: opened as such when a person says so, with their diagram next to them.
+// Programs of other systems, with their diagram next to them. One in Python is opened as such when a person says so.
 import * as vscode from 'vscode';
 
 import { reasonOf } from '../../../panels/reason.ts';
 import { drawingOf, Drawings, SCHEME } from './drawings.ts';
+import { CLICK, isForeign } from './foreignProgram.ts';
 import type { Server } from './server.ts';
-
-/** The language of a Python file that is a Click program. */
-export const CLICK = 'ladder-click';
 
 export class Click implements vscode.Disposable {
     readonly #server: Server;
@@ -29,8 +27,10 @@ export class Click implements vscode.Disposable {
                 }
             }),
             server.onDidStart(() => void this.#followAgain()),
+            vscode.window.onDidChangeActiveTextEditor(markForeign),
             vscode.workspace.onDidCloseTextDocument((document) => this.#drawings.end(document.uri.toString())),
         );
+        markForeign(vscode.window.activeTextEditor);
     }
 
     /** The Python file of the active editor is a Click program from now on. */
@@ -38,13 +38,14 @@ export class Click implements vscode.Disposable {
         const document = vscode.window.activeTextEditor?.document;
         if (document?.languageId === 'python') {
             await vscode.languages.setTextDocumentLanguage(document, CLICK);
+            markForeign(vscode.window.activeTextEditor);
         }
     }
 
-    /** Shows the diagram of the active editor's program next to it. */
+    /** Shows the ladder text of the active editor's program next to it. */
     async preview(): Promise<void> {
         const document = vscode.window.activeTextEditor?.document;
-        if (document?.languageId === CLICK) {
+        if (document && isForeign(document)) {
             await this.show(document);
         }
     }
@@ -70,11 +71,16 @@ export class Click implements vscode.Disposable {
 
     /** A server that was started again knows of no drawing. */
     async #followAgain(): Promise<void> {
-        for (const { languageId, uri } of vscode.workspace.textDocuments) {
-            if (languageId === CLICK && this.#drawings.has(uri.toString())) {
+        for (const { uri } of vscode.workspace.textDocuments.filter(isForeign)) {
+            if (this.#drawings.has(uri.toString())) {
                 // One that cannot be read now is marked by its diagnostics.
                 await this.#server.execute('ladder.preview', { uri: uri.toString() }).catch(() => undefined);
             }
         }
     }
+}
+
+/** Menus ask for this: only the content of an XML file shows whether it is a program. */
+function markForeign(editor: vscode.TextEditor | undefined): void {
+    void vscode.commands.executeCommand('setContext', 'ladder.foreign', editor !== undefined && isForeign(editor.document));
 }

@@ -3,8 +3,9 @@ import * as vscode from 'vscode';
 
 import type { Speed, Tag } from '../../../panels/protocol.ts';
 import type { WhyRow } from '../../../panels/whyTree.ts';
-import { CLICK, type Click } from './click.ts';
+import type { Click } from './click.ts';
 import { convert, exportAs } from './conversion.ts';
+import { isForeign } from './foreignProgram.ts';
 import type { ComparePanels } from './compare/panel.ts';
 import type { CrossReferenceView } from './crossReferenceView.ts';
 import type { DiagramEditors } from './diagram/editor.ts';
@@ -122,10 +123,10 @@ async function setSpeed(simulation: Simulation): Promise<void> {
     }
 }
 
-/** Starts a simulation; of a Click program that of its diagram, which shows the power. */
+/** Starts a simulation; of a program of another system that of its ladder text, which shows the power. */
 async function start(click: Click, simulation: Simulation): Promise<void> {
     const document = vscode.window.activeTextEditor?.document;
-    if (document?.languageId !== CLICK) {
+    if (!document || !isForeign(document)) {
         await simulation.start();
         return;
     }
@@ -133,6 +134,13 @@ async function start(click: Click, simulation: Simulation): Promise<void> {
     if (drawing) {
         await simulation.start(drawing);
     }
+}
+
+/** Opens a diagram; of a program of another system that of its ladder text. */
+async function openDiagram(click: Click, diagrams: DiagramEditors, given?: unknown): Promise<void> {
+    const document = vscode.window.activeTextEditor?.document;
+    const drawing = !(given instanceof vscode.Uri) && document && isForeign(document) ? await click.show(document) : undefined;
+    await diagrams.open(drawing?.uri ?? given);
 }
 
 export interface Views {
@@ -168,7 +176,7 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.simulation.pulse': (tag) => pulse(simulation, tag),
         'ladder.simulation.forceOn': (tag) => forceTo(simulation, tag, true),
         'ladder.simulation.forceOff': (tag) => forceTo(simulation, tag, false),
-        'ladder.openDiagram': (uri) => views.diagrams.open(uri),
+        'ladder.openDiagram': (uri) => openDiagram(click, views.diagrams, uri),
         'ladder.compareWithHead': (given) => views.compare.open(given),
         'ladder.diagram.reveal': (context) => views.diagrams.reveal(context),
         'ladder.diagram.breakpoint': (context) => views.diagrams.toggleBreakpoint(context),

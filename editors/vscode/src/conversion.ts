@@ -5,12 +5,34 @@ import { posix } from 'node:path';
 import * as vscode from 'vscode';
 
 import { hasReport, report, summary } from '../../../panels/conversionReport.ts';
+import type { Converted } from '../../../panels/protocol.ts';
 import { reasonOf } from '../../../panels/reason.ts';
+import { freshName } from './freshName.ts';
 import type { Server } from './server.ts';
 
 /** The file of a menu, else that of the active editor. */
 function target(given: unknown): vscode.Uri | undefined {
     return given instanceof vscode.Uri ? given : vscode.window.activeTextEditor?.document.uri;
+}
+
+/** Shows what became of a program, as a file next to it that is called as the program and not written yet. */
+async function show(program: vscode.Uri, { text, to, extension }: Converted): Promise<void> {
+    const folder = vscode.Uri.joinPath(program, '..');
+    const { name: stem } = posix.parse(program.path);
+    const files = await vscode.workspace.fs.readDirectory(folder).then(
+        (entries) => entries.map(([name]) => name),
+        () => [],
+    );
+    const open = vscode.workspace.textDocuments.map((document) => posix.basename(document.uri.path));
+    const name = freshName(`${stem}.${extension}`, [...files, ...open]);
+    // A path of a folder, so that it is saved there; a program that is no file has none.
+    const path = program.scheme === 'file' ? vscode.Uri.joinPath(folder, name).path : name;
+    const shown = await vscode.workspace.openTextDocument(vscode.Uri.from({ scheme: 'untitled', path }));
+    const edit = new vscode.WorkspaceEdit();
+    edit.insert(shown.uri, new vscode.Position(0, 0), text);
+    await vscode.workspace.applyEdit(edit);
+    await vscode.languages.setTextDocumentLanguage(shown, to === 'clad' ? 'clad' : 'plaintext');
+    await vscode.window.showTextDocument(shown, { preview: false });
 }
 
 /** Writes a program in another notation and shows it. */
@@ -20,9 +42,7 @@ async function translate(server: Server, uri: vscode.Uri, to: string): Promise<v
     const changed = document && document.languageId !== 'clad' && (document.isDirty || document.isUntitled);
     const argument = { uri: uri.toString(), to, ...(changed ? { text: document.getText() } : {}) };
     const converted = await server.execute('ladder.convert', argument);
-    const language = converted.to === 'clad' ? 'clad' : 'plaintext';
-    const content = converted.text;
-    await vscode.window.showTextDocument(await vscode.workspace.openTextDocument({ content, language }), { preview: false });
+    await show(uri, converted);
     const file = posix.basename(uri.path);
     const showReport = 'Show Report';
     const tell = converted.refused > 0 ? vscode.window.showWarningMessage : vscode.window.showInformationMessage;

@@ -21,6 +21,7 @@ import {
 import { reasonOf } from '../../../panels/reason.ts';
 import type { Send } from '../../../panels/session.ts';
 import { followed } from './filledSnippet.ts';
+import { FOREIGN_FILES } from './foreignProgram.ts';
 import { lensCommands, lensesOf } from './lenses.ts';
 import { offer, whenThere } from './missingServer.ts';
 import { libraryAddresses } from './libraryBlocks.ts';
@@ -159,6 +160,7 @@ export class Server implements vscode.Disposable {
                     { language: 'ladder-click' },
                     { language: 'ladder-test' },
                     { pattern: '**/ladder.toml' },
+                    ...FOREIGN_FILES.map((pattern) => ({ pattern })),
                 ],
                 outputChannel: this.log,
                 errorHandler: {

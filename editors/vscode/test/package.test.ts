@@ -3,6 +3,8 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
+import { FOREIGN_FILES } from '../src/foreignProgram.ts';
+
 const read = (name: string) => readFileSync(new URL(`../${name}`, import.meta.url), 'utf8');
 const manifest = JSON.parse(read('package.json'));
 const language = JSON.parse(read('language-configuration.json'));
@@ -83,13 +85,15 @@ test('an untrusted workspace runs nothing', () => {
     assert.doesNotMatch(read('src/server.ts'), /command: '/);
 });
 
-test('the server gets programs, scenarios and ladder.toml, and no other file in TOML', () => {
+test('the server gets programs, scenarios, ladder.toml and programs of other systems, and no other file in TOML', () => {
     const [, selector] = /documentSelector: (\[.*?\]),\n/s.exec(read('src/server.ts')) ?? [];
-    assert.deepEqual(eval(selector ?? ''), [
+    const patterns = FOREIGN_FILES.map((pattern) => ({ pattern }));
+    assert.deepEqual(new Function('FOREIGN_FILES', `return ${selector}`)(FOREIGN_FILES), [
         { language: 'clad' },
         { language: 'ladder-click' },
         { language: 'ladder-test' },
         { pattern: '**/ladder.toml' },
+        ...patterns,
     ]);
 });
 

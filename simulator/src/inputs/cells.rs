@@ -33,3 +33,10 @@ pub fn with_point(cell: &str) -> String {
         cell.replace(',', ".")
     }
 }
+
+/// A duration as spreadsheets write one, with a point and without blanks before its units: `1,5 s` is 1.5s.
+pub fn duration_with_point(cell: &str) -> String {
+    let mut text = with_point(cell);
+    text.retain(|c| !c.is_whitespace());
+    text
+}

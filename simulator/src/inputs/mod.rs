@@ -11,7 +11,7 @@ use ladder_analysis::values::value::Value;
 use std::fmt;
 use table::Table;
 
-pub use cells::{table_cells, with_point};
+pub use cells::{duration_with_point, table_cells, with_point};
 
 /// Why a table of inputs cannot be used: its file, the row and the column, and what is wrong there.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -102,9 +102,11 @@ impl Inputs {
     }
 
     fn value(&self, cell: &str, point: &Point) -> Result<Value, String> {
-        if self.table.has_decimal_commas && (point.ty.is_real() || point.ty == Scalar::Time) {
-            return value_text::parse(&with_point(cell), point.ty);
+        let ty = point.ty;
+        match self.table.has_decimal_commas {
+            true if ty.is_real() => value_text::parse(&with_point(cell), ty),
+            true if ty == Scalar::Time => value_text::parse(&duration_with_point(cell), ty),
+            _ => value_text::parse(cell, ty),
         }
-        value_text::parse(cell, point.ty)
     }
 }

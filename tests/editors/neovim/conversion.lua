@@ -9,7 +9,8 @@ return function(t, messages)
     end)
     local lines = vim.api.nvim_buf_get_lines(0, 0, -1, false)
     t.equal('the last line', '|  /--[ ]( Q0 )--[ ]( M1 )--/                                                  |', lines[#lines])
-    t.equal('its file', '', vim.api.nvim_buf_get_name(0))
+    -- There is a motor.clad already.
+    t.equal('its name', 'motor-2.clad', vim.fs.basename(vim.api.nvim_buf_get_name(0)))
     t.equal('the message', 'ladder: 4 translated, 0 approximated, 0 refused', messages[#messages])
     local remark = vim.fn.getqflist()[1]
     t.equal('where the remark is', bufnr, remark.bufnr)

@@ -98,10 +98,10 @@ fn value_of(text: &str, ty: Scalar) -> Result<Value, String> {
     } else {
         text
     };
-    let number = if ty.is_real() {
-        ladder_simulator::with_point(number)
-    } else {
-        number.to_owned()
+    let number = match ty {
+        Scalar::Time => ladder_simulator::duration_with_point(number),
+        _ if ty.is_real() => ladder_simulator::with_point(number),
+        _ => number.to_owned(),
     };
     value_text::parse(&number, ty).map_err(|_| wrong)
 }

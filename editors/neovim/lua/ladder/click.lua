@@ -1,10 +1,28 @@
---- Click programs in Python: opened as such when a person says so, with their diagram next to them.
+--- Programs of other systems, with their diagram next to them. One in Python is opened as such when a person says so.
 local server = require('ladder.server')
 
 local M = {}
 
 --- The file type of a Python file that is a Click program.
 M.FILETYPE = 'ladderclick'
+
+--- What is among the first lines of a program in XML.
+local XML_PROGRAM = { 'www.plcopen.org/xml/tc6', '<SW.Blocks.' }
+local FIRST_LINES = 60
+
+--- Whether a buffer holds a program of another system.
+--- @param bufnr integer
+--- @return boolean
+function M.is_foreign(bufnr)
+  local filetype = vim.bo[bufnr].filetype
+  if filetype ~= 'xml' then
+    return filetype == M.FILETYPE or filetype == 'ladderforeign'
+  end
+  local first = table.concat(vim.api.nvim_buf_get_lines(bufnr, 0, FIRST_LINES, false), '\n')
+  return vim.iter(XML_PROGRAM):any(function(mark)
+    return first:find(mark, 1, true) ~= nil
+  end)
+end
 
 --- The diagram of each program, by buffers.
 --- @type table<integer, integer>
@@ -80,8 +98,9 @@ end
 --- @param program integer
 --- @param shown fun(drawing: integer)|nil called when it is there
 function M.preview(program, shown)
-  if vim.bo[program].filetype ~= M.FILETYPE then
-    return vim.notify('ladder: this is not a Click program; ":LadderClick" makes one of a Python file.', vim.log.levels.ERROR)
+  if not M.is_foreign(program) then
+    local message = 'ladder: this is not a program of another system; ":LadderClick" makes one of a Python file.'
+    return vim.notify(message, vim.log.levels.ERROR)
   end
   local client = server.await(program)
   if not client then
@@ -107,11 +126,11 @@ function M.preview(program, shown)
   end)
 end
 
---- Starts a simulation; of a Click program that of its diagram, which shows the power.
+--- Starts a simulation; of a program of another system that of its diagram, which shows the power.
 --- @param bufnr integer
 function M.start(bufnr)
   local simulation = require('ladder.simulation')
-  if vim.bo[bufnr].filetype ~= M.FILETYPE then
+  if not M.is_foreign(bufnr) then
     return simulation.begin(bufnr)
   end
   M.preview(bufnr, simulation.begin)

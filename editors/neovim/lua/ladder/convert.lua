@@ -5,6 +5,7 @@ local M = {}
 
 --- @class ladder.Converted
 --- @field to string
+--- @field extension string
 --- @field text string
 --- @field translated integer
 --- @field approximated integer
@@ -68,6 +69,23 @@ function M.entries(bufnr, converted)
   return entries
 end
 
+--- The name of a file next to the program's that is not there yet; none for a program without a file.
+--- @param bufnr integer
+--- @param extension string
+--- @return string|nil
+local function fresh_name(bufnr, extension)
+  local program = vim.api.nvim_buf_get_name(bufnr)
+  if program == '' then
+    return nil
+  end
+  local stem = vim.fn.fnamemodify(program, ':p:r')
+  local name, number = ('%s.%s'):format(stem, extension), 2
+  while vim.uv.fs_stat(name) or vim.fn.bufexists(name) == 1 do
+    name, number = ('%s-%d.%s'):format(stem, number, extension), number + 1
+  end
+  return name
+end
+
 --- @param bufnr integer
 --- @param converted ladder.Converted
 local function show(bufnr, converted)
@@ -77,7 +95,11 @@ local function show(bufnr, converted)
   if lines[#lines] == '' then
     table.remove(lines)
   end
+  local name = fresh_name(bufnr, converted.extension)
   vim.cmd.new()
+  if name then
+    vim.api.nvim_buf_set_name(0, name)
+  end
   vim.api.nvim_buf_set_lines(0, 0, -1, false, lines)
   if returns > 0 then
     vim.bo.fileformat = 'dos'

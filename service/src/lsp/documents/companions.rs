@@ -91,7 +91,7 @@ pub(crate) fn closed(shared: &Arc<Shared>, uri: &str) {
     if !shared.agreed().pulls_diagnostics {
         shared.outbox.no_diagnostics(uri);
     }
-    if Kind::of(uri, "") == Kind::Settings {
+    if Kind::of(uri, "", "") == Kind::Settings {
         settings_file::tell_again(shared, uri);
     }
 }

@@ -20,7 +20,7 @@ use crate::lsp::{convert::our_range, session::shared::Shared};
 pub(crate) fn opened(shared: &Arc<Shared>, params: DidOpenTextDocumentParams) {
     let document = params.text_document;
     let uri = document.uri.as_str();
-    let kind = Kind::of(uri, &document.language_id);
+    let kind = Kind::of(uri, &document.language_id, &document.text);
     let store = match kind {
         Kind::Program => &shared.documents,
         Kind::Foreign(_) | Kind::Settings | Kind::Scenarios | Kind::Other => &shared.companions,

@@ -1,0 +1,31 @@
+// Programs of other systems: which files are such.
+import type { TextDocument } from 'vscode';
+
+/** The language of a Python file that is a Click program. */
+export const CLICK = 'ladder-click';
+
+/** The files that the server is shown; which XML is a program it says itself. */
+export const FOREIGN_FILES = ['**/*.[lL]5[xXkK]', '**/*.[sS]7[dD][cC][lL]', '**/*.[tT][cC][pP][oO][uU]', '**/*.[sS][lL][cC]', '**/*.rung', '**/*.iot', '**/*.xml'];
+
+/** Endings that no other files have. */
+const ENDING = /\.(?:iot|l5k|l5x|rung|s7dcl|slc|tcpou)$/i;
+
+/** What is among the first lines of a program in XML. */
+const XML_PROGRAM = /www\.plcopen\.org\/xml\/tc6|<SW\.Blocks\./;
+const FIRST_LINES = 60;
+
+/** Whether a document is a program of another system. */
+export function isForeign(document: TextDocument): boolean {
+    if (document.languageId === CLICK || ENDING.test(document.uri.path)) {
+        return true;
+    }
+    if (!/\.xml$/i.test(document.uri.path)) {
+        return false;
+    }
+    for (let line = 0; line < Math.min(FIRST_LINES, document.lineCount); line += 1) {
+        if (XML_PROGRAM.test(document.lineAt(line).text)) {
+            return true;
+        }
+    }
+    return false;
+}
