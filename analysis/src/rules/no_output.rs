@@ -34,7 +34,8 @@ fn is_meant(parse: &Parse, network: NetworkAt<'_>) -> bool {
         let mut threes = drawn.parts.windows(3).enumerate();
         threes.any(|(before, parts)| {
             let [left, comment, right] = [&parts[0], &parts[1], &parts[2]];
-            let joins = left.range.end() == comment.range.start() && comment.range.end() == right.range.start();
+            let joins =
+                left.range.end() == comment.range.start() && comment.range.end() == right.range.start();
             comment.kind == PartKind::Comment && joins && {
                 let text = parse.text_in(network.part_range(parse, rung, before + 1));
                 text.trim_matches('#').trim() == "NOP"

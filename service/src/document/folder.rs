@@ -60,15 +60,45 @@ pub(super) struct Open {
     pub(super) analysis: Arc<Analysis>,
 }
 
+/// So many bytes of programs are read at first, the smallest files before the others.
+const FIRST_BYTES: u64 = 2 << 20;
+
+/// A workspace of which the large files are not read yet.
+#[derive(Debug)]
+pub(super) struct First {
+    folder: Folder,
+    large: Vec<PathBuf>,
+}
+
+impl First {
+    /// Whether it is the whole workspace.
+    pub(super) fn is_whole(&self) -> bool {
+        self.large.is_empty()
+    }
+
+    /// What the files that are read show to each other.
+    pub(super) fn exported(&mut self) -> Arc<Exported> {
+        Arc::clone(self.folder.exported())
+    }
+
+    /// Reads the rest.
+    pub(super) fn whole(self, disk: &Arc<dyn Disk>, root: &Path) -> Folder {
+        let First { mut folder, large } = self;
+        folder.read(disk, root, &large);
+        folder.exported = None;
+        folder
+    }
+}
+
 impl Folder {
-    /// Reads a workspace, of which `path` is a file. `defaults` hold where it has no settings file.
-    pub(super) fn load(
+    /// Reads a workspace, of which `path` is a file, as far as that is quick. `defaults` hold where it has no settings file.
+    pub(super) fn first(
         disk: &Arc<dyn Disk>,
         path: &Path,
         root: &Path,
         defaults: &Settings,
         shown: &Shown,
-    ) -> Folder {
+    ) -> First {
         let mut folder = Folder {
             settings: Settings::default(),
             settings_file: None,
@@ -81,7 +111,8 @@ impl Folder {
             changes: 0,
         };
         let Ok(found) = disk.root_of(path) else {
-            return folder;
+            let large = Vec::new();
+            return First { folder, large };
         };
         match found.settings_file() {
             Some(file) => {
@@ -99,17 +130,23 @@ impl Folder {
             .filter(|path| shown.contains(path))
             .cloned()
             .collect();
-        folder.disk = in_parallel::map(&programs, |path| {
-            let file = if folder.unknown.contains(path) {
+        let (first, large) = first_and_large(&**disk, programs, &folder.unknown);
+        folder.read(disk, root, &first);
+        First { folder, large }
+    }
+
+    /// Takes files as they are on disk, but for those that an editor shows.
+    fn read(&mut self, disk: &Arc<dyn Disk>, root: &Path, programs: &[PathBuf]) {
+        let unknown = &self.unknown;
+        let read = in_parallel::map(programs, |path| {
+            let file = if unknown.contains(path) {
                 OnDisk::shown(disk, root, path)
             } else {
                 OnDisk::read(disk, root, path)?
             };
             Some((path.clone(), Arc::new(file)))
-        })
-        .into_iter()
-        .collect();
-        folder
+        });
+        self.disk.extend(read);
     }
 
     /// Whether a file is one of the workspace. One that is hidden or excluded is a guest: it sees the others, and they do not
@@ -189,6 +226,29 @@ impl Folder {
             Arc::new(Exported::new(all.into_values().cloned().collect()))
         })
     }
+}
+
+/// The files that are read at first, and those that are not. Of what an editor shows nothing is read.
+fn first_and_large(
+    disk: &dyn Disk,
+    programs: Vec<PathBuf>,
+    shown: &HashSet<PathBuf>,
+) -> (Vec<PathBuf>, Vec<PathBuf>) {
+    let size = |path: PathBuf| match shown.contains(&path) {
+        true => (0, path),
+        false => (disk.stamp(&path).bytes(), path),
+    };
+    let mut sized: Vec<(u64, PathBuf)> = programs.into_iter().map(size).collect();
+    sized.sort();
+    let mut sum = 0;
+    let is_first = |(bytes, _): &&(u64, PathBuf)| {
+        sum += bytes;
+        sum <= FIRST_BYTES
+    };
+    let first = sized.iter().take_while(is_first).count();
+    let large = sized.split_off(first);
+    let paths = |sized: Vec<(u64, PathBuf)>| sized.into_iter().map(|(_, path)| path).collect();
+    (paths(sized), paths(large))
 }
 
 /// Whether the others see the same of a file before and after a change on disk, at the same places.

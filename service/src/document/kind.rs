@@ -93,11 +93,22 @@ mod tests {
     }
     #[test]
     fn programs_of_other_systems_are_known_by_name_and_content() {
-        const PLCOPEN: &str = r#"<?xml version="1.0"?><project xmlns="http://www.plcopen.org/xml/tc6_0201"></project>"#;
+        const PLCOPEN: &str =
+            r#"<?xml version="1.0"?><project xmlns="http://www.plcopen.org/xml/tc6_0201"></project>"#;
         for (uri, language, text, notation) in [
-            ("file:///plant/Main.L5X", "xml", "<RSLogix5000Content/>", Some("l5x")),
+            (
+                "file:///plant/Main.L5X",
+                "xml",
+                "<RSLogix5000Content/>",
+                Some("l5x"),
+            ),
             ("file:///plant/Main.L5X", "plaintext", "", Some("l5x")),
-            ("file:///plant/Fill.TcPOU", "plaintext", "<TcPlcObject/>", Some("twincat")),
+            (
+                "file:///plant/Fill.TcPOU",
+                "plaintext",
+                "<TcPlcObject/>",
+                Some("twincat"),
+            ),
             ("file:///plant/Block.s7dcl", "plaintext", "", Some("simatic")),
             ("file:///plant/plc.xml", "xml", PLCOPEN, Some("plcopen")),
             ("file:///plant/pom.xml", "xml", "<project/>", None),
@@ -106,6 +117,9 @@ mod tests {
             let kind = Kind::of(uri, language, text);
             assert_eq!(kind.notation().map(Notation::name), notation, "{uri} {language}");
         }
-        assert_eq!(Kind::of("file:///plant/pom.xml", "xml", "<project/>"), Kind::Other);
+        assert_eq!(
+            Kind::of("file:///plant/pom.xml", "xml", "<project/>"),
+            Kind::Other
+        );
     }
 }

@@ -147,4 +147,38 @@ mod tests {
             "it says what it said on disk"
         );
     }
+
+    #[test]
+    fn what_a_person_looks_at_is_known_before_large_files_are_read() {
+        let large = format!(
+            "VAR_GLOBAL total : INT; END_VAR\n{}",
+            "# a line of a long list #\n".repeat(90_000)
+        );
+        let folder = workspace(&[
+            ("large.clad", &large),
+            ("small.clad", "VAR_GLOBAL speed : INT; END_VAR\n"),
+        ]);
+        let own = folder.path().join("own.clad");
+        let text = "VAR_EXTERNAL speed, total : INT; END_VAR\n+--[GT]( speed, total )--( )( y )--+\n";
+        std::fs::write(&own, text).unwrap();
+        let neighbours = crate::host::testing::neighbours();
+        neighbours.opened(&own);
+        let own = shown(&neighbours, own, text);
+        let is_whole = |revision: &Revision| revision.first_names().map(|(_, is_whole)| is_whole);
+        assert_eq!(
+            is_whole(&own),
+            Some(false),
+            "the large file is read by nobody yet"
+        );
+        assert_eq!(is_whole(&own), Some(false));
+        let found = own.analysis().map(|analysis| analysis.findings().len());
+        assert_eq!(found, Some(0), "what is found counts the large file");
+        assert_eq!(is_whole(&own), Some(true));
+        // A workspace without large files is read at once.
+        let folder = workspace(&[("small.clad", "")]);
+        assert_eq!(
+            is_whole(&shown(&neighbours, folder.path().join("own.clad"), text)),
+            Some(true)
+        );
+    }
 }

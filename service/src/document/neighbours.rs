@@ -14,7 +14,7 @@ use ladder_analysis::{
 };
 use ladder_workspace::{Disk, FileError, SETTINGS_FILE, Settings, Simulate};
 
-use super::folder::{Folder, Open, Shown, same};
+use super::folder::{First, Folder, Open, Shown, same};
 use super::on_disk::{FilesOnDisk, OnDisk, name_in};
 use super::seen::SettingsFile;
 
@@ -25,6 +25,21 @@ pub(crate) struct Neighbours {
     shown: Shown,
     disk: Arc<dyn Disk>,
     state: Mutex<State>,
+    /// Held by who reads the large files of a workspace, while the others go on.
+    loading: Mutex<()>,
+    /// Workspaces that are read in part. Locked before the state.
+    first: Mutex<HashMap<PathBuf, InPart>>,
+}
+
+/// A workspace whose large files are being read, or nobody asked for yet.
+#[derive(Debug)]
+struct InPart {
+    /// What its small files show to each other.
+    exported: Arc<Exported>,
+    /// None while its large files are read.
+    first: Option<First>,
+    /// What [`State::begun`] was.
+    begun: u64,
 }
 
 #[derive(Debug)]
@@ -36,6 +51,8 @@ struct State {
     defaults: Settings,
     roots: HashMap<PathBuf, PathBuf>,
     folders: HashMap<PathBuf, Folder>,
+    /// How often all was forgotten.
+    begun: u64,
 }
 
 /// Which files see something else once what a file exports has changed.
@@ -59,11 +76,14 @@ impl Neighbours {
             defaults: Settings::default(),
             roots: HashMap::new(),
             folders: HashMap::new(),
+            begun: 0,
         };
         Neighbours {
             shown,
             disk,
             state: Mutex::new(state),
+            loading: Mutex::default(),
+            first: Mutex::default(),
         }
     }
 
@@ -80,7 +100,7 @@ impl Neighbours {
 
     /// As [`Neighbours::view`], with the number of changes that it has in it.
     pub(super) fn view_now(&self, path: &Path) -> (Arc<str>, Others, u64) {
-        let mut state = self.lock();
+        let mut state = self.loaded(path);
         let (root, folder) = state.folder(path);
         let name = name_in(&root, path);
         let others = folder.exported_for(&self.disk, &root, path).others_of(&name);
@@ -90,7 +110,7 @@ impl Neighbours {
     /// Enters the analysis of an open file, which was read when there had been this many changes.
     pub(super) fn analysed(&self, path: &Path, analysis: &Arc<Analysis>, read_at: Option<u64>) -> Affected {
         let exports = Arc::new(Exports::of(&analysis.context, &analysis.context.name));
-        let mut state = self.lock();
+        let mut state = self.loaded(path);
         let (root, folder) = state.folder(path);
         let is_guest = !folder.holds(&*self.disk, path);
         let before = folder.shown(path).cloned();
@@ -125,7 +145,7 @@ impl Neighbours {
 
     /// What the others see of a file lies at other places now, and one of them names one.
     pub(crate) fn places_moved(&self, path: &Path) {
-        self.lock().folder(path).1.exported = None;
+        self.loaded(path).folder(path).1.exported = None;
     }
 
     /// An editor shows a file from now on: its text on disk does not count. Reads nothing, and waits for nobody who does.
@@ -136,7 +156,7 @@ impl Neighbours {
     /// The editor has closed a file: the text on disk counts again. True if the others see something else now.
     pub(crate) fn closed(&self, path: &Path) -> bool {
         self.shown.remove(path);
-        let mut state = self.lock();
+        let mut state = self.loaded(path);
         let (root, folder) = state.folder(path);
         let before = folder.open.remove(path).map(|open| open.exports);
         let was_guest = !folder.holds(&*self.disk, path);
@@ -147,6 +167,9 @@ impl Neighbours {
 
     /// Files were changed, made or removed. True if any file sees something else now.
     pub(crate) fn disk_changed(&self, paths: &[PathBuf]) -> bool {
+        for path in paths.iter().filter(|path| ladder_workspace::is_program(path)) {
+            self.load(path);
+        }
         let mut state = self.lock();
         if paths
             .iter()
@@ -202,7 +225,7 @@ impl Neighbours {
     /// The files on disk of a file's workspace. Those that are open are among them, as they were when they were last
     /// saved.
     pub(crate) fn on_disk(&self, path: &Path) -> FilesOnDisk {
-        let mut state = self.lock();
+        let mut state = self.loaded(path);
         let (root, folder) = state.folder(path);
         let exported = Arc::clone(folder.exported_for(&self.disk, &root, path));
         let files = folder.disk.iter();
@@ -216,22 +239,22 @@ impl Neighbours {
 
     /// What the workspace of a file asks for.
     pub(crate) fn format_options(&self, path: &Path) -> ladder_format::Options {
-        self.lock().folder(path).1.settings.format.clone()
+        self.loaded(path).folder(path).1.settings.format.clone()
     }
 
     /// The settings of the rules for a file.
     pub(crate) fn rules(&self, path: &Path) -> RuleSettings {
-        self.lock().folder(path).1.settings.rules_for(path)
+        self.loaded(path).folder(path).1.settings.rules_for(path)
     }
 
     /// How the workspace of a file has its programs run.
     pub(crate) fn simulate(&self, path: &Path) -> Simulate {
-        self.lock().folder(path).1.settings.simulate.clone()
+        self.loaded(path).folder(path).1.settings.simulate.clone()
     }
 
     /// The settings file above a program.
     pub(crate) fn settings_file(&self, path: &Path) -> Option<Arc<SettingsFile>> {
-        self.lock().folder(path).1.settings_file.clone()
+        self.loaded(path).folder(path).1.settings_file.clone()
     }
 
     /// All settings files that were read.
@@ -245,7 +268,7 @@ impl Neighbours {
 
     /// The analysis of a program: as its editor shows it if it is open, else as it is on disk.
     pub(crate) fn analysis_of(&self, path: &Path) -> Result<Arc<Analysis>, FileError> {
-        let mut state = self.lock();
+        let mut state = self.loaded(path);
         let (root, folder) = state.folder(path);
         if let Some(open) = folder.open.get(path) {
             return Ok(Arc::clone(&open.analysis));
@@ -277,7 +300,7 @@ impl Neighbours {
 
     /// A program as it is on disk, and what it sees: what is found in it is the same as long as both are.
     pub(crate) fn closed_program(&self, path: &Path) -> Option<(Arc<OnDisk>, Arc<Exported>)> {
-        let mut state = self.lock();
+        let mut state = self.loaded(path);
         let (root, folder) = state.folder(path);
         let file = Arc::clone(folder.disk.get(path)?);
         Some((file, Arc::clone(folder.exported_for(&self.disk, &root, path))))
@@ -285,18 +308,79 @@ impl Neighbours {
 
     /// Reads the workspace of a program, if that was not done. The others may go on meanwhile.
     pub(crate) fn load(&self, path: &Path) {
-        let (root, defaults) = {
+        if self.is_loaded(path) {
+            return;
+        }
+        let _loading = self.loading.lock().unwrap_or_else(PoisonError::into_inner);
+        let take = |root: &Path, part: &mut InPart| Some((root.to_owned(), part.begun, part.first.take()?));
+        while let Some(Some((root, begun, first))) = self.in_part(path, take) {
+            let folder = first.whole(&self.disk, &root);
+            self.parts().remove(&root);
+            let mut state = self.lock();
+            // Else other settings hold by now.
+            if state.begun == begun {
+                state.folders.entry(root).or_insert(folder);
+                return;
+            }
+        }
+    }
+
+    /// Whether the workspace of a program is read.
+    fn is_loaded(&self, path: &Path) -> bool {
+        let mut state = self.lock();
+        let root = state.root(path);
+        state.folders.contains_key(&root)
+    }
+
+    /// As [`Neighbours::view`], of the small files of a workspace whose large ones are not read yet; nothing for one that is read.
+    pub(crate) fn first_view(&self, path: &Path) -> Option<(Arc<str>, Others)> {
+        self.in_part(path, |root, part| {
+            let name = name_in(root, path);
+            let others = part.exported.others_of(&name);
+            (name, others)
+        })
+    }
+
+    /// Asks the workspace of a program as far as it is read; nothing if that is the whole of it.
+    fn in_part<T>(&self, path: &Path, ask: impl FnOnce(&Path, &mut InPart) -> T) -> Option<T> {
+        let mut parts = self.parts();
+        let (root, defaults, begun) = {
             let mut state = self.lock();
             let root = state.root(path);
             if state.folders.contains_key(&root) {
-                return;
+                return None;
             }
-            (root, state.defaults.clone())
+            (root, state.defaults.clone(), state.begun)
         };
-        let folder = Folder::load(&self.disk, path, &root, &defaults, &self.shown);
-        self.lock().folders.entry(root).or_insert(folder);
+        if parts.get(&root).is_none_or(|part| part.begun != begun) {
+            let mut first = Folder::first(&self.disk, path, &root, &defaults, &self.shown);
+            if first.is_whole() {
+                let mut state = self.lock();
+                if state.begun == begun {
+                    let folder = first.whole(&self.disk, &root);
+                    state.folders.entry(root).or_insert(folder);
+                }
+                return None;
+            }
+            let part = InPart {
+                exported: first.exported(),
+                first: Some(first),
+                begun,
+            };
+            parts.insert(root.clone(), part);
+        }
+        parts.get_mut(&root).map(|part| ask(&root, part))
     }
 
+    fn parts(&self) -> MutexGuard<'_, HashMap<PathBuf, InPart>> {
+        self.first.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The state, in which the workspace of a program is read.
+    fn loaded(&self, path: &Path) -> MutexGuard<'_, State> {
+        self.load(path);
+        self.lock()
+    }
     /// Forgets the workspaces that no open file belongs to, but for those that are wanted.
     pub(crate) fn forget(&self, wanted: impl Fn(&Path) -> bool) {
         let mut state = self.lock();
@@ -334,7 +418,7 @@ impl Neighbours {
 
     /// The file of a name, as findings and programs of another file know it: its path and text.
     pub(crate) fn text_of(&self, from: &Path, name: &str) -> Option<(PathBuf, String)> {
-        let mut state = self.lock();
+        let mut state = self.loaded(from);
         let (root, folder) = state.folder(from);
         let open = folder
             .open
@@ -350,7 +434,7 @@ impl Neighbours {
     /// What runs: a file's program with what it uses of the others, and these.
     pub(crate) fn link(&self, path: &Path, own: &Arc<Analysis>) -> Result<Linked, NotWhole> {
         link_files(own, &|name| {
-            let mut state = self.lock();
+            let mut state = self.loaded(path);
             let (root, folder) = state.folder(path);
             let open = folder
                 .open
@@ -371,7 +455,7 @@ impl Neighbours {
     /// Whether the text of a program is held as it is on disk.
     #[cfg(test)]
     pub(super) fn holds_text_of(&self, path: &Path) -> bool {
-        let mut state = self.lock();
+        let mut state = self.loaded(path);
         let (_, folder) = state.folder(path);
         folder.disk.get(path).is_some_and(|file| file.holds_text())
     }
@@ -390,6 +474,7 @@ impl State {
             .values_mut()
             .flat_map(|folder| folder.open.drain())
             .collect();
+        self.begun += 1;
         self.folders.clear();
         self.roots.clear();
         for (path, open) in open {
@@ -414,7 +499,7 @@ impl State {
         let folder = self
             .folders
             .entry(root.clone())
-            .or_insert_with(|| Folder::load(disk, path, &root, defaults, shown));
+            .or_insert_with(|| Folder::first(disk, path, &root, defaults, shown).whole(disk, &root));
         (root, folder)
     }
 }

@@ -63,6 +63,8 @@ pub(crate) struct Revision {
     /// Where the file lies, if it is one.
     place: Option<Membership>,
     names: OnceLock<Names>,
+    /// The names without what large files show that are not read yet.
+    first: OnceLock<Option<Names>>,
     /// Held by who joins the names.
     joining: Mutex<()>,
     /// This many wait for the names and cannot do without.
@@ -99,6 +101,7 @@ impl Revision {
             edited: 0,
             place,
             names: OnceLock::new(),
+            first: OnceLock::new(),
             joining: Mutex::default(),
             waiting: AtomicUsize::default(),
             analysis: OnceLock::new(),
@@ -145,6 +148,23 @@ impl Revision {
         let names = self.names_while(&|| true);
         self.waiting.fetch_sub(1, Ordering::Relaxed);
         names
+    }
+
+    /// The names for a person who looks at the text while large files of its workspace are still to be read: without what those
+    /// show, and false. As [`Revision::names`], and true, where there are none.
+    pub(crate) fn first_names(&self) -> Option<(&Names, bool)> {
+        let early = (self.names.get().is_none() && self.fits()).then_some(self.place.as_ref());
+        let early = early
+            .flatten()
+            .and_then(|place| place.neighbours.first_view(&place.path));
+        let Some((name, others)) = early else {
+            return Some((self.names()?, true));
+        };
+        let first = self.first.get_or_init(|| {
+            let parse = self.parse(None, Since::Unknown);
+            Names::of(&parse, None, &name, &others, &|| true)
+        });
+        Some((first.as_ref()?, false))
     }
 
     /// The same while they are wanted, or a thread waits in [`Revision::names`]: where the names of the whole file are joined

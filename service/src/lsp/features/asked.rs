@@ -9,6 +9,7 @@ use tower_lsp::ls_types::{Location, Position, Range, TextDocumentPositionParams,
 
 use crate::document::Revision;
 use crate::document::other_files::{FileText, OtherFiles};
+use crate::language::Names;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
 use ladder_analysis::context::Context;
@@ -20,6 +21,8 @@ pub(crate) struct Asked {
     pub(crate) revision: Arc<Revision>,
     pub(crate) context: Arc<Context>,
     pub(crate) elsewhere: OtherFiles,
+    /// Whether all other files are known: large ones are read later than what a person looks at.
+    pub(crate) knows_others: bool,
     /// Whether the client can open the library's sources.
     pub(crate) opens_library: bool,
 }
@@ -37,6 +40,16 @@ pub(crate) async fn about<T: Send + 'static>(
     uri: &Uri,
     job: impl FnOnce(&Asked) -> Option<T> + Send + 'static,
 ) -> Result<Option<T>> {
+    about_names(shared, uri, |revision| Some((revision.names()?, true)), job).await
+}
+
+/// As [`about`], with these names.
+async fn about_names<T: Send + 'static>(
+    shared: &Arc<Shared>,
+    uri: &Uri,
+    names: fn(&Revision) -> Option<(&Names, bool)>,
+    job: impl FnOnce(&Asked) -> Option<T> + Send + 'static,
+) -> Result<Option<T>> {
     let Some(revision) = shared.documents.get(uri.as_str()) else {
         return Ok(None);
     };
@@ -44,11 +57,13 @@ pub(crate) async fn about<T: Send + 'static>(
     let (documents, companions) = (Arc::clone(&shared.documents), Arc::clone(&shared.companions));
     blocking(&*shared.host, move |cancel| {
         let elsewhere = OtherFiles::of(&revision, &documents, &companions, cancel);
-        let context = Arc::clone(revision.names()?.context());
+        let (names, knows_others) = names(&revision)?;
+        let context = Arc::clone(names.context());
         job(&Asked {
             revision,
             context,
             elsewhere,
+            knows_others,
             opens_library,
         })
     })
@@ -64,6 +79,21 @@ pub(crate) async fn about_place<T: Send + 'static>(
     about(shared, &place.text_document.uri, move |asked| {
         job(asked, asked.offset(place.position))
     })
+    .await
+}
+
+/// As [`about_place`], before large files of the workspace are read: what a person looks at comes first.
+pub(crate) async fn about_place_first<T: Send + 'static>(
+    shared: &Arc<Shared>,
+    place: TextDocumentPositionParams,
+    job: impl FnOnce(&Asked, TextSize) -> Option<T> + Send + 'static,
+) -> Result<Option<T>> {
+    about_names(
+        shared,
+        &place.text_document.uri,
+        Revision::first_names,
+        move |asked| job(asked, asked.offset(place.position)),
+    )
     .await
 }
 

@@ -135,6 +135,7 @@ fn asked(shared: &Shared, revision: &Arc<Revision>, cancel: &Cancel) -> Option<A
         revision: Arc::clone(revision),
         context: Arc::clone(revision.names()?.context()),
         elsewhere: OtherFiles::of(revision, &shared.documents, &shared.companions, cancel),
+        knows_others: true,
         opens_library: shared.agreed().library_blocks,
     })
 }

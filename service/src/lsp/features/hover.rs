@@ -5,7 +5,7 @@ use std::sync::Arc;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{Hover, HoverContents, HoverParams};
 
-use super::asked::about_place;
+use super::asked::about_place_first;
 use super::{foreign_hover, of_scenarios, simulate};
 use crate::lsp::{convert, markup, session::shared::Shared};
 
@@ -33,14 +33,16 @@ pub(crate) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<O
         .await;
     }
     let values = simulate::values_at(shared, place.text_document.uri.as_str(), place.position).await;
-    about_place(
+    about_place_first(
         shared,
         params.text_document_position_params,
         move |asked, offset| {
             let hover = ladder_ide::hover(&asked.context, offset)?;
             let range = Some(convert::range_in(&asked.revision, hover.range));
             let mut text = markup::linked(hover.markdown, &asked.revision.uri);
-            if let Some(elsewhere) = ladder_ide::used_in_other_files(&asked.context, offset, &asked.elsewhere)
+            if asked.knows_others
+                && let Some(elsewhere) =
+                    ladder_ide::used_in_other_files(&asked.context, offset, &asked.elsewhere)
             {
                 text = format!("{text}\n\n---\n\n{elsewhere}");
             }

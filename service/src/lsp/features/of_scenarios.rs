@@ -136,6 +136,7 @@ fn program(shared: &Shared, revision: &Revision, suite: &Suite, cancel: &Cancel)
         revision: program,
         context,
         elsewhere,
+        knows_others: true,
         opens_library: shared.agreed().library_blocks,
     })
 }

@@ -152,6 +152,7 @@ pub(crate) async fn symbols(
                 revision,
                 elsewhere,
                 // Names of the workspace are no blocks of the library.
+                knows_others: true,
                 opens_library: false,
             };
             let mut places = Places::of(&asked);
