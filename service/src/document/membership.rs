@@ -150,16 +150,10 @@ mod tests {
 
     #[test]
     fn what_a_person_looks_at_is_known_before_large_files_are_read() {
-        let large = format!(
-            "VAR_GLOBAL total : INT; END_VAR\n{}",
-            "# a line of a long list #\n".repeat(90_000)
-        );
-        let folder = workspace(&[
-            ("large.clad", &large),
-            ("small.clad", "VAR_GLOBAL speed : INT; END_VAR\n"),
-        ]);
+        let large = format!("{}{FUNCTION}", "# a line of a long list #\n".repeat(90_000));
+        let folder = workspace(&[("large.clad", &large), ("small.clad", "")]);
         let own = folder.path().join("own.clad");
-        let text = "VAR_EXTERNAL speed, total : INT; END_VAR\n+--[GT]( speed, total )--( )( y )--+\n";
+        let text = "+--( )( z )--<CALL>( count )--+\n";
         std::fs::write(&own, text).unwrap();
         let neighbours = crate::host::testing::neighbours();
         neighbours.opened(&own);
