@@ -1,4 +1,4 @@
-//! `no-output`: a network that writes nothing and calls, jumps or ends nothing, and does not say so with `# NOP #` in a wire.
+//! `no-output`: a network that writes nothing and calls, jumps or ends nothing.
 
 use super::form::Form;
 use crate::findings::diagnostic::Diagnostic;
@@ -12,7 +12,7 @@ pub(crate) const RULE: Rule = Rule(&RuleFacts::new(RuleGroup::Wiring, "no-output
 
 pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
     let network = form.network;
-    if network.broken || network.blocks().any(may_act) || is_meant(form.parse, network) {
+    if network.broken || network.blocks().any(may_act) {
         return;
     }
     let Some(range) = first_rung(form.parse, network) else {
@@ -26,22 +26,6 @@ pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
             "its contacts only pass power on: end it with a coil or another block that acts, or remove it",
         )
     });
-}
-
-/// Whether the comment `# NOP #` is a piece of one of its wires: what other systems call a rung that is to do nothing.
-fn is_meant(parse: &Parse, network: NetworkAt<'_>) -> bool {
-    network.wiring.rungs.iter().enumerate().any(|(rung, drawn)| {
-        let mut threes = drawn.parts.windows(3).enumerate();
-        threes.any(|(before, parts)| {
-            let [left, comment, right] = [&parts[0], &parts[1], &parts[2]];
-            let joins =
-                left.range.end() == comment.range.start() && comment.range.end() == right.range.start();
-            comment.kind == PartKind::Comment && joins && {
-                let text = parse.text_in(network.part_range(parse, rung, before + 1));
-                text.trim_matches('#').trim() == "NOP"
-            }
-        })
-    })
 }
 
 /// The drawing of the first rung, without the comments at its ends.

@@ -244,17 +244,6 @@ fn nothing_happens() {
         "#]],
     );
     clean("+--[ ]( a )--<JMP>( there )--+\n\n+--<LBL>( there )--+\n");
-    // That it does nothing is meant.
-    clean("+--# NOP #--+\n\n+--[ ]( a )--#NOP#--+\n");
-    // Outside of the wire a comment is about something else.
-    check(
-        "+----------+  # NOP #\n",
-        expect![[r#"
-            > +----------+  # NOP #
-              ^^^^^^^^^^^^ warning[no-output]: this network does nothing: no block in it acts
-                help: put blocks onto the wire, or remove the line
-        "#]],
-    );
     // Of a block that is not known nobody can say what it does.
     check(
         "+--[ ]( a )--[FROBNICATE]( b )--+\n",
