@@ -51,7 +51,8 @@ const UNDECLARED: [(&str, &str); 9] = [
 /// Names and addresses that say their types.
 const FORMS: [(&str, &str); 14] = [
     ("I", "BOOL"),
-    ("M", "BOOL"),
+    // Not the names that are declared below: m0, m1.
+    ("M1", "BOOL"),
     ("MI", "DINT"),
     ("MF", "LREAL"),
     ("%IX1.", "BOOL"),
