@@ -138,6 +138,41 @@ fn comparison(text: &str) -> Option<(&'static str, [String; 2])> {
     (is_name(one) && is_name(other)).then(|| (name, [one.to_owned(), other.to_owned()]))
 }
 
+/// Takes out the conversions of what LEN and FIND give, which are INT for compilers alone: what takes them takes that.
+pub(crate) fn without_conversions(unit: &mut Unit) {
+    let Body::Graph(graph) = &mut unit.body else {
+        return;
+    };
+    let is_called = |node: &Node, is_one: &dyn Fn(&str) -> bool| matches!(&node.kind, Kind::Block { name, .. } if is_one(name));
+    for conversion in 0..graph.nodes.len() {
+        let node = &graph.nodes[conversion];
+        let [enable, value] = &node.inputs[..] else {
+            continue;
+        };
+        let ([power], [given]) = (&enable.from[..], &value.from[..]) else {
+            continue;
+        };
+        let is_of_text = power.node == given.node
+            && is_called(node, &|name| name.starts_with("INT_TO_"))
+            && is_called(&graph.nodes[given.node], &|name| matches!(name, "LEN" | "FIND"));
+        if !is_of_text {
+            continue;
+        }
+        let given = *given;
+        for end in graph
+            .nodes
+            .iter_mut()
+            .flat_map(|node| &mut node.inputs)
+            .flat_map(|pin| &mut pin.from)
+            .filter(|end| end.node == conversion)
+        {
+            *end = given;
+        }
+        graph.nodes[conversion].kind = Kind::Joint;
+        graph.nodes[conversion].inputs.clear();
+    }
+}
+
 /// Which of EN and ENO a variable of a block stands for.
 pub(crate) fn power(variable: &Variable) -> Option<&'static str> {
     match (variable.role, variable.comment.as_deref()?) {

@@ -36,6 +36,7 @@ pub fn reading(project: Project) -> Reading {
     project.units.iter_mut().for_each(crate::own::without_sinks);
     if project.is_own {
         project.units.iter_mut().for_each(crate::own::with_comparisons);
+        project.units.iter_mut().for_each(crate::own::without_conversions);
     }
     crate::brought::along(&mut project);
     let project = &project;
