@@ -234,9 +234,13 @@ fn first_and_large(
     programs: Vec<PathBuf>,
     shown: &HashSet<PathBuf>,
 ) -> (Vec<PathBuf>, Vec<PathBuf>) {
-    let size = |path: PathBuf| match shown.contains(&path) {
-        true => (0, path),
-        false => (disk.stamp(&path).bytes(), path),
+    let size = |path: PathBuf| {
+        let bytes = if shown.contains(&path) {
+            0
+        } else {
+            disk.stamp(&path).bytes()
+        };
+        (bytes, path)
     };
     let mut sized: Vec<(u64, PathBuf)> = programs.into_iter().map(size).collect();
     sized.sort();
