@@ -1,7 +1,7 @@
 //! What the writer adds to a project so that it means the same there, and the reader takes out again. The remark on a
 //! variable says so, for people and for the reader.
 
-use crate::graph::{End, Kind, Node, Pin};
+use crate::graph::{End, Graph, Kind, Node, Pin};
 use crate::model::{Body, Role, Unit, Variable};
 use ladder_analysis::values::types::Scalar;
 use std::collections::HashSet;
@@ -66,7 +66,7 @@ pub(crate) fn as_bit(text: &str) -> Option<String> {
     is_path.then(|| format!("{number}.{}", mask.trailing_zeros()))
 }
 
-/// The expression that is true where the bit that an expression is is low.
+/// The expression that is true where a bit is low, of the expression for that bit.
 pub(crate) fn low(bit: &str) -> Option<String> {
     as_bit(bit)?;
     Some(format!("{} = 0", bit.strip_suffix(" <> 0")?))
@@ -143,34 +143,37 @@ pub(crate) fn without_conversions(unit: &mut Unit) {
     let Body::Graph(graph) = &mut unit.body else {
         return;
     };
-    let is_called = |node: &Node, is_one: &dyn Fn(&str) -> bool| matches!(&node.kind, Kind::Block { name, .. } if is_one(name));
     for conversion in 0..graph.nodes.len() {
-        let node = &graph.nodes[conversion];
-        let [enable, value] = &node.inputs[..] else {
+        let Some([power, value]) = converted(graph, conversion) else {
             continue;
         };
-        let ([power], [given]) = (&enable.from[..], &value.from[..]) else {
-            continue;
-        };
-        let is_of_text = power.node == given.node
-            && is_called(node, &|name| name.starts_with("INT_TO_"))
-            && is_called(&graph.nodes[given.node], &|name| matches!(name, "LEN" | "FIND"));
-        if !is_of_text {
-            continue;
-        }
-        let given = *given;
-        for end in graph
-            .nodes
-            .iter_mut()
-            .flat_map(|node| &mut node.inputs)
-            .flat_map(|pin| &mut pin.from)
-            .filter(|end| end.node == conversion)
-        {
-            *end = given;
+        let pins = graph.nodes.iter_mut().flat_map(|node| &mut node.inputs);
+        for end in pins.flat_map(|pin| &mut pin.from) {
+            if end.node == conversion {
+                *end = if end.output == 0 { power } else { value };
+            }
         }
         graph.nodes[conversion].kind = Kind::Joint;
         graph.nodes[conversion].inputs.clear();
     }
+}
+
+/// ENO and the result of the LEN or FIND that a node converts, if it is such a conversion.
+fn converted(graph: &Graph, conversion: usize) -> Option<[End; 2]> {
+    let called = |node: usize| match &graph.nodes[node].kind {
+        Kind::Block { name, .. } => Some(name.as_str()),
+        _ => None,
+    };
+    let [enable, value] = &graph.nodes[conversion].inputs[..] else {
+        return None;
+    };
+    let ([power], [value]) = (&enable.from[..], &value.from[..]) else {
+        return None;
+    };
+    let is_one = power.node == value.node
+        && called(conversion)?.starts_with("INT_TO_")
+        && matches!(called(value.node)?, "LEN" | "FIND");
+    is_one.then_some([*power, *value])
 }
 
 /// Which of EN and ENO a variable of a block stands for.

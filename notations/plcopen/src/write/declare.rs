@@ -57,6 +57,18 @@ pub(super) fn is_instance(ty: OwnType) -> bool {
     }
 }
 
+/// What an array is of.
+fn element(ty: OwnType) -> Option<OwnType> {
+    match ty {
+        OwnType::Array { element, .. } => Some(OwnType::Scalar(element)),
+        OwnType::Compound(id) => match id.get() {
+            Compound::Array(array) => Some(array.element),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
 /// Why a second name for a structure is not written.
 pub(super) const ALIAS: &str = "a structure has one name there: use that of its declaration";
 
@@ -68,20 +80,10 @@ pub(super) const ALIAS: &str = "a structure has one name there: use that of its 
 /// Why not.
 pub(super) fn is_taken(ty: OwnType, role: Role) -> Result<(), String> {
     let is_plain = |ty: OwnType| match ty {
-        OwnType::Compound(id) => {
-            matches!(id.get(), Compound::Array(array) if matches!(array.element, OwnType::Scalar(_)))
-        }
+        OwnType::Compound(_) => matches!(element(ty), Some(OwnType::Scalar(_))),
         ty => !is_instance(ty),
     };
-    let element = match ty {
-        OwnType::Array { element, .. } => Some(OwnType::Scalar(element)),
-        OwnType::Compound(id) => match id.get() {
-            Compound::Array(array) => Some(array.element),
-            _ => None,
-        },
-        _ => None,
-    };
-    if let Some(OwnType::Scalar(Scalar::Date | Scalar::Dt)) = element {
+    if let Some(OwnType::Scalar(Scalar::Date | Scalar::Dt)) = element(ty) {
         return Err(
             "compilers there have no arrays of DATE and DT: give each element a tag of its own".to_owned(),
         );
@@ -337,15 +339,10 @@ fn has_no_name(initial: &Initial, ty: OwnType) -> Result<(), String> {
         ty => has_no_name(initial, ty),
     };
     match (initial, ty) {
-        (Initial::Array(values), OwnType::Array { element, .. }) => values
-            .iter()
-            .try_for_each(|(_, value)| of_part(value, OwnType::Scalar(element))),
-        (Initial::Array(values), OwnType::Compound(id)) => match id.get() {
-            Compound::Array(array) => values
-                .iter()
-                .try_for_each(|(_, value)| of_part(value, array.element)),
-            _ => Ok(()),
-        },
+        (Initial::Array(values), _) => element(ty).map_or(Ok(()), |element| {
+            let mut values = values.iter();
+            values.try_for_each(|(_, value)| of_part(value, element))
+        }),
         (Initial::Structure(values), OwnType::Compound(id)) => match id.get() {
             Compound::Structure(structure) => values.iter().try_for_each(|(name, value)| {
                 let mut members = structure.members.iter();
