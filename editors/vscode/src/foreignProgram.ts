@@ -4,11 +4,15 @@ import type { TextDocument } from 'vscode';
 /** The language of a Python file that is a Click program. */
 export const CLICK = 'ladder-click';
 
-/** The files that the server is shown; which XML is a program it says itself. */
-export const FOREIGN_FILES = ['**/*.[lL]5[xXkK]', '**/*.[sS]7[dD][cC][lL]', '**/*.[tT][cC][pP][oO][uU]', '**/*.[sS][lL][cC]', '**/*.rung', '**/*.iot', '**/*.xml'];
-
 /** Endings that no other files have. */
-const ENDING = /\.(?:iot|l5k|l5x|rung|s7dcl|slc|tcpou)$/i;
+const ENDINGS = ['iot', 'l5k', 'l5x', 'rung', 's7dcl', 'slc', 'tcpou'];
+const ENDING = new RegExp(`\\.(?:${ENDINGS.join('|')})$`, 'i');
+
+/** A pattern for files of an ending, in capitals or not. */
+const filesOf = (ending: string) => `**/*.${ending.replace(/[a-z]/g, (letter) => `[${letter}${letter.toUpperCase()}]`)}`;
+
+/** The files that the server is shown; which XML is a program it says itself. */
+export const FOREIGN_FILES = [...ENDINGS, 'xml'].map(filesOf);
 
 /** What is among the first lines of a program in XML. */
 const XML_PROGRAM = /www\.plcopen\.org\/xml\/tc6|<SW\.Blocks\./;

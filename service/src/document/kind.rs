@@ -91,6 +91,7 @@ mod tests {
             assert_eq!(Kind::of(uri, language, ""), kind, "{uri} {language}");
         }
     }
+
     #[test]
     fn programs_of_other_systems_are_known_by_name_and_content() {
         const PLCOPEN: &str =

@@ -381,6 +381,7 @@ impl Neighbours {
         self.load(path);
         self.lock()
     }
+
     /// Forgets the workspaces that no open file belongs to, but for those that are wanted.
     pub(crate) fn forget(&self, wanted: impl Fn(&Path) -> bool) {
         let mut state = self.lock();

@@ -1,6 +1,7 @@
 //! The cells of a table, as spreadsheets and the tools of controllers write one.
 
 use csv::{Reader, ReaderBuilder, Trim};
+use ladder_analysis::values::types::Scalar;
 
 /// What is between the cells: `;` or a tab where the first line holds one, else a comma.
 ///
@@ -25,18 +26,35 @@ pub fn table_cells(text: &str) -> Reader<&[u8]> {
         .from_reader(text.as_bytes())
 }
 
-/// A real number with a point: `3,5` is 3.5.
-pub fn with_point(cell: &str) -> String {
-    if cell.contains('.') {
-        cell.to_owned()
-    } else {
+/// A cell that is to be read as a value of a type, with a point where spreadsheets write a comma: `3,5` is 3.5. A duration has no
+/// blank before its units: `1,5 s` is 1.5s.
+pub fn with_point(cell: &str, ty: Scalar) -> String {
+    let is_duration = ty == Scalar::Time;
+    let mut text = if (ty.is_real() || is_duration) && !cell.contains('.') {
         cell.replace(',', ".")
+    } else {
+        cell.to_owned()
+    };
+    if is_duration {
+        text.retain(|c| !c.is_whitespace());
     }
+    text
 }
 
-/// A duration as spreadsheets write one, with a point and without blanks before its units: `1,5 s` is 1.5s.
-pub fn duration_with_point(cell: &str) -> String {
-    let mut text = with_point(cell);
-    text.retain(|c| !c.is_whitespace());
-    text
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn commas_are_points_where_a_type_has_one() {
+        for (cell, ty, text) in [
+            ("3,5", Scalar::Real, "3.5"),
+            ("3.5", Scalar::Lreal, "3.5"),
+            ("1,5 s", Scalar::Time, "1.5s"),
+            ("T#1,5s", Scalar::Time, "T#1.5s"),
+            ("a, b", Scalar::String(80), "a, b"),
+        ] {
+            assert_eq!(with_point(cell, ty), text);
+        }
+    }
 }

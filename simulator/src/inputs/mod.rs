@@ -6,12 +6,11 @@ mod table;
 use crate::simulation::Simulation;
 use crate::tags::Point;
 use crate::value_text;
-use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use std::fmt;
 use table::Table;
 
-pub use cells::{duration_with_point, table_cells, with_point};
+pub use cells::{table_cells, with_point};
 
 /// Why a table of inputs cannot be used: its file, the row and the column, and what is wrong there.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -102,11 +101,9 @@ impl Inputs {
     }
 
     fn value(&self, cell: &str, point: &Point) -> Result<Value, String> {
-        let ty = point.ty;
-        match self.table.has_decimal_commas {
-            true if ty.is_real() => value_text::parse(&with_point(cell), ty),
-            true if ty == Scalar::Time => value_text::parse(&duration_with_point(cell), ty),
-            _ => value_text::parse(cell, ty),
+        if self.table.has_decimal_commas {
+            return value_text::parse(&with_point(cell, point.ty), point.ty);
         }
+        value_text::parse(cell, point.ty)
     }
 }

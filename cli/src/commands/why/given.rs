@@ -98,12 +98,7 @@ fn value_of(text: &str, ty: Scalar) -> Result<Value, String> {
     } else {
         text
     };
-    let number = match ty {
-        Scalar::Time => ladder_simulator::duration_with_point(number),
-        _ if ty.is_real() => ladder_simulator::with_point(number),
-        _ => number.to_owned(),
-    };
-    value_text::parse(&number, ty).map_err(|_| wrong)
+    value_text::parse(&ladder_simulator::with_point(number, ty), ty).map_err(|_| wrong)
 }
 
 /// The number of `7 mm` or `12,5%`.

@@ -151,8 +151,8 @@ pub(crate) async fn symbols(
                 context: Arc::clone(names.context()),
                 revision,
                 elsewhere,
-                // Names of the workspace are no blocks of the library.
                 knows_others: true,
+                // Names of the workspace are no blocks of the library.
                 opens_library: false,
             };
             let mut places = Places::of(&asked);
