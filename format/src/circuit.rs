@@ -27,6 +27,18 @@ impl<T> Circuit<T> {
     }
 }
 
+impl<T> Circuit<T> {
+    /// Changes each element.
+    pub fn for_each_mut(&mut self, with: &mut impl FnMut(&mut T)) {
+        match self {
+            Circuit::Element(element) => with(element),
+            Circuit::Series(parts) | Circuit::Parallel(parts) => {
+                parts.iter_mut().for_each(|part| part.for_each_mut(with));
+            }
+        }
+    }
+}
+
 /// One thing on a rung of a drawn circuit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Piece<'c, T> {

@@ -135,6 +135,20 @@ pub(crate) fn in_operands(text: &str, at: usize, open: OpenConflicts) -> Token {
     (kind, at + len)
 }
 
+/// Whether the text is one literal, without a sign: a number, `TRUE`, `T#5s`, `'text'`. What it means is for the analysis
+/// to say.
+pub fn is_literal(text: &str) -> bool {
+    match in_operands(text, 0, OpenConflicts::default()) {
+        (STRING, end) => end == text.len() && is_closed_string(text),
+        (kind, end) => kind == LITERAL && end == text.len(),
+    }
+}
+
+/// Whether the text is one direct address: `%IX0.3`.
+pub fn is_address(text: &str) -> bool {
+    in_operands(text, 0, OpenConflicts::default()) == (ADDRESS, text.len())
+}
+
 /// A name, a word operator, TRUE or FALSE; or a literal when a `#` that belongs to it is directly after it.
 fn word(text: &str, at: usize) -> Token {
     let Some(end) = identifier_end(text, at) else {

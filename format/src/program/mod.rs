@@ -1,9 +1,17 @@
 //! A whole program without columns: what is declared, what is drawn, and what is said about it. Importers of other
 //! notations make one; [`ProgramSketch::write`] gives its text.
 
+mod block;
+mod expression;
+mod path;
+mod read;
 mod write;
 
 use crate::Circuit;
+pub use block::{Block, Head, Invalid, Operand};
+pub use expression::{Expression, Literal, Operator, Sign};
+pub use path::{Path, Step};
+use std::fmt::{self, Display, Formatter};
 pub use write::WrittenProgram;
 
 /// A number of the importer's that says what a written place was made from. It comes back next to the place in the
@@ -185,26 +193,61 @@ pub enum RungPiece {
 /// A block, or a comment in a wire.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Element {
-    /// As it is written: `[TON]( t, T#5s )`.
-    pub text: String,
+    /// Which of the two.
+    pub part: Part,
     /// What it was made from.
     pub origin: Option<Origin>,
+}
+
+/// What is on a rung between connectors.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Part {
+    /// `[TON]( t, T#5s )`
+    Block(Block),
+    /// A piece of wire that says something: `# relay in the door #`
+    Comment(String),
+    /// As it is written.
+    Text(String),
 }
 
 impl Element {
     /// A block with its operand list, as it is written.
     pub fn block(text: impl Into<String>, origin: Option<Origin>) -> Element {
-        Element {
-            text: text.into(),
-            origin,
-        }
+        let text = text.into();
+        let part = match Block::read(&text) {
+            Ok(block) => Part::Block(block),
+            Err(_) => Part::Text(text),
+        };
+        Element { part, origin }
     }
 
-    /// A piece of wire that says something: `# relay in the door #`.
+    /// A block, and what it was made from.
+    pub const fn of(block: Block, origin: Option<Origin>) -> Element {
+        let part = Part::Block(block);
+        Element { part, origin }
+    }
+
+    /// A comment in a wire.
     pub fn comment(text: &str, origin: Option<Origin>) -> Element {
-        Element {
-            text: comment_on_line(text),
-            origin,
+        let part = Part::Comment(text.to_owned());
+        Element { part, origin }
+    }
+
+    /// The block, if it is one.
+    pub const fn as_block(&self) -> Option<&Block> {
+        match &self.part {
+            Part::Block(block) => Some(block),
+            _ => None,
+        }
+    }
+}
+
+impl Display for Element {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match &self.part {
+            Part::Block(block) => block.fmt(f),
+            Part::Comment(text) => f.write_str(&comment_on_line(text)),
+            Part::Text(text) => f.write_str(text),
         }
     }
 }

@@ -224,6 +224,6 @@ impl Writer {
     }
 
     fn element(&mut self, element: &Element) {
-        self.noted(element.origin, |out| out.push_str(&element.text));
+        self.noted(element.origin, |out| out.push_str(&element.to_string()));
     }
 }

@@ -6,6 +6,7 @@ use crate::{WriteError, Writing};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{Argument, Block, BlockKind};
 use ladder_analysis::values::types::Scalar;
+use ladder_format::program::Expression;
 use ladder_syntax::TextRange;
 
 /// No instruction becomes more of them.
@@ -63,8 +64,9 @@ fn edit(block: &Block, text: &str, instructions: &[&str]) -> Option<(TextRange, 
         return None;
     };
     // All operands are read before the first element is written.
-    let reads =
-        crate::elements::words(&format!("[ ]( {value} )")).any(|word| word.eq_ignore_ascii_case(range.array));
+    let mut reads = false;
+    let operand = Expression::read(value).ok()?;
+    operand.paths(&mut |path| reads |= path.root.eq_ignore_ascii_case(range.array));
     if reads {
         return None;
     }

@@ -1,37 +1,36 @@
-//! The elements of networks that were read, as texts.
+//! The blocks of networks that were read.
 
 use ladder_format::Circuit;
-use ladder_format::program::{Drawing, Element, Item, Network, RungPiece};
+use ladder_format::program::{Block, Drawing, Element, Expression, Item, Network, Operand, Part, RungPiece};
 use ladder_syntax::Name;
 use std::collections::HashMap;
-use std::ops::Range;
 
-/// What a network holds, if it is one rung without branches.
-pub(crate) fn series(network: &Network) -> Option<Vec<&str>> {
-    match &network.drawing {
-        Drawing::Circuit(circuit) => {
-            let mut found = Vec::new();
-            in_series(circuit, &mut found).then_some(found)
-        }
+/// What a network holds, if it is one rung of blocks without branches.
+pub(crate) fn series(network: &Network) -> Option<Vec<&Block>> {
+    let mut found = Vec::new();
+    let is_series = match &network.drawing {
+        Drawing::Circuit(circuit) => in_series(circuit, &mut found),
         Drawing::Rungs(rungs) => match &rungs[..] {
-            [rung] => rung
-                .iter()
-                .filter(|piece| **piece != RungPiece::Rail)
-                .map(|piece| match piece {
-                    RungPiece::Element(element) => Some(element.text.as_str()),
-                    _ => None,
-                })
-                .collect(),
-            _ => None,
+            [rung] => rung.iter().all(|piece| match piece {
+                RungPiece::Rail => true,
+                RungPiece::Element(element) => {
+                    found.push(element);
+                    true
+                }
+                _ => false,
+            }),
+            _ => false,
         },
-    }
+    };
+    let blocks = found.into_iter().map(Element::as_block);
+    is_series.then(|| blocks.collect()).flatten()
 }
 
 /// Whether a circuit has no branches: then its elements are found, a series in another one as part of that.
-fn in_series<'c>(circuit: &'c Circuit<Element>, found: &mut Vec<&'c str>) -> bool {
+fn in_series<'c>(circuit: &'c Circuit<Element>, found: &mut Vec<&'c Element>) -> bool {
     match circuit {
         Circuit::Element(element) => {
-            found.push(&element.text);
+            found.push(element);
             true
         }
         Circuit::Series(parts) => parts.iter().all(|part| in_series(part, found)),
@@ -39,147 +38,83 @@ fn in_series<'c>(circuit: &'c Circuit<Element>, found: &mut Vec<&'c str>) -> boo
     }
 }
 
-/// Calls something with the text of each element, those in blocks among them.
-pub(crate) fn elements(items: &[Item], found: &mut impl FnMut(&str)) {
+/// Calls something with each block on a rung, those in the definitions of blocks among them.
+pub(crate) fn blocks<'i>(items: &'i [Item], found: &mut impl FnMut(&'i Block)) {
     for item in items {
         match item {
-            Item::Block { items, .. } => elements(items, found),
-            Item::Network(Network {
-                drawing: Drawing::Circuit(circuit),
-                ..
-            }) => {
-                texts(circuit, found);
-            }
-            Item::Network(Network {
-                drawing: Drawing::Rungs(rungs),
-                ..
-            }) => {
-                for piece in rungs.iter().flatten() {
+            Item::Block { items, .. } => blocks(items, found),
+            Item::Network(network) => match &network.drawing {
+                Drawing::Circuit(circuit) => in_circuit(circuit, found),
+                Drawing::Rungs(rungs) => rungs.iter().flatten().for_each(|piece| {
                     if let RungPiece::Element(element) = piece {
-                        found(&element.text);
+                        element.as_block().into_iter().for_each(&mut *found);
                     }
-                }
-            }
+                }),
+            },
             _ => {}
         }
     }
 }
 
-fn texts(circuit: &Circuit<Element>, found: &mut impl FnMut(&str)) {
+fn in_circuit<'c>(circuit: &'c Circuit<Element>, found: &mut impl FnMut(&'c Block)) {
     match circuit {
-        Circuit::Element(element) => found(&element.text),
-        Circuit::Series(parts) | Circuit::Parallel(parts) => parts.iter().for_each(|part| texts(part, found)),
+        Circuit::Element(element) => element.as_block().into_iter().for_each(found),
+        Circuit::Series(parts) | Circuit::Parallel(parts) => {
+            parts.iter().for_each(|part| in_circuit(part, found));
+        }
     }
 }
 
-/// Changes the text of each element.
-pub(crate) fn change(items: &mut [Item], with: &impl Fn(&mut String)) {
+/// Changes each block on a rung.
+pub(crate) fn change(items: &mut [Item], with: &impl Fn(&mut Block)) {
+    let change_one = |element: &mut Element| {
+        if let Part::Block(block) = &mut element.part {
+            with(block);
+        }
+    };
     for item in items {
         match item {
             Item::Block { items, .. } => change(items, with),
-            Item::Network(Network {
-                drawing: Drawing::Circuit(circuit),
-                ..
-            }) => {
-                let whole = std::mem::replace(circuit, Circuit::Series(Vec::new()));
-                *circuit = whole.replaced(&|mut element: Element| {
-                    with(&mut element.text);
-                    Circuit::Element(element)
-                });
-            }
-            Item::Network(Network {
-                drawing: Drawing::Rungs(rungs),
-                ..
-            }) => {
-                for piece in rungs.iter_mut().flatten() {
+            Item::Network(network) => match &mut network.drawing {
+                Drawing::Circuit(circuit) => circuit.for_each_mut(&mut |element| change_one(element)),
+                Drawing::Rungs(rungs) => rungs.iter_mut().flatten().for_each(|piece| {
                     if let RungPiece::Element(element) = piece {
-                        with(&mut element.text);
+                        change_one(element);
                     }
-                }
-            }
+                }),
+            },
             _ => {}
         }
     }
 }
 
-/// The words of an element's operands that may be tags.
-pub(crate) fn words(text: &str) -> impl Iterator<Item = &str> {
-    tags(text).into_iter().map(|range| &text[range])
-}
-
-/// Where tags may stand in an element: words of its operands that are no members, names of operands or functions, nor parts of
-/// literals.
-fn tags(text: &str) -> Vec<Range<usize>> {
-    let mut found = Vec::new();
-    let is_label = ["<JMP>", "<LBL>", "<CALL>", "<FUN>"]
-        .iter()
-        .any(|head| text.starts_with(head));
-    // What stands in the brackets of a block is no tag.
-    let mut signs = text.char_indices().skip(1);
-    let head = signs.find(|(_, c)| matches!(c, ')' | ']' | '>'));
-    let Some((start, _)) = head.filter(|_| !is_label && !text.starts_with('#')) else {
-        return found;
-    };
-    let mut chars = text.char_indices().skip_while(|(at, _)| *at <= start).peekable();
-    let (mut before, mut is_text) = (' ', false);
-    while let Some((at, c)) = chars.next() {
-        if c == '\'' {
-            is_text = !is_text;
+/// Names other tags in a block.
+pub(crate) fn rename(block: &mut Block, names: &HashMap<Name, String>) {
+    block.change_paths(|path| {
+        if let Some(name) = names.get(&Name::new(&path.root)) {
+            path.root.clone_from(name);
         }
-        if is_text || !(c.is_alphanumeric() || c == '_') {
-            if !c.is_whitespace() {
-                before = c;
-            }
-            continue;
-        }
-        let mut end = at + c.len_utf8();
-        while let Some((at, c)) = chars.next_if(|(_, c)| c.is_alphanumeric() || *c == '_') {
-            end = at + c.len_utf8();
-        }
-        let rest = text[end..].trim_start();
-        let is_other = c.is_ascii_digit()
-            || matches!(before, '.' | '#' | '%' | '$')
-            || ["#", "(", ":=", "=>"].iter().any(|sign| rest.starts_with(sign));
-        if !is_other {
-            found.push(at..end);
-        }
-        before = 'a';
-    }
-    found
-}
-
-/// An element with other names for some tags.
-pub(crate) fn with_names(text: &str, names: &HashMap<Name, String>) -> String {
-    let mut out = text.to_owned();
-    for range in tags(text).into_iter().rev() {
-        if let Some(name) = names.get(&Name::new(&text[range.clone()])) {
-            out.replace_range(range, name);
-        }
-    }
-    out
+    });
 }
 
 /// A call of a block: `[$Rinse]( Rinse_state, go := go )`.
 pub(crate) struct Call {
+    /// With its `$`.
     pub(crate) block: Name,
     pub(crate) state: Option<String>,
-    pub(crate) given: Vec<(String, String)>,
+    pub(crate) given: Vec<(String, Expression)>,
 }
 
 impl Call {
-    pub(crate) fn of(text: &str) -> Option<Call> {
-        let (block, rest) = text.strip_prefix("[$")?.split_once("](")?;
-        let operands = rest.trim_end().strip_suffix(')')?;
-        let mut operands = operands.split(',').map(str::trim);
-        let state = operands
-            .next()
-            .filter(|state| !state.contains(":="))
-            .map(str::to_owned);
-        let given = operands.filter_map(|operand| operand.split_once(":="));
-        let given = given.map(|(name, tag)| (name.trim().to_owned(), tag.trim().to_owned()));
+    pub(crate) fn of(block: &Block) -> Option<Call> {
+        let name = block.user_name()?;
+        let given = block.operands().iter().filter_map(|operand| match operand {
+            Operand::Given(name, value) => Some((name.clone(), value.clone())),
+            _ => None,
+        });
         Some(Call {
-            block: Name::new(&format!("${block}")),
-            state,
+            block: Name::new(&format!("${name}")),
+            state: block.state().map(ToString::to_string),
             given: given.collect(),
         })
     }

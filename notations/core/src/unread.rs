@@ -3,7 +3,7 @@
 //! A reader collects them in [`UnreadParts`]: [`UnreadParts::block`] is what stands on the rung, [`UnreadParts::items`] are the
 //! definitions. A body of its own, whose declarations are read, is only marked as unread: [`unread_body`].
 
-use ladder_format::program::{Declaration, Item, Section, SectionKind};
+use ladder_format::program::{Block, Declaration, Item, Section, SectionKind};
 use std::collections::{HashMap, HashSet};
 
 /// As many characters of its operands a block takes; a longer text is in its definition.
@@ -69,17 +69,17 @@ struct Key {
 
 impl UnreadParts {
     /// An instruction as it is on a rung: `[$MSG]( 'control, data' )`. `is_taken` says which names, with the `$`, other blocks have.
-    pub fn block(&mut self, part: Unread<'_>, is_taken: impl Fn(&str) -> bool) -> String {
+    pub fn block(&mut self, part: Unread<'_>, is_taken: impl Fn(&str) -> bool) -> Block {
         let is_short = part.text.len() <= MOST_CHARACTERS && !part.text.contains(['\n', '\r']);
         self.on_rung(part, is_short, is_taken)
     }
 
     /// A body or a network as it is on a rung: `[$networkOfMotor]`. Its text is in its definition, however short it is.
-    pub fn body(&mut self, part: Unread<'_>, is_taken: impl Fn(&str) -> bool) -> String {
+    pub fn body(&mut self, part: Unread<'_>, is_taken: impl Fn(&str) -> bool) -> Block {
         self.on_rung(part, false, is_taken)
     }
 
-    fn on_rung(&mut self, part: Unread<'_>, is_short: bool, is_taken: impl Fn(&str) -> bool) -> String {
+    fn on_rung(&mut self, part: Unread<'_>, is_short: bool, is_taken: impl Fn(&str) -> bool) -> Block {
         let key = Key {
             name: part.name.to_ascii_lowercase(),
             about: part.about.to_owned(),
@@ -91,11 +91,8 @@ impl UnreadParts {
             Some((name, _)) => name.clone(),
             None => self.define(part, key, is_taken),
         };
-        if !is_short || part.text.is_empty() {
-            return format!("[{name}]");
-        }
-        let shown = part.text.replace('$', "$$").replace('\'', "$'");
-        format!("[{name}]( '{}' )", shown.replace(char::is_control, " "))
+        let text = part.text.replace(char::is_control, " ");
+        Block::unread(&name[1..], Some(text).filter(|text| is_short && !text.is_empty()))
     }
 
     fn define(&mut self, part: Unread<'_>, key: Key, is_taken: impl Fn(&str) -> bool) -> String {
@@ -293,7 +290,7 @@ mod tests {
         let mut parts = UnreadParts::default();
         let is_taken = |name: &str| name == "$MSG";
         let place = parts.block(MSG, is_taken);
-        assert_eq!(place, "[$MSG2]( 'control,$'data$'' )");
+        assert_eq!(place.to_string(), "[$MSG2]( 'control,$'data$'' )");
         assert_eq!(parts.block(MSG, is_taken), place);
         assert_eq!(unread_operands("'control,$'data$'' "), MSG.text);
         let writes = ["a".to_owned(), "b".to_owned()];
@@ -304,20 +301,20 @@ mod tests {
             turn: Turn::AnyTime,
             ..MSG
         };
-        assert_eq!(parts.block(other, is_taken), "[$MSG3]");
+        assert_eq!(parts.block(other, is_taken).to_string(), "[$MSG3]");
         let network = Unread {
             name: "network 3 of Motor (SCL)",
             text: "x := 2;",
             ..MSG
         };
-        assert_eq!(parts.body(network, is_taken), "[$network3OfMotorSCL]");
+        assert_eq!(parts.body(network, is_taken).to_string(), "[$network3OfMotorSCL]");
         let why = Unread {
             about: "MSG: for another reason.",
             writes: Some(&[]),
             text: "",
             ..MSG
         };
-        assert_eq!(parts.block(why, is_taken), "[$MSG4]");
+        assert_eq!(parts.block(why, is_taken).to_string(), "[$MSG4]");
         expect_test::expect![[r#"
             # MSG: it is not run here. #
             FUNCTION_BLOCK [$MSG2]

@@ -93,7 +93,7 @@ impl<'p> Translator<'p> {
         let names = &self.aoi_names;
         let is_taken = |name: &str| names.iter().any(|own| own.eq_ignore_ascii_case(name));
         Unreadable {
-            block: self.unread.block(part, is_taken),
+            block: self.unread.block(part, is_taken).to_string(),
             why: format!("{why}: it is not run, and {says}"),
             may_leave: op.is_some_and(Op::may_leave) || it.name == "SUS",
         }
@@ -307,7 +307,7 @@ impl Sketcher<'_> {
     fn unread_body(&mut self, part: Unread<'_>) -> String {
         let names = &self.translator.aoi_names;
         let is_taken = |name: &str| names.iter().any(|own| own.eq_ignore_ascii_case(name));
-        self.translator.unread.body(part, is_taken)
+        self.translator.unread.body(part, is_taken).to_string()
     }
 }
 

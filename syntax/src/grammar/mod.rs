@@ -22,10 +22,11 @@ use crate::kind::SyntaxKind;
 use crate::lexer::{self, Token};
 use rowan::{TextRange, TextSize};
 
-/// How deep expressions may nest, and how many operators one operand may have. Both bound the depth of the
+/// An expression that nests deeper is an error. This and [`MAX_TERMS`] bound the depth of the
 /// tree, and with it the stack that dropping or walking it takes.
-const MAX_DEPTH: u32 = 100;
-const MAX_TERMS: u32 = 500;
+pub const MAX_DEPTH: u32 = 100;
+/// An operand with more operators, members and indices is an error.
+pub const MAX_TERMS: u32 = 500;
 
 /// The next token among operands that is not white space or a comment.
 #[derive(Clone, Copy)]

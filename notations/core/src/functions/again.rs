@@ -2,11 +2,11 @@
 //! of the program by their own names, nothing is lost. One that was changed otherwise stays a block.
 
 use super::{BEGINS, DEEPEST, MARK};
-use crate::elements::{Call, change, elements, series, with_names, words};
+use crate::elements::{Call, blocks, change, rename, series};
 use crate::items::{above, block_name, trim, without};
 use ladder_format::Circuit;
 use ladder_format::program::{
-    Declaration, Drawing, Element, Item, Network, ProgramSketch, RungPiece, Section, SectionKind,
+    Block, Declaration, Drawing, Element, Item, Network, Path, ProgramSketch, RungPiece, Section, SectionKind,
 };
 use ladder_syntax::Name;
 use std::collections::HashMap;
@@ -32,11 +32,11 @@ pub(crate) fn functions_again(files: &mut [&mut ProgramSketch]) {
         .iter()
         .map(|block| (block.key.clone(), block.function.clone()))
         .collect();
-    let call = |text: &mut String| {
-        if let Some(call) = Call::of(text)
+    let call = |block: &mut Block| {
+        if let Some(call) = Call::of(block)
             && let Some(function) = functions.get(&call.block)
         {
-            *text = format!("<CALL>( {function} )");
+            *block = Block::call(function);
         }
     };
     for file in files.iter_mut() {
@@ -74,7 +74,7 @@ pub(crate) fn functions_again(files: &mut [&mut ProgramSketch]) {
             locals.push(section.clone());
         }
         if !renamed.is_empty() {
-            change(&mut own, &|text: &mut String| *text = with_names(text, &renamed));
+            change(&mut own, &|block: &mut Block| rename(block, &renamed));
         }
         let items = &mut files[home].items;
         items.extend(function(block.function, block.begins, block.said, own));
@@ -156,8 +156,8 @@ impl Marked {
         let mut knows_power = false;
         for network in networks {
             let items = [Item::Network(network.clone())];
-            elements(&items, &mut |text| {
-                knows_power |= words(text).any(is_power);
+            blocks(&items, &mut |block| {
+                block.paths(|path| knows_power |= is_power(&path.root));
             });
         }
         let kinds = [SectionKind::Var, SectionKind::VarInput, SectionKind::VarInOut];
@@ -166,7 +166,10 @@ impl Marked {
             Item::Block { .. } | Item::Text(_) | Item::Directive(_) => false,
             _ => true,
         });
-        is_name && is_plain && !knows_power && guard.is_some_and(|guard| guard == ["[/]( EN )", "<RET>"])
+        is_name
+            && is_plain
+            && !knows_power
+            && guard.is_some_and(|guard| guard == [&Block::negated_contact(Path::tag("EN")), &Block::ret()])
     }
 
     /// What it is handed, with the types.
@@ -190,7 +193,7 @@ impl Marked {
         let given: HashMap<Name, String> = call
             .given
             .iter()
-            .map(|(name, tag)| Some((Name::new(name), in_program(tag)?)))
+            .map(|(name, tag)| Some((Name::new(name), in_program(tag.path()?.whole()?)?)))
             .collect::<Option<_>>()?;
         let is_all = self
             .handed()
@@ -272,8 +275,8 @@ fn resolve(files: &[&mut ProgramSketch], found: &mut [Marked]) {
             },
             _ => Caller::Program,
         };
-        elements(std::slice::from_ref(item), &mut |text| {
-            if let Some(call) = Call::of(text)
+        blocks(std::slice::from_ref(item), &mut |block| {
+            if let Some(call) = Call::of(block)
                 && let Some(called) = by_key.get(&call.block)
             {
                 calls[*called].push((caller, call));
@@ -343,7 +346,7 @@ fn is_power(word: &str) -> bool {
 
 /// The networks of a function.
 fn function(name: String, begins: bool, said: Vec<String>, items: Vec<Item>) -> Vec<Item> {
-    let head = Element::block(format!("<FUN>( {name} )"), None);
+    let head = Element::of(Block::function(&name), None);
     let mut out = Vec::new();
     let mut items = items.into_iter().filter(|item| !matches!(item, Item::Section(_)));
     // The guard is in the place of the head.

@@ -1,9 +1,10 @@
 //! What was written as jumps is a loop again: where two tags say so, and every network of the loop is as it was written.
 
 use super::MARK;
-use crate::elements::{change, elements, series};
+use crate::elements::{blocks, change, series};
 use ladder_format::Circuit;
-use ladder_format::program::{Drawing, Element, Item, Network, Section};
+use ladder_format::program::{Block, Drawing, Element, Expression, Item, Network, Operand, Path, Section};
+use ladder_instructions::Op;
 
 /// Of more loops none is looked for: each is looked for in the whole text.
 const MOST: usize = 50;
@@ -31,10 +32,47 @@ pub(crate) fn loops_again(items: &mut Vec<Item>) {
         return;
     }
     for name in names {
-        if let Some(found) = Found::of(items, &name) {
-            found.restore(items, &name);
+        let parts = Parts::of(&name);
+        if let Some(found) = Found::of(items, &parts) {
+            found.restore(items, &parts);
         }
     }
+}
+
+/// What a loop is called, and the blocks that it is written with.
+struct Parts {
+    count: Path,
+    turn: Path,
+    label: String,
+    end: String,
+}
+
+impl Parts {
+    fn of(name: &str) -> Parts {
+        Parts {
+            count: Path::tag(format!("{name}_count")),
+            turn: Path::tag(format!("{name}_turn")),
+            label: name.to_owned(),
+            end: format!("{name}_end"),
+        }
+    }
+
+    /// How many turns there are, if a block puts that into the tag for it.
+    fn counted<'b>(&self, block: &'b Block) -> Option<&'b Expression> {
+        moved(block).and_then(|(to, from)| (to.path() == Some(&self.count)).then_some(from))
+    }
+}
+
+/// What a `[MOV]` writes, and what it reads.
+fn moved(block: &Block) -> Option<(&Expression, &Expression)> {
+    match block.operands() {
+        [Operand::Value(to), Operand::Value(from)] if block.op() == Some(Op::Mov) => Some((to, from)),
+        _ => None,
+    }
+}
+
+fn made<const N: usize>(op: Op, operands: [Expression; N]) -> Option<Block> {
+    Block::of(op, operands).ok()
 }
 
 /// A loop among items: which of them are its networks.
@@ -43,15 +81,15 @@ struct Found {
     gone: Vec<usize>,
     /// The network with the FOR, how many turns there are, and the tag that has their number.
     head: usize,
-    count: String,
-    turn: Option<String>,
+    count: Expression,
+    turn: Option<Expression>,
     /// The first of the networks at its end.
     end: usize,
 }
 
 impl Found {
     /// The loop of a name. None: it is not as it was written.
-    fn of(items: &[Item], name: &str) -> Option<Found> {
+    fn of(items: &[Item], parts: &Parts) -> Option<Found> {
         let own: Vec<(usize, &Network)> = items
             .iter()
             .enumerate()
@@ -60,87 +98,77 @@ impl Found {
                 _ => None,
             })
             .collect();
-        let of = |text: String| {
-            let mut places = own.iter().enumerate();
-            let is_it = |network: &Network| series(network).is_some_and(|own| own == [text.as_str()]);
-            places
-                .find(|(_, (_, network))| is_it(network))
-                .map(|(number, _)| number)
+        let of = |block: &Block| {
+            let is_it = |network: &Network| series(network).is_some_and(|own| own == [block]);
+            own.iter().position(|(_, network)| is_it(network))
         };
-        let start = of(format!("[MOV]( {name}_count, 0 )"))?;
-        let end = of(format!("<JMP>( {name} )"))?;
-        let begins = format!("[MOV]( {name}_count, ");
+        let [count, turn] = [&parts.count, &parts.turn].map(Expression::from);
+        let no_count = made(Op::Mov, [count.clone(), 0.into()])?;
+        let no_turn = made(Op::Mov, [turn.clone(), 0.into()])?;
+        let start = of(&no_count)?;
+        let end = of(&Block::jump(&parts.label))?;
         let mut starts = Followed {
             own: &own,
             at: start,
             gone: Vec::new(),
         };
-        starts.takes(&[
-            format!("[MOV]( {name}_count, 0 )"),
-            format!("[MOV]( {name}_turn, 0 )"),
-        ])?;
+        starts.takes(&[no_count, no_turn])?;
         // The network with the FOR is any.
         let head = starts.at;
         let mut heads = Vec::new();
         let (at, _) = *own.get(head)?;
-        elements(&items[at..=at], &mut |text| {
-            if let Some(count) = text.strip_prefix(&begins) {
-                heads.push(count.trim_end_matches(')').trim().to_owned());
-            }
-        });
-        let [count] = &heads[..] else { return None };
+        blocks(&items[at..=at], &mut |block| heads.extend(parts.counted(block)));
+        let [turns] = heads[..] else { return None };
         let mut rest_of = Followed {
             own: &own,
             at: head + 1,
             gone: Vec::new(),
         };
         rest_of.takes(&[
-            format!("<LBL>( {name} )"),
-            format!("[GE]( {name}_turn, {name}_count )"),
-            format!("<JMP>( {name}_end )"),
+            Block::label(&parts.label),
+            made(Op::Ge, [turn.clone(), count])?,
+            Block::jump(&parts.end),
         ])?;
-        rest_of.takes(&[format!("[ADD]( {name}_turn, {name}_turn, 1 )")])?;
-        let turn = rest_of.takes_turn(&format!(", {name}_turn )"));
+        rest_of.takes(&[made(Op::Add, [turn.clone(), turn.clone(), 1.into()])?])?;
+        let number = rest_of.takes_turn(&turn);
         let body = rest_of.at;
         let mut ends = Followed {
             own: &own,
             at: end,
             gone: Vec::new(),
         };
-        ends.takes(&[format!("<JMP>( {name} )"), format!("<LBL>( {name}_end )")])?;
+        ends.takes(&[Block::jump(&parts.label), Block::label(&parts.end)])?;
         if body > end {
             return None;
         }
         let gone = [starts.gone, rest_of.gone, ends.gone].concat();
         // Nothing else may know of it.
         let mut uses = 0;
-        let tags = [format!("{name}_count"), format!("{name}_turn")];
-        elements(items, &mut |text| {
-            let is_jump =
-                [format!("<JMP>( {name} )"), format!("<JMP>( {name}_end )")].contains(&text.to_owned());
-            uses += usize::from(
-                is_jump || crate::elements::words(text).any(|word| tags.iter().any(|tag| tag == word)),
-            );
+        let jumps = [&parts.label, &parts.end].map(|label| Block::jump(label));
+        blocks(items, &mut |block| {
+            let mut is_use = jumps.contains(block);
+            block.paths(|path| is_use |= [&parts.count.root, &parts.turn.root].contains(&&path.root));
+            uses += usize::from(is_use);
         });
-        let expected = 7 + usize::from(turn.is_some());
+        let expected = 7 + usize::from(number.is_some());
         (uses == expected).then(|| Found {
             gone: gone.into_iter().map(|number| own[number].0).collect(),
             head: own[head].0,
-            count: count.clone(),
-            turn,
+            count: turns.clone(),
+            turn: number,
             end: own[end].0,
         })
     }
 
-    fn restore(self, items: &mut Vec<Item>, name: &str) {
-        let begins = format!("[MOV]( {name}_count, ");
-        let head = match &self.turn {
-            Some(turn) => format!("<FOR>( {}, I => {turn} )", self.count),
-            None => format!("<FOR>( {} )", self.count),
+    fn restore(self, items: &mut Vec<Item>, parts: &Parts) {
+        let turn = self.turn.map(|turn| Operand::Taken("I".to_owned(), turn));
+        let operands = std::iter::once(Operand::Value(self.count)).chain(turn);
+        let (Ok(head), Ok(next)) = (Block::of(Op::For, operands), Block::of(Op::Next, Operand::NONE)) else {
+            return;
         };
-        change(&mut items[self.head..=self.head], &|text: &mut String| {
-            if text.starts_with(&begins) {
-                head.clone_into(text);
+        change(&mut items[self.head..=self.head], &|block: &mut Block| {
+            if parts.counted(block).is_some() {
+                *block = head.clone();
             }
         });
         let mut out: Vec<Item> = Vec::new();
@@ -150,7 +178,7 @@ impl Found {
                     Item::Network(network) => network.comments,
                     _ => Vec::new(),
                 };
-                let drawing = Drawing::Circuit(Circuit::Element(Element::block("<NEXT>", None)));
+                let drawing = Drawing::Circuit(Circuit::Element(Element::of(next.clone(), None)));
                 out.push(Item::Network(Network { comments, drawing }));
             } else if !self.gone.contains(&at) {
                 out.push(item);
@@ -159,12 +187,12 @@ impl Found {
                 out.extend(network.comments.into_iter().map(Item::Comment));
             }
         }
-        let tags = [format!("{name}_count"), format!("{name}_turn")];
+        let tags = [&parts.count.root, &parts.turn.root];
         for item in &mut out {
             if let Item::Section(section) = item {
                 section
                     .declarations
-                    .retain(|declared| !declared.names.iter().any(|name| tags.contains(name)));
+                    .retain(|declared| !declared.names.iter().any(|name| tags.contains(&name)));
             }
         }
         out.retain(|item| !matches!(item, Item::Section(section) if section.declarations.is_empty()));
@@ -182,12 +210,12 @@ struct Followed<'o> {
 
 impl Followed<'_> {
     /// Takes networks that hold these, each one or more of them and nothing else.
-    fn takes(&mut self, expected: &[String]) -> Option<()> {
+    fn takes(&mut self, expected: &[Block]) -> Option<()> {
         let mut waiting = expected;
         while !waiting.is_empty() {
-            for text in series(self.own.get(self.at)?.1)? {
+            for block in series(self.own.get(self.at)?.1)? {
                 let [first, more @ ..] = waiting else { return None };
-                if text != first.as_str() {
+                if block != first {
                     return None;
                 }
                 waiting = more;
@@ -199,12 +227,12 @@ impl Followed<'_> {
     }
 
     /// Takes the network that hands on the number of the turn.
-    fn takes_turn(&mut self, ends: &str) -> Option<String> {
+    fn takes_turn(&mut self, turn: &Expression) -> Option<Expression> {
         let found = series(self.own.get(self.at)?.1)?;
         let [only] = &found[..] else { return None };
-        let turn = only.strip_prefix("[MOV]( ")?.strip_suffix(ends)?.to_owned();
+        let (to, _) = moved(only).filter(|(_, from)| *from == turn)?;
         self.gone.push(self.at);
         self.at += 1;
-        Some(turn)
+        Some(to.clone())
     }
 }

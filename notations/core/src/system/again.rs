@@ -1,15 +1,15 @@
 //! What was written along is taken out again: the tags are those of `SYS`, where the block is as it was written.
 
 use super::{BLOCK, INSTANCE, OUTPUT, block, output};
-use crate::elements::{Call, change, elements, series, with_names};
+use crate::elements::{Call, blocks, change, series};
 use crate::items::{block_name, trim, without};
 use crate::{Notation, Source};
 use ladder_analysis::Analysis;
 use ladder_analysis::names::system_tag::SystemTag;
 use ladder_format::Options;
-use ladder_format::program::{Declaration, Item, ProgramSketch, SectionKind};
+use ladder_format::program::{Block, Declaration, Item, Path, ProgramSketch, SectionKind, Step};
 use ladder_syntax::Name;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
 /// Names tags of `SYS` in a program where the outputs of the block were named. If that has errors, as where the system has other types,
 /// the program stays as it is.
@@ -24,13 +24,21 @@ pub(crate) fn system_tags_again(program: &mut ProgramSketch, notation: &dyn Nota
     }
     let mut items = without(program.items.clone(), &|block| *block == Name::new(BLOCK));
     remove_instances(&mut items);
-    let root = HashMap::from([(Name::new(INSTANCE), "SYS".to_owned())]);
-    change(&mut items, &|text: &mut String| {
-        *text = with_names(text, &root).replace(&format!("SYS.{OUTPUT}"), "SYS.");
-    });
+    change(&mut items, &|block: &mut Block| block.change_paths(of_system));
     let again = ProgramSketch { items };
     if !has_errors(&again) {
         *program = again;
+    }
+}
+
+/// The tag of `SYS` that an output of the instance is.
+fn of_system(path: &mut Path) {
+    if Name::new(&path.root) == Name::new(INSTANCE)
+        && let Some(Step::Member(name)) = path.steps.first_mut()
+        && let Some(own) = name.strip_prefix(OUTPUT)
+    {
+        *name = own.to_owned();
+        "SYS".clone_into(&mut path.root);
     }
 }
 
@@ -96,18 +104,20 @@ fn is_as_written(program: &ProgramSketch, tags: &[SystemTag], notation: &dyn Not
 /// The blocks of one's own that networks call.
 fn called(items: &[Item]) -> BTreeSet<Name> {
     let mut called = BTreeSet::new();
-    elements(items, &mut |text| {
-        called.extend(Call::of(text).map(|call| call.block));
+    blocks(items, &mut |block| {
+        called.extend(Call::of(block).map(|call| call.block));
     });
     called
 }
 
 /// Takes out the instances and their calls. What is said above a call stays.
 fn remove_instances(items: &mut Vec<Item>) {
-    let call = format!("[{BLOCK}]( {INSTANCE} )");
+    let Ok(call) = Block::user(&BLOCK[1..], [Path::tag(INSTANCE)]) else {
+        return;
+    };
     for mut item in std::mem::take(items) {
         match &mut item {
-            Item::Network(network) if series(network).is_some_and(|own| own == [call.as_str()]) => {
+            Item::Network(network) if series(network).is_some_and(|own| own == [&call]) => {
                 items.extend(network.comments.drain(..).map(Item::Comment));
                 continue;
             }

@@ -255,7 +255,7 @@ impl<'f> Importer<'f> {
             turn: Turn::Here,
         };
         let text = self.unread.block(part, |name| Made::named(name).is_some());
-        Translation::with(text, Some(remark))
+        Translation::with(text.to_string(), Some(remark))
     }
 
     fn listed_values(&self, form: Form, fields: &[&str]) -> Result<Translation, String> {

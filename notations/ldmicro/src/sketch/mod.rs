@@ -240,7 +240,7 @@ impl<'f> Importer<'f> {
                     None => self.reading.report.translated(place, &leaf.text),
                 }
                 let mut out = vec![Element::block(text, origin)];
-                if !self.comes_back(leaf, &out[0].text) {
+                if !self.comes_back(leaf, &out[0].to_string()) {
                     out.push(Element::comment(&format!("was: {}", leaf.text), origin));
                 }
                 out

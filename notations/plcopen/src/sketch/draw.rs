@@ -130,7 +130,7 @@ impl Drawn {
             held,
             ..
         } = pencil;
-        let length: usize = elements.iter().map(|element| element.text.len() + 4).sum();
+        let length: usize = elements.iter().map(|element| element.to_string().len() + 4).sum();
         let characters = length * wires.len();
         body.characters += characters;
         if elements.len() > MOST_ELEMENTS || characters > MOST_CHARACTERS || body.characters > MOST_IN_ALL {
@@ -232,7 +232,7 @@ impl Pencil<'_, '_> {
         let shown = super::blocks::shown(&self.body.graph.nodes[node]);
         let shown = crate::scope::short(&shown);
         let comment = Element::comment(&format!("{shown}: not translated"), None);
-        self.series(from, [comment.text], node)
+        self.series(from, [comment.to_string()], node)
     }
 
     /// Something that is done.

@@ -148,7 +148,7 @@ pub(super) fn at_times(
     let origin = reading.origin(task.place);
     Some(Item::Network(Network {
         comments: Vec::new(),
-        drawing: Drawing::Circuit(Circuit::Element(Element::block(block, Some(origin)))),
+        drawing: Drawing::Circuit(Circuit::Element(Element::of(block, Some(origin)))),
     }))
 }
 

@@ -5,7 +5,7 @@ use super::declare;
 use super::tasks::When;
 use crate::model::{Body, Part, Project, Type, Unit, UnitKind, WORKSHEET};
 use crate::scope::{Scope, Shared};
-use ladder_format::program::{Drawing, Element, Item, Network, ProgramSketch};
+use ladder_format::program::{Block, Drawing, Element, Item, Network, ProgramSketch};
 use ladder_format::{Circuit, Options};
 use ladder_notation::{Outcome, Power, Reading, Unread, UnreadParts, unread_body};
 use std::collections::{HashMap, HashSet};
@@ -113,11 +113,11 @@ pub(super) fn unit_items(
 }
 
 /// A network with a block alone.
-fn network(block: String, place: ladder_notation::LineColumn, reading: &mut Reading) -> [Item; 2] {
+fn network(block: Block, place: ladder_notation::LineColumn, reading: &mut Reading) -> [Item; 2] {
     let origin = reading.origin(place);
     let network = Network {
         comments: Vec::new(),
-        drawing: Drawing::Circuit(Circuit::Element(Element::block(block, Some(origin)))),
+        drawing: Drawing::Circuit(Circuit::Element(Element::of(block, Some(origin)))),
     };
     [Item::Blank, Item::Network(network)]
 }
@@ -291,8 +291,8 @@ fn part_items(
     };
     // A block has no functions of its own.
     let block = match place {
-        Place::Block => "<RET>".to_owned(),
-        _ => format!("<FUN>( {} )", made.scope.fresh(&part.name)),
+        Place::Block => Block::ret(),
+        _ => Block::function(&made.scope.fresh(&part.name)),
     };
     made.items.extend([Item::Blank, Item::Comment(shown)]);
     let [_, begin] = network(block, part.place, reading);

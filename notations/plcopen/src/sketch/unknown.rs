@@ -37,7 +37,7 @@ impl Body<'_> {
         let shared = self.shared;
         let is_taken = |name: &str| shared.has_block(name);
         if let Some(code) = code {
-            return self.made.unread.body(part(code), is_taken);
+            return self.made.unread.body(part(code), is_taken).to_string();
         }
         let power = power_pins(self, node);
         let inputs = self.graph.nodes[node].inputs.iter().enumerate();
@@ -57,7 +57,7 @@ impl Body<'_> {
         if let Some(action) = self.made.actions.get(&action_name(name)) {
             text.push_str(&format!("\n{action}"));
         }
-        self.made.unread.block(part(&text), is_taken)
+        self.made.unread.block(part(&text), is_taken).to_string()
     }
 
     /// The type that an output of a block that nothing knows must have for what takes it.

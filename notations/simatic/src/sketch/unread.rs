@@ -5,7 +5,7 @@ use crate::model::{Body, Kind, Network, Part, Type, Unit};
 use crate::operand::operand;
 use crate::scope::{Scope, block_name};
 use crate::standard::{self, of_document};
-use ladder_format::program::{self, Drawing, Element, Item, SectionKind};
+use ladder_format::program::{self, Block, Drawing, Element, Item, SectionKind};
 use ladder_format::{Circuit, Options};
 use ladder_notation::{LineColumn, Power, Turn, Unread, unread_body};
 use std::collections::HashSet;
@@ -57,7 +57,9 @@ impl Sketcher<'_> {
             turn: Turn::Here,
         };
         let library = self.library;
-        self.unread.block(part, |word| is_taken(library, word))
+        self.unread
+            .block(part, |word| is_taken(library, word))
+            .to_string()
     }
 
     /// The blocks of the project that a text calls come along: with another one of them it is another text.
@@ -169,9 +171,9 @@ impl Sketcher<'_> {
         items
     }
 
-    fn alone(&mut self, block: String, place: LineColumn) -> Drawing {
+    fn alone(&mut self, block: Block, place: LineColumn) -> Drawing {
         let origin = self.reading.origin(place);
-        Drawing::Circuit(Circuit::Element(Element::block(block, Some(origin))))
+        Drawing::Circuit(Circuit::Element(Element::of(block, Some(origin))))
     }
 }
 

@@ -224,7 +224,7 @@ fn rungs(strands: &[Strand]) -> String {
             match piece {
                 Piece::Point(point) => out.push_str(&format!("            {}\r\n", name(*point))),
                 Piece::Element(element) => {
-                    for line in element.text.lines() {
+                    for line in element.to_string().lines() {
                         out.push_str(&format!("            {line}\r\n"));
                     }
                 }
