@@ -210,7 +210,7 @@ impl Unit<'_, '_> {
         match place.root() {
             Some(tag) => {
                 let name = &self.project.program.tags[tag.0 as usize].name;
-                crate::names::identifier(&name.replace(['[', ']', ',', ' '], "_"))
+                crate::names::identifier(name)
             }
             None => "system".into(),
         }

@@ -55,8 +55,9 @@ pub(crate) fn identifier(of: &str) -> String {
         match c {
             '_' if name.ends_with('_') => {}
             'a'..='z' | 'A'..='Z' | '0'..='9' | '_' => name.push(c),
-            '.' | ' ' if !name.ends_with('_') && !name.is_empty() => name.push('_'),
-            '.' | ' ' | '$' | '%' => {}
+            '.' | ' ' | '[' | ',' if !name.ends_with('_') && !name.is_empty() => name.push('_'),
+            '.' | ' ' | '[' | ',' | ']' | '$' | '%' => {}
+            '-' if name.ends_with('_') => name.push('m'),
             other => name.push_str(&format!("u{:04X}", u32::from(other))),
         }
     }
@@ -82,6 +83,7 @@ mod tests {
         assert_eq!(name("höhe"), "hu00F6he");
         assert_eq!(name("%IX0.3"), "IX0_3");
         assert_eq!(name("library.count"), "library_count");
+        assert_eq!(name("zones[1, -2].watch[3]"), "zones_1_m2_watch_3");
         assert_eq!(names.numbered("rise"), "rise1");
         assert_eq!(names.numbered("rise"), "rise2");
     }

@@ -2,10 +2,10 @@
 
 use crate::checks::{Check, Checks, is_within};
 use crate::names;
-use crate::project::{Result, Service, root};
+use crate::project::{Result, Service};
 use crate::term::{Binding, Term};
 use crate::unit::Unit;
-use ladder_analysis::program::{Chosen, Expr, ExprKind, Member, Place, SystemTag, TagId};
+use ladder_analysis::program::{Argument, Chosen, Expr, ExprKind, Member, Place, SystemTag, TagId};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
 
@@ -138,11 +138,12 @@ impl Unit<'_, '_> {
             }
             Place::Member(tag, member) => {
                 let (variable, text) = self.path(*tag, &[]);
-                self.member(*tag, *member, variable, &text, false)
+                self.member(*tag, *member, variable, &text)
             }
             Place::ChosenMember(chosen, member) => {
-                let (variable, text) = self.chosen(chosen, checks)?;
-                self.member(chosen.first, *member, variable, &text, true)
+                let tag = self.chosen(chosen)?;
+                let (variable, text) = self.path(tag, &[]);
+                self.member(tag, *member, variable, &text)
             }
             _ => {
                 let target = self.place(place, checks)?;
@@ -170,7 +171,7 @@ impl Unit<'_, '_> {
                 let indices = self.indices(index, &dimensions, checks)?;
                 Ok(plain(self.path(*tag, &indices), checks.len() > before))
             }
-            Place::Chosen(chosen) => Ok(plain(self.chosen(chosen, checks)?, true)),
+            Place::Chosen(chosen) => Ok(plain(self.path(self.chosen(chosen)?, &[]), false)),
             Place::Bit(inner, ty, bit) => {
                 let mut target = self.place(inner, checks)?;
                 if !matches!(target.form, Form::Plain) {
@@ -190,30 +191,24 @@ impl Unit<'_, '_> {
         }
     }
 
-    /// A timer, counter, bistable or block that a computed index chooses.
-    pub(crate) fn chosen(&mut self, chosen: &Chosen, checks: &mut Checks) -> Result<(String, String)> {
-        let first = &self.project.program.tags[chosen.first.0 as usize];
-        let slots = first
-            .name
-            .split('[')
-            .skip(1)
-            .map(|rest| rest.split(']').next().unwrap_or("").split(',').count());
-        let slots: usize = slots.sum();
-        let mut indices = Vec::new();
-        match &chosen.number.kind {
-            ExprKind::Offset(subscripts) => {
-                for subscript in subscripts.iter().take(slots) {
-                    indices.push(self.index(&subscript.index, subscript.first, subscript.last, checks)?);
-                }
-            }
-            _ => {
-                return self.stop("an element that is chosen in a way that Structured Text has no words for");
-            }
+    /// The tag that indices choose of timers, counters, bistables or blocks, or in them.
+    fn chosen(&self, chosen: &Chosen) -> Result<TagId> {
+        match self.project.chosen(chosen) {
+            Some(tag) => Ok(tag),
+            None => self.stop(
+                "a timer, counter or block that a computed index chooses, as compilers that are built on matiec have no arrays of them: \
+                 give each element a network with its index",
+            ),
         }
-        if indices.len() != slots {
-            return self.stop("an element of blocks inside blocks that is chosen by an index");
+    }
+
+    /// The tag of a timer, counter, bistable or block.
+    pub(crate) fn state_tag(&self, argument: &Argument) -> Result<TagId> {
+        match argument {
+            Argument::State(tag) => Ok(*tag),
+            Argument::ChosenState(chosen) => self.chosen(chosen),
+            _ => self.stop("a block whose state is no tag"),
         }
-        Ok(self.path(chosen.first, &indices))
     }
 
     fn dimensions(&self, tag: TagId) -> Vec<(i64, i64)> {
@@ -281,12 +276,10 @@ impl Unit<'_, '_> {
         let variable = self.variable(tag);
         let tag_of = &self.project.program.tags[tag.0 as usize];
         let name = tag_of.name.as_str();
-        let rest = match &tag_of.column {
-            Some(column) => &name[column.root..],
-            None => "",
-        };
+        let root = self.project.root(tag);
+        let rest = &name[root.len()..];
         let mut text = variable.clone();
-        let mut ty = self.project.declared_type(tag_of.block, root(tag_of));
+        let mut ty = self.project.declared_type(tag_of.block, root);
         let mut indices = indices.iter();
         let mut open = rest;
         while let Some(c) = open.chars().next() {
@@ -314,21 +307,13 @@ impl Unit<'_, '_> {
         (variable, text)
     }
 
-    fn member(
-        &mut self,
-        tag: TagId,
-        member: Member,
-        variable: String,
-        text: &str,
-        is_risky: bool,
-    ) -> Result<Term> {
+    fn member(&mut self, tag: TagId, member: Member, variable: String, text: &str) -> Result<Term> {
         let Type::State(state) = self.project.program.tags[tag.0 as usize].ty else {
             return self.stop("a member of something that has none");
         };
         let of = |name: &str| {
             let mut term = Term::whole(format!("{text}.{name}"));
             term.reads.insert(variable.clone());
-            term.is_risky = is_risky;
             term
         };
         let standard = self.project.is_standard(state, tag);

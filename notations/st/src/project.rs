@@ -3,14 +3,15 @@
 pub(crate) mod declare;
 mod initial;
 mod shared;
-mod types;
+pub(crate) mod types;
 
 use crate::names::{self, Names};
 use declare::Variable;
 use ladder_analysis::context::Context;
 use ladder_analysis::names::named_types::NamedTypes;
 use ladder_analysis::program::{
-    Argument, Block, BlockKind, Clock, ExprKind, Location, Place, Program, SystemTag, Tag, TagId,
+    Argument, BinaryOperator, Block, BlockKind, Chosen, Clock, Expr, ExprKind, Location, Place, Program,
+    SystemTag, Tag, TagId,
 };
 use ladder_analysis::values::compound::{EnumId, TypeId};
 use ladder_analysis::values::types::{Scalar, Type};
@@ -20,6 +21,7 @@ use ladder_syntax::Parse;
 use shared::Shared;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
+use types::is_block;
 
 /// Why a program is not written: at a place, what cannot be said.
 pub(crate) struct Stop {
@@ -121,6 +123,8 @@ pub(crate) struct Project<'p> {
     named_arrays: HashMap<Type, &'p str>,
     /// The types of the tags as they are declared, of each block and of the program.
     declared: HashMap<(Option<usize>, &'p str), Type>,
+    /// How many bytes of the name of each tag are that of the variable that it lies in.
+    roots: Vec<usize>,
     /// The parts of each of them, which hold its initial value.
     parts: HashMap<(Option<usize>, &'p str), Vec<&'p Tag>>,
     enumerations: HashMap<EnumId, String>,
@@ -147,6 +151,11 @@ pub(crate) struct Project<'p> {
     pub(crate) faults_count: bool,
 }
 
+/// All tags with their numbers.
+fn tag_ids(program: &Program) -> impl Iterator<Item = (TagId, &Tag)> {
+    (0..).map(TagId).zip(&program.tags)
+}
+
 /// A type that is declared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Declared {
@@ -155,12 +164,29 @@ pub(crate) enum Declared {
     Enumeration(EnumId),
 }
 
-/// The name of the tag of the program that a tag is a part of.
-pub(crate) fn root(tag: &Tag) -> &str {
-    match &tag.column {
-        Some(column) => &tag.name[..column.root],
-        None => &tag.name,
+/// How many bytes of the name of each tag are that of the variable that it lies in: the tag of the program that it is a part of, or the
+/// timer, counter or block within that. Compilers that are built on matiec take none of these in arrays and structures, so that each has a
+/// variable of its own.
+fn roots(program: &Program) -> Vec<usize> {
+    let length = |tag: &Tag| match &tag.column {
+        Some(column) if !(is_block(tag.ty) && column.declared.0 == column.root) => column.root,
+        _ => tag.name.len(),
+    };
+    let mut roots: Vec<usize> = program.tags.iter().map(length).collect();
+    let mut around = vec![None; program.tags.len()];
+    for instance in &program.instances {
+        for (_, inside) in &instance.tags {
+            around[inside.0 as usize] = Some(instance.tag.0 as usize);
+        }
     }
+    for (tag, outer) in around.iter().enumerate() {
+        let mut outer = *outer;
+        while let Some(instance) = outer {
+            roots[tag] = roots[instance];
+            outer = around[instance];
+        }
+    }
+    roots
 }
 
 impl<'p> Project<'p> {
@@ -180,6 +206,7 @@ impl<'p> Project<'p> {
             types: HashMap::new(),
             named_arrays: HashMap::new(),
             declared: HashMap::new(),
+            roots: roots(program),
             parts: HashMap::new(),
             enumerations: HashMap::new(),
             values: HashMap::new(),
@@ -205,16 +232,20 @@ impl<'p> Project<'p> {
             }
         }
         for block in std::iter::once(None).chain((0..program.blocks.len()).map(Some)) {
-            let variables = declare::variables(program, block).into_iter();
+            let variables = project.variables(block).into_iter();
             let types = variables.map(|variable| ((block, variable.root), variable.ty));
             project.declared.extend(types);
         }
-        for tag in &program.tags {
-            project.parts.entry((tag.block, root(tag))).or_default().push(tag);
+        for (id, tag) in tag_ids(program) {
+            project
+                .parts
+                .entry((tag.block, project.root(id)))
+                .or_default()
+                .push(tag);
         }
         // Variables keep their names; what is named after them stays out of their way.
         let mut tags = BTreeSet::new();
-        for tag in &program.tags {
+        for (id, tag) in tag_ids(program) {
             for word in tag
                 .name
                 .split(['.', '[', ']', ',', ' '])
@@ -222,7 +253,7 @@ impl<'p> Project<'p> {
             {
                 tags.insert(names::identifier(word));
             }
-            tags.insert(names::identifier(root(tag)));
+            tags.insert(names::identifier(project.root(id)));
         }
         tags.insert("power".to_owned());
         for tag in &tags {
@@ -278,6 +309,11 @@ impl<'p> Project<'p> {
         project
     }
 
+    /// The name of the variable that a tag lies in, as the ladder program has it.
+    pub(crate) fn root(&self, tag: TagId) -> &'p str {
+        &self.program.tags[tag.0 as usize].name[..self.roots[tag.0 as usize]]
+    }
+
     /// The number that a block has among those of the program's own file.
     pub(crate) fn own_block(&self, block: usize) -> Option<usize> {
         let name = &self.program.blocks[block].name;
@@ -288,9 +324,8 @@ impl<'p> Project<'p> {
 
     /// The type of a variable as it is declared.
     pub(crate) fn type_of_variable(&self, variable: &Variable<'_>) -> String {
-        let tag = TagId(variable.index as u32);
         match variable.ty {
-            Type::State(state) if self.is_standard(state, tag) => state.name().into(),
+            Type::State(state) if self.is_standard(state, variable.id) => state.name().into(),
             ty => self.type_name(ty),
         }
     }
@@ -355,7 +390,8 @@ impl<'p> Project<'p> {
                 let BlockKind::Instruction(row) = block.kind else {
                     continue;
                 };
-                let Some(Argument::State(tag)) = block.arguments.first().map(|bound| &bound.argument) else {
+                let state = block.arguments.first().map(|bound| &bound.argument);
+                let Some(tag) = state.and_then(|state| self.state_of(state)) else {
                     continue;
                 };
                 let is_named = |name: &str| {
@@ -371,7 +407,7 @@ impl<'p> Project<'p> {
                     _ => false,
                 };
                 if !fits {
-                    own.insert(*tag);
+                    own.insert(tag);
                 }
             }
         }
@@ -382,25 +418,53 @@ impl<'p> Project<'p> {
         let Argument::Value(expr) = argument else {
             return false;
         };
-        let positive = |value: &Value| matches!(value, Value::Int(number) if *number > 0);
-        match &expr.kind {
-            ExprKind::Constant(value) => positive(value),
-            ExprKind::Read(Place::Tag(tag)) => {
-                let tag = &self.program.tags[tag.0 as usize];
-                tag.constant && tag.initial.first().is_some_and(positive)
-            }
-            _ => false,
+        self.constant(expr).is_some_and(|number| number > 0)
+    }
+
+    /// The timer, counter, bistable or block that an argument is.
+    pub(crate) fn state_of(&self, argument: &Argument) -> Option<TagId> {
+        match argument {
+            Argument::State(tag) => Some(*tag),
+            Argument::ChosenState(chosen) => self.chosen(chosen),
+            _ => None,
         }
     }
 
-    pub(crate) fn state_of(&self, argument: &Argument) -> Option<StateType> {
-        let tag = match argument {
-            Argument::State(tag) => *tag,
-            Argument::ChosenState(chosen) => chosen.first,
-            _ => return None,
+    /// The tag that indices choose, where constants are all that they are made of.
+    pub(crate) fn chosen(&self, chosen: &Chosen) -> Option<TagId> {
+        let ExprKind::Offset(subscripts) = &chosen.number.kind else {
+            return None;
         };
-        match self.program.tags[tag.0 as usize].ty {
-            Type::State(state) => Some(state),
+        let number = subscripts.iter().map(|subscript| {
+            let index = self.constant(&subscript.index)?;
+            let is_inside = (subscript.first..=subscript.last).contains(&index);
+            is_inside.then_some((index - subscript.first) * subscript.stride)
+        });
+        let number = u32::try_from(number.sum::<Option<i64>>()?).ok()?;
+        Some(TagId(chosen.first.0 + chosen.step * number))
+    }
+
+    /// The number that an index always is.
+    fn constant(&self, expr: &Expr) -> Option<i64> {
+        match &expr.kind {
+            ExprKind::Constant(Value::Int(number)) => Some(*number),
+            ExprKind::Pass(inner) => self.constant(inner),
+            ExprKind::Binary(operator, left, right) => {
+                let (left, right) = (self.constant(left)?, self.constant(right)?);
+                match operator {
+                    BinaryOperator::Add => left.checked_add(right),
+                    BinaryOperator::Sub => left.checked_sub(right),
+                    BinaryOperator::Mul => left.checked_mul(right),
+                    _ => None,
+                }
+            }
+            ExprKind::Read(Place::Tag(tag)) => match &self.program.tags[tag.0 as usize] {
+                tag if tag.constant => match tag.initial.first() {
+                    Some(Value::Int(number)) => Some(*number),
+                    _ => None,
+                },
+                _ => None,
+            },
             _ => None,
         }
     }

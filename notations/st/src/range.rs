@@ -384,13 +384,9 @@ impl Unit<'_, '_> {
         let target = match first {
             Argument::Place(place, _) => self.place(place, checks)?,
             Argument::Range(part) => self.place(&Place::Element(part.tag, part.first.clone()), checks)?,
-            Argument::State(tag) => {
-                let (variable, text) = self.path(*tag, &[]);
-                return self.cut(&text, range, block).map(|text| (text, variable));
-            }
-            Argument::ChosenState(chosen) => {
-                let (variable, text) = self.chosen(chosen, checks)?;
-                return self.cut(&text, range, block).map(|text| (text, variable));
+            Argument::State(_) | Argument::ChosenState(_) => {
+                let (variable, text) = self.path(self.state_tag(first)?, &[]);
+                return Ok((text, variable));
             }
             _ => return self.stop("an operand that is no tag"),
         };

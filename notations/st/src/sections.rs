@@ -3,7 +3,7 @@
 use crate::comment;
 use crate::literal;
 use crate::names::{self, Names};
-use crate::project::declare::{self, Variable};
+use crate::project::declare::Variable;
 use crate::project::{Project, UnitKind};
 use crate::unit::Local;
 use ladder_analysis::program::{ParameterKind, Role};
@@ -50,7 +50,7 @@ fn declaration(project: &Project<'_>, variable: &Variable<'_>, name: &str, with_
     let mut line = String::new();
     let is_own = variable.tag.location.file == 0;
     let at = variable.tag.location.range.start();
-    let above = if is_own {
+    let above = if is_own && !variable.is_part() {
         comment::above(project.parse, project.text, at)
     } else {
         Vec::new()
@@ -88,7 +88,7 @@ pub(crate) fn program_variables(
     out: &mut String,
 ) {
     let mut sections: BTreeMap<(u8, &str), String> = BTreeMap::new();
-    for variable in declare::variables(project.program, None) {
+    for variable in project.variables(None) {
         let Some(name) = body.variables.get(variable.root) else {
             continue;
         };
@@ -128,11 +128,11 @@ fn head(variable: &Variable<'_>) -> (u8, &'static str) {
 pub(crate) fn block_variables(project: &Project<'_>, block: usize, body: &Body, out: &mut String) {
     let program = project.program;
     let user = &program.blocks[block];
-    let variables = declare::variables(program, Some(block));
+    let variables = project.variables(Some(block));
     let of = |kind: ParameterKind| {
         let mut text = String::new();
         for (tag, own) in &user.parameters {
-            let root = crate::project::root(&program.tags[tag.0 as usize]);
+            let root = project.root(*tag);
             if *own == kind
                 && let Some(variable) = variables.iter().find(|variable| variable.root == root)
             {
@@ -188,7 +188,7 @@ pub(crate) fn passed(project: &Project<'_>, unit: UnitKind) -> String {
 
 /// What a unit uses of the configuration. Constants there are constants in the unit, too.
 pub(crate) fn externals(project: &Project<'_>, all: Vec<Local>, out: &mut String) {
-    let variables = declare::variables(project.program, None);
+    let variables = project.variables(None);
     let is_constant = |local: &Local| {
         let root = project.shared_root(&local.name);
         root.is_some_and(|root| variables.iter().any(|it| it.root == root && it.tag.constant))
@@ -206,7 +206,7 @@ pub(crate) fn configuration(
     out: &mut String,
 ) {
     let mut sections: BTreeMap<&str, String> = BTreeMap::new();
-    let variables = declare::variables(project.program, None);
+    let variables = project.variables(None);
     for (name, ty) in shared {
         let root = project.shared_root(name);
         let variable = root.and_then(|root| variables.iter().find(|variable| variable.root == root));

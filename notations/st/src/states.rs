@@ -7,7 +7,7 @@ use crate::project::{Result, Service};
 use crate::term::{Binding, Term};
 use crate::unit::Unit;
 use ladder_analysis::program::{Argument, Block, Expr, ExprKind};
-use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
 use ladder_instructions::{Op, StateType};
 use std::collections::BTreeSet;
@@ -24,18 +24,15 @@ struct State {
 }
 
 impl Unit<'_, '_> {
-    fn state(&mut self, argument: Option<&Argument>, checks: &mut Checks) -> Result<State> {
+    fn state(&mut self, argument: Option<&Argument>) -> Result<State> {
         let Some(argument) = argument else {
             return self.stop("a block without its timer or counter");
         };
-        let Some(kind) = self.project.state_of(argument) else {
+        let tag = self.state_tag(argument)?;
+        let Type::State(kind) = self.project.program.tags[tag.0 as usize].ty else {
             return self.stop("a block without its timer or counter");
         };
-        let (tag, (variable, text)) = match argument {
-            Argument::State(tag) => (*tag, self.path(*tag, &[])),
-            Argument::ChosenState(chosen) => (chosen.first, self.chosen(chosen, checks)?),
-            _ => return self.stop("a block without its timer or counter"),
-        };
+        let (variable, text) = self.path(tag, &[]);
         let is_standard = self.project.is_standard(kind, tag);
         Ok(State {
             kind,
@@ -47,7 +44,7 @@ impl Unit<'_, '_> {
 
     pub(crate) fn timer(&mut self, block: &Block, en: usize, step: usize) -> Result<()> {
         let mut checks = Checks::new();
-        let state = self.state(by_place(block).first().copied(), &mut checks)?;
+        let state = self.state(by_place(block).first().copied())?;
         let Some(preset) = second(block) else {
             return self.stop("a timer without its time");
         };
@@ -88,7 +85,7 @@ impl Unit<'_, '_> {
 
     pub(crate) fn counter(&mut self, block: &Block, en: usize, step: usize) -> Result<()> {
         let mut checks = Checks::new();
-        let state = self.state(by_place(block).first().copied(), &mut checks)?;
+        let state = self.state(by_place(block).first().copied())?;
         let Some(preset) = second(block) else {
             return self.stop("a counter without its number");
         };
@@ -109,7 +106,7 @@ impl Unit<'_, '_> {
 
     pub(crate) fn bistable(&mut self, op: Op, block: &Block, en: usize, step: usize) -> Result<()> {
         let mut checks = Checks::new();
-        let state = self.state(by_place(block).first().copied(), &mut checks)?;
+        let state = self.state(by_place(block).first().copied())?;
         let reset = self
             .named_bit(block, "R", &mut checks)?
             .unwrap_or_else(|| Term::whole("FALSE"));
@@ -157,26 +154,12 @@ impl Unit<'_, '_> {
 
     /// `(RES)`, and `(R)` on a timer or counter: the block that is written along clears itself.
     pub(crate) fn clear(&mut self, argument: &Argument, en: usize, step: usize) -> Result<()> {
-        let mut checks = Checks::new();
-        let state = self.state(Some(argument), &mut checks)?;
+        let state = self.state(Some(argument))?;
         self.project.pieces.insert(piece_of(state.kind));
-        let call = format!("{}(CLEAR := TRUE);", state.text);
-        let written = BTreeSet::from([state.variable.clone()]);
-        if checks.is_empty() {
-            let power = self.entering(en, step);
-            self.powers[step] = power.clone();
-            self.keep(Some(&written));
-            self.when(&power, &[call]);
-            return Ok(());
-        }
-        let power = self.entering(en, en);
-        self.keep(Some(&written));
-        if let Power::Dead = power {
-            return Ok(());
-        }
-        let done = self.done(step);
-        self.guarded(power.term().as_ref(), checks, &[call], done.as_deref());
-        self.is_done(step, done);
+        let power = self.entering(en, step);
+        self.powers[step] = power.clone();
+        self.keep(Some(&BTreeSet::from([state.variable])));
+        self.when(&power, &[format!("{}(CLEAR := TRUE);", state.text)]);
         Ok(())
     }
 }

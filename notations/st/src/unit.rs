@@ -3,7 +3,7 @@
 use crate::flow::Flow;
 use crate::names::{self, Names};
 use crate::power::{Factor, Power};
-use crate::project::{Project, Result, Service, Stop, UnitKind, root};
+use crate::project::{Project, Result, Service, Stop, UnitKind};
 use crate::term::Term;
 use ladder_analysis::program::{Location, TagId};
 use ladder_analysis::values::types::{Scalar, Type};
@@ -122,7 +122,7 @@ impl<'a, 'p> Unit<'a, 'p> {
     pub(crate) fn variable(&mut self, tag: TagId) -> String {
         let program = self.project.program;
         let tag_of = &program.tags[tag.0 as usize];
-        let name = root(tag_of);
+        let name = self.project.root(tag);
         if let Some(block) = tag_of.block {
             let user = &program.blocks[block];
             if user.en == tag {
@@ -131,8 +131,7 @@ impl<'a, 'p> Unit<'a, 'p> {
             if user.eno == tag {
                 return "power_out".into();
             }
-            let is_parameter =
-                |&(parameter, _): &(TagId, _)| root(&program.tags[parameter.0 as usize]) == name;
+            let is_parameter = |&(parameter, _): &(TagId, _)| self.project.root(parameter) == name;
             if user.parameters.iter().any(is_parameter) {
                 return names::member(name);
             }

@@ -21,14 +21,7 @@ impl Unit<'_, '_> {
         let state = block.arguments.iter().find(|bound| bound.parameter.is_none());
         let ty = self.project.blocks[index].clone();
         let instance = match state.map(|bound| &bound.argument) {
-            Some(Argument::State(tag)) => self.path(*tag, &[]).1,
-            Some(Argument::ChosenState(chosen)) => {
-                self.holds_indices = true;
-                let found = self.chosen(chosen, &mut checks);
-                self.holds_indices = false;
-                found?.1
-            }
-            Some(_) => return self.stop("a block whose state is no tag"),
+            Some(state) => self.path(self.state_tag(state)?, &[]).1,
             None => {
                 let base = ty.to_lowercase();
                 self.numbered(&base, &ty)
@@ -36,14 +29,9 @@ impl Unit<'_, '_> {
         };
         let mut arguments = Vec::new();
         let mut after = Vec::new();
-        for (number, &(tag, kind)) in user.parameters.iter().enumerate() {
-            let parameter = names::member(&program.tags[tag.0 as usize].name);
-            let tag = &program.tags[tag.0 as usize];
-            let parameter = if tag.column.is_some() {
-                names::member(crate::project::root(tag))
-            } else {
-                parameter
-            };
+        for (number, &(id, kind)) in user.parameters.iter().enumerate() {
+            let tag = &program.tags[id.0 as usize];
+            let parameter = names::member(self.project.root(id));
             let given = block
                 .arguments
                 .iter()

@@ -3,7 +3,7 @@
 use crate::comment::{self, Outside};
 use crate::names;
 use crate::pieces::PIECES;
-use crate::project::declare::{self};
+use crate::project::types::has_blocks;
 use crate::project::{Project, Service, Stop, UnitKind};
 use crate::sections::{
     Body, block_variables, configuration, externals, own_variables, passed, program_variables, section,
@@ -13,7 +13,6 @@ use crate::term::{Binding, Term};
 use crate::unit::{Local, Unit};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{Clock, Location, ParameterKind, Program, TagId};
-use ladder_analysis::values::compound::Compound;
 use ladder_analysis::values::types::Type;
 use ladder_instructions::Profile;
 use ladder_notation::{LineColumn, Lines, Report, WriteError, Writing, no_program};
@@ -90,7 +89,7 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     // What the scan begins with has names that nothing in the program has.
     project.names = std::mem::take(&mut bodies[0].names);
     let prelude = prelude(&mut project, &mut bodies[0]);
-    for variable in declare::variables(program, None) {
+    for variable in project.variables(None) {
         if project.is_shared(variable.root) && !project.is_passed(variable.root) {
             let name = project.name_of_shared(variable.root);
             let ty = project.type_of_variable(&variable);
@@ -151,7 +150,16 @@ fn body(project: &mut Project<'_>, kind: UnitKind, parse: &Parse) -> Result<Body
                 unit.names.name(name, "");
             }
             for (tag, kind) in &program.blocks[block].parameters {
-                let name = crate::project::root(&program.tags[tag.0 as usize]);
+                let passed = &program.tags[tag.0 as usize];
+                let column = passed.column.as_ref();
+                if column.is_some_and(|column| has_blocks(column.declared.1)) {
+                    unit.here = passed.location;
+                    return unit.stop(
+                        "a parameter with timers, counters or blocks in it, which compilers that are built on matiec do not take: \
+                         declare them in the block",
+                    );
+                }
+                let name = unit.project.root(*tag);
                 unit.names.name(name, "");
                 if *kind == ParameterKind::InOut {
                     unit.in_outs.insert(names::member(name));
@@ -162,17 +170,14 @@ fn body(project: &mut Project<'_>, kind: UnitKind, parse: &Parse) -> Result<Body
         _ => None,
     };
     if !matches!(kind, UnitKind::Function(_)) {
-        for variable in declare::variables(program, block) {
-            if has_blocks_inside(variable.ty) {
-                unit.here = variable.tag.location;
-                return unit.stop(
-                    "timers, counters or blocks in arrays and structures, which compilers that are built on matiec do not take: \
-                     give each a tag of its own",
-                );
+        for variable in unit.project.variables(block) {
+            // Timers in arrays are variables where they are used.
+            if variable.is_part() {
+                continue;
             }
             let is_own = block.is_some() || !unit.project.is_shared(variable.root);
             if is_own || kind == UnitKind::Program && unit.project.is_passed(variable.root) {
-                let name = unit.variable(TagId(variable.index as u32));
+                let name = unit.variable(variable.id);
                 let lines = unit.project.first_values(&variable, &name);
                 unit.begin_with(lines, variable.tag.retain);
             }
@@ -377,22 +382,6 @@ fn assembled(
         configuration(project, name, &shared, &mut out);
     }
     out
-}
-
-/// Whether a type has parts that are blocks.
-fn has_blocks_inside(ty: Type) -> bool {
-    let is_block = |ty: Type| match ty {
-        Type::State(_) => true,
-        Type::Compound(id) => matches!(id.get(), Compound::Block(_)),
-        _ => false,
-    };
-    let Type::Compound(id) = ty else { return false };
-    let inside = |ty: Type| is_block(ty) || has_blocks_inside(ty);
-    match id.get() {
-        Compound::Structure(structure) => structure.members.iter().any(|member| inside(member.ty)),
-        Compound::Array(array) => inside(array.element),
-        Compound::Block(_) => false,
-    }
 }
 
 fn lines(lines: &[String], out: &mut String) {

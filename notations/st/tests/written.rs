@@ -361,3 +361,120 @@ END_FUNCTION_BLOCK
     "#]]
     .assert_eq(&text);
 }
+
+/// Timers in arrays and structures, with a function that uses them too.
+const ZONES: &str = "\
+TYPE
+    Zone : STRUCT
+        hot   : BOOL;
+        watch : TON;
+    END_STRUCT;
+END_TYPE
+VAR CONSTANT  last : INT := 3;  END_VAR
+VAR
+    timers   : ARRAY[1..3] OF TON;  # delays #
+    zone     : ARRAY[1..2] OF Zone;
+    timers_2 : BOOL;
+    a, y     : BOOL;
+END_VAR
++--[ ]( a )--[TON]( timers[2], T#5s )--( )( timers_2 )--+
++--[ ]( a )--[TON]( timers[last], T#5s )--<CALL>( heat )--+
++--<FUN>( heat )--[ ]( timers[3].Q )--[TON]( zone[last - 1].watch, T#1s )--( )( zone[1].hot )--+
+";
+
+#[test]
+fn timers_in_arrays_are_variables_where_their_index_is_known() {
+    let text = written(ZONES).expect("it is written");
+    expect![[r#"
+        (* The ladder program plant. *)
+
+        TYPE
+            Zone_type : STRUCT
+                hot : BOOL;
+            END_STRUCT;
+        END_TYPE
+
+        TYPE
+            Zone_type_1_TO_2 : ARRAY[1..2] OF Zone_type;
+        END_TYPE
+
+        FUNCTION_BLOCK heat
+        VAR_IN_OUT
+            zone : Zone_type_1_TO_2;
+        END_VAR
+        VAR_EXTERNAL
+            timers_3 : TON;
+            zone_2_watch : TON;
+        END_VAR
+            zone_2_watch(IN := timers_3.Q, PT := T#1s);
+            zone[1].hot := zone_2_watch.Q;
+        END_FUNCTION_BLOCK
+
+        PROGRAM plant
+        VAR
+            timers_2_tag : TON;  (* called timers[2]; delays *)
+            zone : Zone_type_1_TO_2;
+            timers_2 : BOOL;
+            a : BOOL;
+            y : BOOL;
+        END_VAR
+        VAR CONSTANT
+            last : INT := 3;
+        END_VAR
+        VAR
+            do_heat : heat;
+        END_VAR
+        VAR_EXTERNAL
+            timers_3 : TON;
+        END_VAR
+            timers_2_tag(IN := a, PT := T#5s);
+            timers_2 := timers_2_tag.Q;
+            timers_3(IN := a, PT := T#5s);
+            IF timers_3.Q THEN
+                do_heat(zone := zone);
+            END_IF;
+        END_PROGRAM
+
+        CONFIGURATION config
+        VAR_GLOBAL
+            timers_3 : TON;  (* called timers[3]; delays *)
+            zone_2_watch : TON;  (* called zone[2].watch *)
+        END_VAR
+        RESOURCE plc ON PLC
+            TASK scan_task(INTERVAL := T#10ms, PRIORITY := 0);
+            PROGRAM main_program WITH scan_task : plant;
+        END_RESOURCE
+        END_CONFIGURATION
+    "#]]
+    .assert_eq(&text);
+    check(
+        "VAR  t : ARRAY[1..3] OF TON;  k : INT;  END_VAR\n+--[ ]( a )--[TON]( t[k], T#5s )--( )( y )--+\n",
+        expect![
+            "2:14: Structured Text cannot say this: a timer, counter or block that a computed index chooses, as compilers that are built on matiec have no arrays of them: give each element a network with its index"
+        ],
+    );
+    check(
+        "VAR  t : ARRAY[1..3] OF TON;  k : INT;  END_VAR\n+--[ ]( a )--[TON]( t[1], T#5s )--( )( y )--+\n+--[ ]( t[k].Q )--( )( z )--+\n",
+        expect![
+            "3:4: Structured Text cannot say this: a timer, counter or block that a computed index chooses, as compilers that are built on matiec have no arrays of them: give each element a network with its index"
+        ],
+    );
+    check(
+        "\
+TYPE
+    Zone : STRUCT
+        watch : TON;
+    END_STRUCT;
+END_TYPE
+FUNCTION_BLOCK [$Heat]
+VAR_IN_OUT  zone : Zone;  END_VAR
++--[ ]( EN )--[TON]( zone.watch, T#1s )--( )( ENO )--+
+END_FUNCTION_BLOCK
+VAR  zone : Zone;  END_VAR
++--[ ]( a )--[$Heat]( zone )--( )( y )--+
+",
+        expect![
+            "7:13: Structured Text cannot say this: a parameter with timers, counters or blocks in it, which compilers that are built on matiec do not take: declare them in the block"
+        ],
+    );
+}

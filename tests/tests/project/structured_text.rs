@@ -150,6 +150,8 @@ fn places(
                     add(name.clone(), &name, element, !tag.constant)?;
                 }
             }
+            // One in an array or structure has a variable only where it is used.
+            Type::State(_) if tag.column.is_some() && !names.contains_key(&tag.name) => {}
             Type::State(state) => {
                 let members: &[(&str, Scalar)] = match state {
                     StateType::Sr | StateType::Rs => &[("Q1", Scalar::Bool)],
@@ -357,9 +359,11 @@ fn examples_do_the_same_in_structured_text() {
 
 #[test]
 fn semantics_are_the_same_in_structured_text() {
-    let (same, refused) = check_folder("tests/corpus/semantics");
+    let (same, mut refused) = check_folder("tests/corpus/semantics");
     println!("{same} do the same; refused: {refused:#?}");
-    assert!(refused.len() * 3 <= same, "{refused:#?}");
+    // Compilers that are built on matiec have no arrays of blocks: what chooses among them stays refused.
+    refused.retain(|why| !why.contains("that a computed index chooses"));
+    assert!(refused.len() * 6 < same, "{refused:#?}");
 }
 
 #[test]

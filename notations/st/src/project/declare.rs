@@ -2,12 +2,13 @@
 
 use crate::comment;
 use crate::names;
-use crate::project::{Declared, Project, root};
+use crate::project::types::is_of_blocks;
+use crate::project::{Declared, Project, tag_ids};
 use ladder_analysis::names::type_spec::SpecKind;
-use ladder_analysis::program::{Program, Tag};
+use ladder_analysis::program::{Tag, TagId};
 use ladder_analysis::values::compound::{Compound, EnumId};
 use ladder_analysis::values::types::{Scalar, Type};
-use std::collections::HashMap;
+use std::collections::HashSet;
 
 /// A tag as it is declared, which may have several parts.
 pub(crate) struct Variable<'p> {
@@ -15,32 +16,36 @@ pub(crate) struct Variable<'p> {
     pub(crate) ty: Type,
     /// The first of its parts.
     pub(crate) tag: &'p Tag,
-    pub(crate) index: usize,
+    pub(crate) id: TagId,
 }
 
-/// The tags of the program, or of the body of a block, as they are declared.
-pub(crate) fn variables(program: &Program, block: Option<usize>) -> Vec<Variable<'_>> {
-    let mut found: Vec<Variable<'_>> = Vec::new();
-    let mut known: HashMap<&str, usize> = HashMap::new();
-    for (index, tag) in program
-        .tags
-        .iter()
-        .enumerate()
-        .filter(|(_, tag)| tag.block == block)
-    {
-        let root = root(tag);
-        let ty = match &tag.column {
-            // The inside of a block that is a tag.
-            Some(column) if column.declared.0 != column.root => continue,
-            Some(column) => column.declared.1,
-            None => tag.ty,
-        };
-        if let std::collections::hash_map::Entry::Vacant(entry) = known.entry(root) {
-            entry.insert(found.len());
-            found.push(Variable { root, ty, tag, index });
-        }
+impl Variable<'_> {
+    /// Whether it is a timer, counter or block in an array or structure.
+    pub(crate) fn is_part(&self) -> bool {
+        let column = self.tag.column.as_ref();
+        column.is_some_and(|column| column.root < self.root.len())
     }
-    found
+}
+
+impl<'p> Project<'p> {
+    /// The tags of the program, or of the body of a block, as they are declared.
+    pub(crate) fn variables(&self, block: Option<usize>) -> Vec<Variable<'p>> {
+        let mut found: Vec<Variable<'p>> = Vec::new();
+        let mut known: HashSet<&str> = HashSet::new();
+        for (id, tag) in tag_ids(self.program).filter(|(_, tag)| tag.block == block) {
+            let root = self.root(id);
+            let ty = match &tag.column {
+                // The inside of a block that is a tag.
+                Some(column) if column.declared.0 != column.root => continue,
+                Some(column) if root.len() == column.root => column.declared.1,
+                _ => tag.ty,
+            };
+            if known.insert(root) {
+                found.push(Variable { root, ty, tag, id });
+            }
+        }
+        found
+    }
 }
 
 impl Project<'_> {
@@ -77,7 +82,7 @@ impl Project<'_> {
                     };
                     let name = self.type_name(Type::Compound(*id));
                     out.push_str(&format!("TYPE\n    {name} : STRUCT\n"));
-                    for member in &structure.members {
+                    for member in structure.members.iter().filter(|member| !is_of_blocks(member.ty)) {
                         let ty = self.type_name(member.ty);
                         let said = self.said_of_member(&structure.name, &member.name);
                         let value = self.of_type(member).map(|value| format!(" := {value}"));

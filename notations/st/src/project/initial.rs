@@ -1,8 +1,8 @@
 //! The values that variables begin with: where they are declared, or as statements of the first scan. Compilers that are built on matiec
 //! take no values for the members of one structure, only those of its type, and no number that a REAL has no room for.
 
+use super::Project;
 use super::declare::Variable;
-use super::{Project, root};
 use crate::literal::is_in_reach;
 use crate::names;
 use crate::place::indices_of;
@@ -77,7 +77,7 @@ impl Project<'_> {
         let program = self.program;
         let parameters = (variable.tag.block).map_or(&[][..], |block| &program.blocks[block].parameters);
         let is_passed = |(tag, kind): &(TagId, ParameterKind)| {
-            *kind == ParameterKind::InOut && root(&program.tags[tag.0 as usize]) == variable.root
+            *kind == ParameterKind::InOut && self.root(*tag) == variable.root
         };
         if parameters.iter().any(is_passed) {
             return None;

@@ -1,10 +1,10 @@
 //! Which tags functions and blocks share with the program: elementary ones and blocks are variables of the configuration, all others are
 //! passed with each call. Compilers that are built on matiec hold two arrays without a name for two types, and take no block as an in-out.
 
-use super::{Project, UnitKind, root};
+use super::types::is_block;
+use super::{Project, UnitKind};
 use crate::network::is;
-use ladder_analysis::program::{Argument, BlockKind, Expr, ExprKind, Place, TagId};
-use ladder_analysis::values::compound::Compound;
+use ladder_analysis::program::{Argument, BlockKind, Expr, ExprKind, Place, RangeRef, TagId};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_instructions::Op;
 use std::collections::{BTreeMap, BTreeSet};
@@ -33,7 +33,7 @@ impl Project<'_> {
                     called.insert(UnitKind::Block(user));
                 }
                 for bound in &block.arguments {
-                    each_tag(&bound.argument, &mut |tag| roots.push(tag));
+                    self.each_tag(&bound.argument, &mut |tag| roots.push(tag));
                     if let Argument::Function(function) = bound.argument
                         && is(block, Op::Call)
                     {
@@ -49,9 +49,9 @@ impl Project<'_> {
             if unit == UnitKind::Program {
                 continue;
             }
-            let tags = roots.iter().map(|id| &self.program.tags[id.0 as usize]);
-            let of_program = tags.filter(|tag| tag.block.is_none());
-            used.insert(unit, of_program.map(|tag| root(tag).to_owned()).collect());
+            let tags = roots.into_iter();
+            let of_program = tags.filter(|id| self.program.tags[id.0 as usize].block.is_none());
+            used.insert(unit, of_program.map(|id| self.root(id).to_owned()).collect());
             calls.insert(unit, called);
         }
         let mut reached = calls.clone();
@@ -103,10 +103,9 @@ impl Project<'_> {
 
     /// Whether calls pass a tag.
     pub(crate) fn is_passed(&self, root: &str) -> bool {
-        let is_block = |ty: Type| matches!(ty, Type::Compound(id) if matches!(id.get(), Compound::Block(_)));
         self.is_shared(root)
             && match self.declared_type(None, root) {
-                None | Some(Type::State(_)) => false,
+                None => false,
                 Some(Type::Scalar(scalar)) => matches!(scalar, Scalar::Enum(_)),
                 Some(ty) => !is_block(ty),
             }
@@ -128,63 +127,59 @@ impl Project<'_> {
         let mut all = self.shared.names.iter();
         all.find(|(_, own)| *own == name).map(|(root, _)| root.as_str())
     }
-}
 
-/// Every tag that an argument is about.
-fn each_tag(argument: &Argument, found: &mut impl FnMut(TagId)) {
-    match argument {
-        Argument::Value(expr) => tags_of(expr, found),
-        Argument::Place(place, _) => tags_of_place(place, found),
-        Argument::Parts(parts) => parts.iter().for_each(|part| each_tag(part, found)),
-        Argument::State(tag) => found(*tag),
-        Argument::ChosenState(chosen) => {
-            found(chosen.first);
-            tags_of(&chosen.number, found);
+    /// Every tag that an argument is about.
+    fn each_tag(&self, argument: &Argument, found: &mut impl FnMut(TagId)) {
+        match argument {
+            Argument::Value(expr) => self.tags_of(expr, found),
+            Argument::Place(place, _) => self.tags_of_place(place, found),
+            Argument::Parts(parts) => parts.iter().for_each(|part| self.each_tag(part, found)),
+            Argument::State(tag) => found(*tag),
+            Argument::ChosenState(chosen) => self.chosen(chosen).into_iter().for_each(found),
+            Argument::Range(range) => self.tags_of_range(range, found),
+            _ => {}
         }
-        Argument::Range(range) => {
-            found(range.tag);
-            tags_of(&range.first, found);
-            if let Some(last) = &range.last {
-                tags_of(last, found);
-            }
-        }
-        _ => {}
     }
-}
 
-fn tags_of_place(place: &Place, found: &mut impl FnMut(TagId)) {
-    if let Some(root) = place.root() {
-        found(root);
+    fn tags_of_place(&self, place: &Place, found: &mut impl FnMut(TagId)) {
+        match place {
+            Place::Tag(tag) | Place::Member(tag, _) => found(*tag),
+            Place::Element(tag, index) => {
+                found(*tag);
+                self.tags_of(index, found);
+            }
+            Place::Chosen(chosen) | Place::ChosenMember(chosen, _) => {
+                self.chosen(chosen).into_iter().for_each(found);
+            }
+            Place::Bit(inner, ..) | Place::As(inner, ..) => self.tags_of_place(inner, found),
+            Place::System(_) => {}
+        }
     }
-    match place {
-        Place::Element(_, index) => tags_of(index, found),
-        Place::Chosen(chosen) | Place::ChosenMember(chosen, _) => tags_of(&chosen.number, found),
-        Place::Bit(inner, ..) | Place::As(inner, ..) => tags_of_place(inner, found),
-        _ => {}
-    }
-}
 
-fn tags_of(expr: &Expr, found: &mut impl FnMut(TagId)) {
-    match &expr.kind {
-        ExprKind::Read(place) => tags_of_place(place, found),
-        ExprKind::Pass(a) | ExprKind::Unary(_, a) => tags_of(a, found),
-        ExprKind::Binary(_, a, b) | ExprKind::Compare(_, a, b) => {
-            tags_of(a, found);
-            tags_of(b, found);
+    fn tags_of_range(&self, range: &RangeRef, found: &mut impl FnMut(TagId)) {
+        found(range.tag);
+        self.tags_of(&range.first, found);
+        if let Some(last) = &range.last {
+            self.tags_of(last, found);
         }
-        ExprKind::Call(_, all) => all.iter().for_each(|one| tags_of(one, found)),
-        ExprKind::Sum(range) => {
-            found(range.tag);
-            tags_of(&range.first, found);
-            if let Some(last) = &range.last {
-                tags_of(last, found);
+    }
+
+    fn tags_of(&self, expr: &Expr, found: &mut impl FnMut(TagId)) {
+        match &expr.kind {
+            ExprKind::Read(place) => self.tags_of_place(place, found),
+            ExprKind::Pass(a) | ExprKind::Unary(_, a) => self.tags_of(a, found),
+            ExprKind::Binary(_, a, b) | ExprKind::Compare(_, a, b) => {
+                self.tags_of(a, found);
+                self.tags_of(b, found);
             }
-        }
-        ExprKind::Offset(subscripts) => {
-            for subscript in subscripts {
-                tags_of(&subscript.index, found);
+            ExprKind::Call(_, all) => all.iter().for_each(|one| self.tags_of(one, found)),
+            ExprKind::Sum(range) => self.tags_of_range(range, found),
+            ExprKind::Offset(subscripts) => {
+                for subscript in subscripts {
+                    self.tags_of(&subscript.index, found);
+                }
             }
+            ExprKind::Constant(_) => {}
         }
-        ExprKind::Constant(_) => {}
     }
 }

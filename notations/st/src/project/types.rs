@@ -1,6 +1,6 @@
 //! The types of a program, and their names.
 
-use super::{Declared, Project, root};
+use super::{Declared, Project};
 use crate::names::{self, Names};
 use crate::states::piece_of;
 use ladder_analysis::program::{Argument, Expr, ExprKind};
@@ -9,6 +9,9 @@ use ladder_analysis::values::types::{Scalar, Type};
 
 impl Project<'_> {
     pub(super) fn add_type(&mut self, ty: Type, names: &mut Names) {
+        if is_of_blocks(ty) {
+            return;
+        }
         match ty {
             Type::Scalar(Scalar::Enum(id))
             | Type::Array {
@@ -42,11 +45,8 @@ impl Project<'_> {
     pub(super) fn name_passed_arrays(&mut self, names: &mut Names) {
         let mut types: Vec<Type> = Vec::new();
         for (block, user) in self.program.blocks.iter().enumerate() {
-            let tags = user
-                .parameters
-                .iter()
-                .map(|(tag, _)| &self.program.tags[tag.0 as usize]);
-            types.extend(tags.filter_map(|tag| self.declared_type(Some(block), root(tag))));
+            let tags = user.parameters.iter().map(|(tag, _)| *tag);
+            types.extend(tags.filter_map(|tag| self.declared_type(Some(block), self.root(tag))));
         }
         for (&(block, tag), &ty) in &self.declared {
             if block.is_none() && self.is_passed(tag) {
@@ -58,8 +58,8 @@ impl Project<'_> {
             if let Argument::Parts(parts) = &bound.argument
                 && let Some(tag) = parts.first().and_then(Argument::root)
             {
-                let tag = &self.program.tags[tag.0 as usize];
-                types.extend(self.declared_type(tag.block, root(tag)));
+                let block = self.program.tags[tag.0 as usize].block;
+                types.extend(self.declared_type(block, self.root(tag)));
             }
         }
         types.sort_by_key(|ty| self.spelled(*ty));
@@ -181,5 +181,38 @@ impl Project<'_> {
             }
             Compound::Array(_) => None,
         }
+    }
+}
+
+/// Whether a type is a timer, counter, bistable or user-defined block.
+pub(crate) fn is_block(ty: Type) -> bool {
+    match ty {
+        Type::State(_) => true,
+        Type::Compound(id) => matches!(id.get(), Compound::Block(_)),
+        _ => false,
+    }
+}
+
+/// Whether a type has timers, counters or blocks in it.
+pub(crate) fn has_blocks(ty: Type) -> bool {
+    let Type::Compound(id) = ty else {
+        return is_block(ty);
+    };
+    match id.get() {
+        Compound::Structure(structure) => structure.members.iter().any(|member| has_blocks(member.ty)),
+        Compound::Array(array) => has_blocks(array.element),
+        Compound::Block(_) => true,
+    }
+}
+
+/// Whether a type has nothing but timers, counters and blocks in it: each of these is a variable of its own, and nothing is left.
+pub(super) fn is_of_blocks(ty: Type) -> bool {
+    let Type::Compound(id) = ty else {
+        return is_block(ty);
+    };
+    match id.get() {
+        Compound::Structure(structure) => structure.members.iter().all(|member| is_of_blocks(member.ty)),
+        Compound::Array(array) => is_of_blocks(array.element),
+        Compound::Block(_) => true,
     }
 }
