@@ -27,6 +27,8 @@ fn coil_mark(inside: &str) -> Option<String> {
     let inside = match inside {
         "↑" => "P",
         "↓" => "N",
+        // An inactive coil.
+        "~" => "/",
         inside => inside,
     };
     // Between the parentheses of a drawing that is rather the name of an output.
@@ -139,7 +141,7 @@ pub(crate) fn coil(inside: &str, labels: Labels<'_>, operands: &mut Operands) ->
         return written;
     }
     no_flow(says)?;
-    match prefixed(says, &["/", "!", "NOT "]) {
+    match prefixed(says, &["/", "!", "~", "NOT "]) {
         Some(name) => named("(/)", name, operands),
         None => named("( )", says, operands),
     }
@@ -244,12 +246,15 @@ mod tests {
         for (inside, above, expected) in [
             (" ", "y", "( )( y )"),
             ("/", "y", "(/)( y )"),
+            ("~", "y", "(/)( y )"),
             ("L", "y", "(S)( y )"),
             ("U", "y", "(R)( y )"),
             ("run", "", "( )( run )"),
             ("S run", "", "(S)( run )"),
             ("OTL run", "", "(S)( run )"),
             ("/run", "", "(/)( run )"),
+            ("~run", "", "(/)( run )"),
+            ("~ run", "", "(/)( run )"),
             ("RES", "T4:0", "(RES)( T4_0 )"),
             ("JMP end", "", "<JMP>( end )"),
             ("TON T1 2s", "", "[TON]( T1, T#2s )"),

@@ -19,6 +19,16 @@ fn bars_with_names_above() {
 }
 
 #[test]
+fn an_inactive_coil() {
+    for drawing in [
+        "   I0     I1      Q0\n|-| |----|/|-----(~)-|\n",
+        "|--[I0]--[/I1]--(~Q0)--|\n",
+    ] {
+        check(drawing, "Q0", &["I0", "I1"], |v| !v[0] || v[1]);
+    }
+}
+
+#[test]
 fn brackets_that_open_outward() {
     check(
         "
