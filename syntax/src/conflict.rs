@@ -251,6 +251,18 @@ impl Conflict {
     }
 }
 
+/// The conflicts of a text that is not ladder text: each of its lines may be one of signs.
+pub fn conflicts(text: &str) -> Vec<Conflict> {
+    let mut all = Conflicts::default();
+    all.line(
+        text,
+        LineKind::Conflict,
+        TextSize::new(0),
+        OpenConflicts::default(),
+    );
+    all.finish()
+}
+
 /// Finds the conflicts of a text in its lines of signs.
 #[derive(Default)]
 pub(crate) struct Conflicts {

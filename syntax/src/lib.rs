@@ -49,7 +49,7 @@ pub mod wiring;
 pub mod xml;
 
 pub use builder::Builder;
-pub use conflict::{Conflict, Sign};
+pub use conflict::{Conflict, Sign, conflicts};
 pub use dump::dump;
 pub use error::{DeclarationProblem, Many, OperandPlace, Surroundings, SyntaxError, SyntaxErrorKind};
 pub use file_lines::{AllLines, FileLines};

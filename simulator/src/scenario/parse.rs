@@ -10,7 +10,7 @@ use super::words::{Word, lines, range};
 use crate::value_text;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
-use ladder_syntax::{TextRange, TextSize};
+use ladder_syntax::{TextRange, TextSize, conflicts};
 pub(super) use rows::is_levels;
 use std::collections::HashMap;
 
@@ -33,6 +33,14 @@ pub fn parse(text: &str) -> Suite {
         tolerance_given: false,
         first: 0,
     };
+    let conflicts = conflicts(text);
+    for conflict in &conflicts {
+        reader.conflict(text, conflict.signs[0].1);
+    }
+    if !conflicts.is_empty() {
+        // What it says is known when it is decided.
+        return reader.suite;
+    }
     for line in lines(text) {
         if let [first, rest @ ..] = line.words.as_slice() {
             let has_rows = !reader.suite.scenarios.is_empty();
@@ -68,6 +76,15 @@ struct Reader {
 impl Reader {
     fn error(&mut self, range: TextRange, message: impl Into<String>, help: impl Into<String>) {
         self.suite.errors.push(ScenarioError::new(range, message, help));
+    }
+
+    fn conflict(&mut self, text: &str, line: TextRange) {
+        let sign = text[std::ops::Range::<usize>::from(line)].trim_ascii_end();
+        self.error(
+            TextRange::at(line.start(), TextSize::of(sign)),
+            "a merge left a conflict here: it is not decided which scenarios or rows hold",
+            "keep one of the two forms, or make one of them, and remove the lines of signs around them",
+        );
     }
 
     fn line(&mut self, first: Word, rest: &[Word]) {

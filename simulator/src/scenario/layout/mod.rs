@@ -18,11 +18,15 @@ use super::parse::{HEADINGS, parse};
 use super::suite::{Direction, Row, Suite};
 use super::words::{Line, lines};
 use columns::{Columns, Laid};
-use ladder_syntax::{TextRange, TextSize};
+use ladder_syntax::{TextRange, TextSize, conflicts};
 use unicode_width::UnicodeWidthStr;
 
 /// The text in its layout. To lay it out once more changes nothing.
 pub fn layout(text: &str) -> String {
+    // A merge has not been decided: nothing of it is known.
+    if !conflicts(text).is_empty() {
+        return text.to_owned();
+    }
     let suite = parse(text);
     let lines: Vec<Line<'_>> = lines(text).collect();
     if lines.iter().all(is_blank) {

@@ -277,3 +277,9 @@ proptest! {
         keeps(&text, &layout(&text));
     }
 }
+
+#[test]
+fn a_conflict_stays_as_it_is() {
+    let text = "program  motor.clad\n<<<<<<< HEAD\nscenario \"a\"\n=======\nscenario   \"b\"\n>>>>>>> theirs\nrun =>  1\n";
+    assert_eq!(layout(text), text);
+}

@@ -233,3 +233,33 @@ fn mutated_files_are_read_to_their_end() {
         }
     }
 }
+
+#[test]
+fn a_conflict_is_one_error() {
+    check(
+        "\
+program motor.clad
+scenario \"one\"
+<<<<<<< HEAD
+start    - _
+||||||| 1f2e3d4
+start    _ _
+=======
+start    - - -
+>>>>>>> branch
+run   => - - -
+<<<<<<< HEAD
+stop     - _
+=======
+scenario \"two\"
+>>>>>>> branch
+nonsense
+",
+        expect![[r#"
+            3:1-13: a merge left a conflict here: it is not decided which scenarios or rows hold
+                keep one of the two forms, or make one of them, and remove the lines of signs around them
+            11:1-13: a merge left a conflict here: it is not decided which scenarios or rows hold
+                keep one of the two forms, or make one of them, and remove the lines of signs around them
+        "#]],
+    );
+}
