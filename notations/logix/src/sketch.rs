@@ -203,6 +203,9 @@ impl<'p> Sketcher<'p> {
         let mut items = Vec::new();
         for (rung, parts) in unit.routine.rungs.iter().zip(&unit.rungs) {
             items.push(Item::Blank);
+            if parts.as_ref().is_ok_and(|parts| has_nop(parts)) {
+                items.push(Item::Directive("allow(no-output): NOP does nothing".to_owned()));
+            }
             items.push(self.rung(unit.scope, rung, parts.as_ref()));
             for circuit in std::mem::take(&mut self.translator.after) {
                 items.extend([Item::Blank, network(Vec::new(), circuit)]);
@@ -348,6 +351,15 @@ fn shortened(text: &str) -> String {
 pub(crate) fn network(comments: Vec<String>, circuit: Circuit<Element>) -> Item {
     let drawing = Drawing::Circuit(Circuit::Series(vec![circuit]));
     Item::Network(Network { comments, drawing })
+}
+
+/// Whether there is an instruction that is there to do nothing.
+fn has_nop(parts: &[Part<'_>]) -> bool {
+    let mut found = false;
+    instructions(parts, &mut |it| {
+        found |= matches!(instruction(it.name, it.operands.len()), Some(Op::Nop));
+    });
+    found
 }
 
 /// The labels of a routine, as ladder text spells them.

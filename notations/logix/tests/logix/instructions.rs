@@ -623,3 +623,27 @@ fn numbers_become_texts_and_times_numbers() {
             Text([45, 52, 50]),-42,1005000,2000,6000"#]],
     );
 }
+
+/// A rung that only has NOP says that nothing is forgotten; one that acts need not.
+#[test]
+fn rungs_with_nop() {
+    let rungs = ["NOP();", "XIC(a)[XIO(b) ,]NOP();", "XIC(a)NOP()OTE(b);", "LBL(over)NOP();"];
+    let file = controller(&[("a", "BOOL", ""), ("b", "BOOL", "")], &rungs);
+    let text = converted(&L5x, file.as_bytes()).written.text;
+    let own = text.find("END_VAR").unwrap_or_default();
+    expect![[r#"
+        END_VAR
+
+        # ladder: allow(no-output): NOP does nothing #
+        +--# NOP #---------------------------------------------------------------------+
+
+        # ladder: allow(no-output): NOP does nothing #
+        +--[ ]( a )--\--[/]( b )--\--# NOP #-------------------------------------------+
+        |            /------------/                                                    |
+
+        +--[ ]( a )--# NOP #-------------------------------------------------( )( b )--+
+
+        +--<LBL>( over )--# NOP #------------------------------------------------------+
+    "#]].assert_eq(&text[own..]);
+    comes_back(&text);
+}
