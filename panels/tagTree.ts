@@ -47,10 +47,12 @@ export function tagGroups(tags: readonly Tag[]): TagGroup[] {
         .filter((group) => group.tags.length > 0);
 }
 
-/** The tags whose name or type holds what a person looks for, in any case. */
+/** The tags whose name or type holds what a person looks for, in any case, and what a member of theirs is looked for in. */
 export function filtered(tags: readonly Tag[], wanted: string): readonly Tag[] {
     const sought = wanted.trim().toLowerCase();
-    return sought === '' ? tags : tags.filter(({ name, type }) => `${name} : ${type}`.toLowerCase().includes(sought));
+    const fits = ({ name, type, parts }: Tag) =>
+        `${name} : ${type}`.toLowerCase().includes(sought) || (parts !== undefined && /^[.[]/.test(sought.slice(name.length)) && sought.startsWith(name.toLowerCase()));
+    return sought === '' ? tags : tags.filter(fits);
 }
 
 /** The parts of a group that is too long to be looked through. */

@@ -23,6 +23,9 @@ test('tags are found by part of their name or type', () => {
     assert.deepEqual(found(''), ['start', 'run', 't.ET']);
     assert.deepEqual(found(' RU '), ['run']);
     assert.deepEqual(found('time'), ['t.ET']);
+    const timer: Tag = { ...elapsed, name: 'hold', type: 'TON', parts: 2 };
+    assert.deepEqual(filtered([timer], 'HOLD.E'), [timer]);
+    assert.deepEqual(filtered([timer], 'holder'), []);
 });
 
 test('a BOOL input toggles on a click', () => {

@@ -116,8 +116,10 @@ export class TagsPanel {
                 });
             } else {
                 const isOpen = this.#open.has(tag.name);
-                const opener = element('button', { type: 'button', 'aria-expanded': String(isOpen), onclick: () => void this.#fold(tag.name) }, `${tag.parts} parts`);
+                const shown = ({ text }: Tag) => text || `${tag.parts} parts`;
+                const opener = element('button', { type: 'button', 'aria-expanded': String(isOpen), onclick: () => void this.#fold(tag.name) }, shown(tag));
                 cells.push(element('td', {}, opener), element('td'));
+                rows.push({ name: tag.name, update: (now) => setText(opener, shown(now)) });
             }
             body.append(element('tr', {}, head, ...cells));
             this.#add(body, rows, this.#open.get(tag.name) ?? [], depth + 1);

@@ -35,7 +35,7 @@ pub struct Group {
     pub read_only: bool,
     /// How many it opens into.
     pub parts: u64,
-    /// Which timer, counter or bistable it is: lists show the members of such a tag in its place.
+    /// Which timer, counter or bistable it is.
     pub state: Option<StateType>,
 }
 

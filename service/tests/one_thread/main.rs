@@ -56,10 +56,11 @@ fn compound_tags_are_listed_level_by_level() {
     let members = [
         "m[2].n INT 0 null",
         "m[2].p P IDLE null",
-        "m[2].t.Q BOOL 0 null",
-        "m[2].t.ET TIME 0ms null",
+        "m[2].t TON ET=0ms Q=0 2",
     ];
     assert_eq!(listed(json!({"of": "m[2]"})), members);
+    let shown = ["m[2].t.Q BOOL 0 null", "m[2].t.ET TIME 0ms null"];
+    assert_eq!(listed(json!({"of": "m[2].t"})), shown);
     // A long array opens into stretches, and these into elements.
     let stretches = listed(json!({"of": "g"}));
     assert_eq!(stretches.len(), 100);

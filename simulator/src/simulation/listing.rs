@@ -34,29 +34,19 @@ impl Simulation {
         grown.group(&grown.tree.part(path)?)
     }
 
-    /// The same tags, or the entries that a path opens into, with the members of timers, counters and bistables in their place.
+    /// The same tags, or the entries that a path opens into.
     pub fn entries(&self, path: &str) -> Vec<Entry> {
-        let entries = if path.is_empty() {
-            self.tags()
-        } else {
-            self.opened(path).unwrap_or_default()
-        };
-        self.with_states_open(entries)
+        match path {
+            "" => self.tags(),
+            path => self.opened(path).unwrap_or_default(),
+        }
     }
 
     /// The same for a person to look through: a long array opens into stretches of its elements, which open likewise.
     pub fn listed(&self, path: &str) -> Vec<Entry> {
         let elements = self.stretch(path);
         let entries = elements.or_else(|| Some(parted(&self.group(path)?, self.opened(path)?)));
-        entries.map_or_else(|| self.entries(path), |entries| self.with_states_open(entries))
-    }
-
-    fn with_states_open(&self, entries: Vec<Entry>) -> Vec<Entry> {
-        let flat = entries.into_iter().flat_map(|entry| match entry {
-            Entry::Group(group) if group.state.is_some() => self.opened(&group.name).unwrap_or_default(),
-            entry => vec![entry],
-        });
-        flat.collect()
+        entries.unwrap_or_else(|| self.entries(path))
     }
 
     fn grown(&self) -> Grown<'_> {

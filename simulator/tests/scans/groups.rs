@@ -36,8 +36,7 @@ fn a_list_of_all_tags_has_the_elements_unless_they_are_very_many() {
     expect![[r#"
         trip : ARRAY[1..2] OF BOOL, 2 parts
         pump : ARRAY[0..2] OF BOOL, 3 parts
-        t.Q : BOOL
-        t.ET : TIME
+        t : TON, 2 parts
         n : INT
         recipe : ARRAY[-1..400] OF INT, 402 parts
         words : ARRAY[1..2] OF STRING[5], 2 parts
@@ -158,8 +157,7 @@ fn what_is_compound_is_a_tree() {
         stop : BOOL
         k : INT
         m1 : $Motor, 7 parts
-        c.Q : BOOL
-        c.CV : DINT
+        c : CTU, 2 parts
         grid : ARRAY[1..2, 0..1] OF INT, 4 parts
         timers : ARRAY[1..2] OF TON, 2 parts
         ms : ARRAY[1..2] OF $Motor, 2 parts
@@ -173,8 +171,7 @@ fn what_is_compound_is_a_tree() {
         pump.speed : REAL
         pump.limit : REAL
         pump.running : BOOL
-        pump.delay.Q : BOOL
-        pump.delay.ET : TIME
+        pump.delay : TON, 2 parts
     "#]],
     );
     opened(
@@ -192,8 +189,7 @@ fn what_is_compound_is_a_tree() {
         lines[2].speed : REAL
         lines[2].limit : REAL
         lines[2].running : BOOL
-        lines[2].delay.Q : BOOL
-        lines[2].delay.ET : TIME
+        lines[2].delay : TON, 2 parts
     "#]],
     );
     opened(
@@ -223,8 +219,13 @@ fn what_is_compound_is_a_tree() {
     opened(
         "timers",
         expect![[r#"
-        timers[1].Q : BOOL
-        timers[1].ET : TIME
+        timers[1] : TON, 2 parts
+        timers[2] : TON, 2 parts
+    "#]],
+    );
+    opened(
+        "timers[2]",
+        expect![[r#"
         timers[2].Q : BOOL
         timers[2].ET : TIME
     "#]],
@@ -248,8 +249,7 @@ fn what_is_compound_is_a_tree() {
         m1.inner.ENO : BOOL
         m1.inner.a : BOOL
         m1.inner.n : INT
-        m1.inner.t.Q : BOOL
-        m1.inner.t.ET : TIME
+        m1.inner.t : TON, 2 parts
         m1.inner.hist : ARRAY[1..2] OF INT, 2 parts
     "#]],
     );
@@ -267,8 +267,7 @@ fn what_is_compound_is_a_tree() {
         ms[2].inner.ENO : BOOL
         ms[2].inner.a : BOOL
         ms[2].inner.n : INT
-        ms[2].inner.t.Q : BOOL
-        ms[2].inner.t.ET : TIME
+        ms[2].inner.t : TON, 2 parts
         ms[2].inner.hist : ARRAY[1..2] OF INT, 2 parts
     "#]],
     );

@@ -53,9 +53,10 @@ return function(t)
       ' ▸ lines[1] Motor internal speed=50.0',
       ' ▾ lines[2] Motor internal speed=50.0',
       ' lines[2].speed REAL internal 50.0',
-      ' lines[2].delay.Q BOOL internal 0',
-      ' lines[2].delay.ET TIME internal 0ms',
+      ' ▸ lines[2].delay TON internal ET=0ms Q=0',
     }, lines())
+    press(bufnr, 6, '<CR>')
+    t.equal('a timer that is open', { ' lines[2].delay.Q BOOL internal 0', ' lines[2].delay.ET TIME internal 0ms' }, vim.list_slice(lines(), 7))
     press(bufnr, 2, '<CR>')
     t.equal('the tags with the array closed', { 'step Phase internal FILLING', '▸ lines ARRAY[1..2] OF Motor internal' }, lines())
     vim.api.nvim_feedkeys('q', 'x', false)

@@ -139,8 +139,9 @@ async function look(page) {
     await step('the status bar tells the scan', async () => {
         await page.getByText('Ladder: paused, scan 3, 30ms').waitFor();
     });
-    await step('the view lists the tags', async () => {
-        await page.locator('.monaco-list-row', { hasText: 'warmup.ET' }).waitFor();
+    await step('the view lists the tags, and a timer opens into its members', async () => {
+        await row(page, 'warmupET=20ms').click();
+        await row(page, 'warmup.ET').waitFor();
     });
 }
 
