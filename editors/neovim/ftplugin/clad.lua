@@ -34,6 +34,7 @@ if not vim.g.no_plugin_maps and not vim.g.no_clad_maps then
     return require('ladder.comment').start()
   end, 'Toggle comment')
   require('ladder.edit').map(vim.api.nvim_get_current_buf())
+  require('ladder.tab').map()
   map('n', 'gcc', function()
     return require('ladder.comment').start() .. '_'
   end, 'Toggle comment line')
@@ -46,4 +47,5 @@ vim.b.undo_ftplugin = table.concat({
   'silent! nunmap <buffer> gc',
   'silent! xunmap <buffer> gc',
   'silent! nunmap <buffer> gcc',
+  'silent! iunmap <buffer> <Tab>',
 }, ' | ')

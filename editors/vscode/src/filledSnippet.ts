@@ -1,4 +1,5 @@
-// A rung that a proposal with places to fill was put into is laid out when the last of them is filled, or when the cursor leaves it.
+// A rung that a proposal with places to fill was put into is laid out when the last of them is filled, when Escape ends the filling, or
+// when the cursor leaves it. What was accepted stays: the words in places that nobody filled are names like any other.
 import * as vscode from 'vscode';
 
 /** The command of a proposal with places to fill, once it was accepted. */
@@ -6,6 +7,9 @@ const INSERTED = 'ladder.snippet.inserted';
 
 /** After Tab in such a proposal. */
 const TABBED = 'ladder.snippet.tabbed';
+
+/** After Escape in such a proposal. */
+const LEFT = 'ladder.snippet.left';
 
 /** Has proposals with places to fill say that they were accepted. */
 export function followed<Items extends vscode.CompletionItem[] | vscode.CompletionList | null | undefined>(found: Items): Items {
@@ -35,7 +39,7 @@ async function layOut(document: vscode.TextDocument, line: number): Promise<void
 }
 
 export class FilledSnippet implements vscode.Disposable {
-    /** Where the first place is, and how many more lines the proposal has. */
+    /** The line of the place that is being filled, and how many more lines the proposal has. */
     #open: { readonly document: vscode.TextDocument; line: number; readonly lineEnds: number } | undefined;
     readonly #followed: vscode.Disposable;
 
@@ -43,6 +47,7 @@ export class FilledSnippet implements vscode.Disposable {
         this.#followed = vscode.Disposable.from(
             vscode.commands.registerCommand(INSERTED, (lineEnds: number) => this.#begin(lineEnds)),
             vscode.commands.registerCommand(TABBED, () => this.#tabbed()),
+            vscode.commands.registerCommand(LEFT, () => this.#leave()),
             vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
                 for (const { range, text } of contentChanges) {
                     if (this.#open?.document === document && range.end.line < this.#open.line) {
@@ -51,10 +56,8 @@ export class FilledSnippet implements vscode.Disposable {
                 }
             }),
             vscode.window.onDidChangeTextEditorSelection(({ textEditor, selections }) => {
-                const open = this.#open;
-                const isAway = ({ active }: vscode.Selection) => open && Math.abs(active.line - open.line) > open.lineEnds;
-                if (open?.document === textEditor.document && selections.every(isAway)) {
-                    this.#leave();
+                if (this.#open?.document === textEditor.document) {
+                    this.#follow(this.#open, selections);
                 }
             }),
             vscode.window.onDidChangeActiveTextEditor(() => this.#leave()),
@@ -68,6 +71,16 @@ export class FilledSnippet implements vscode.Disposable {
     #begin(lineEnds: number): void {
         const editor = vscode.window.activeTextEditor;
         this.#open = editor && { document: editor.document, line: editor.selection.active.line, lineEnds };
+    }
+
+    /** The editor selects the next place to fill, which may be in another line; a cursor in another line has left them. */
+    #follow(open: { line: number; readonly lineEnds: number }, selections: readonly vscode.Selection[]): void {
+        const next = selections.find(({ active, isEmpty }) => !isEmpty && Math.abs(active.line - open.line) <= open.lineEnds);
+        if (next) {
+            open.line = next.active.line;
+        } else if (selections.every(({ active }) => active.line !== open.line)) {
+            this.#leave();
+        }
     }
 
     /** Places to fill are selected; at the end nothing is. */

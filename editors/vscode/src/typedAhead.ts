@@ -10,8 +10,14 @@ type Ask = (position: vscode.Position, typed: string, token: vscode.Cancellation
 /** Makes edits if the document still has the version that they are for. */
 async function make(document: vscode.TextDocument, version: number, edits: vscode.TextEdit[], undoStops: boolean): Promise<boolean> {
     const editor = vscode.window.visibleTextEditors.find((candidate) => candidate.document === document);
-    if (!editor || document.version !== version) {
+    if (document.isClosed || document.version !== version) {
         return false;
+    }
+    if (!editor) {
+        // Another tab is in front of it by now.
+        const all = new vscode.WorkspaceEdit();
+        all.set(document.uri, edits);
+        return vscode.workspace.applyEdit(all);
     }
     const write = (builder: vscode.TextEditorEdit) => {
         for (const { range, newText } of edits) {

@@ -56,7 +56,7 @@ fn compound_tags_are_listed_level_by_level() {
     let members = [
         "m[2].n INT 0 null",
         "m[2].p P IDLE null",
-        "m[2].t TON ET=0ms Q=0 2",
+        "m[2].t TON Q=FALSE ET=T#0s 2",
     ];
     assert_eq!(listed(json!({"of": "m[2]"})), members);
     let shown = ["m[2].t.Q BOOL 0 null", "m[2].t.ET TIME 0ms null"];

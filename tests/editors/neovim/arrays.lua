@@ -53,7 +53,7 @@ return function(t)
       ' ▸ lines[1] Motor internal speed=50.0',
       ' ▾ lines[2] Motor internal speed=50.0',
       ' lines[2].speed REAL internal 50.0',
-      ' ▸ lines[2].delay TON internal ET=0ms Q=0',
+      ' ▸ lines[2].delay TON internal Q=FALSE ET=T#0s',
     }, lines())
     press(bufnr, 6, '<CR>')
     t.equal('a timer that is open', { ' lines[2].delay.Q BOOL internal 0', ' lines[2].delay.ET TIME internal 0ms' }, vim.list_slice(lines(), 7))

@@ -132,6 +132,33 @@ return function(t)
     return before, typed_out
   end
 
+  t.step('Tab leads through the operands, past the last one, and puts nothing in', function()
+    local keys = typing.open(t, { '' })
+    keys:write({ '+--[ ]( a )--[TON' }, 1, 16)
+    keys:press('a', '<C-x><C-o>')
+    keys:list()
+    keys:press('<C-n>', '<C-y>')
+    t.eventually('a place to be selected', function()
+      return keys:lua("return vim.snippet.active() and vim.fn.mode() == 's'")
+    end)
+    keys:press('t1', '<Tab>', '9s', '<Tab>')
+    local rung = '+--[ ]( a )--[TON]( t1, 9s )--'
+    keys:expect('the block', { rung })
+    t.equal('the cursor after the wire', { 1, #rung }, keys:cursor())
+    keys:press('<Tab>')
+    keys:expect('the block', { rung })
+    keys:press('( )( y )--+', '<Left><Left><Left><Left><Left>', '<Tab>')
+    t.equal('the cursor in front of the rail', { 1, #rung + #'( )( y )' }, keys:cursor())
+    keys:press('<Tab>')
+    t.equal('the cursor after the rail', { 1, #rung + #'( )( y )--+' }, keys:cursor())
+    keys:press('<Esc>')
+    -- Where nothing is drawn it is the key that it always is.
+    keys:write({ 'VAR' }, 1, 2)
+    keys:press('a', '<Tab>')
+    keys:expect('blanks', { 'VAR ' })
+    keys:close()
+  end)
+
   t.step('what is completed is drawn when its operands are typed, wherever it is on a rung', function()
     local keys = typing.open(t, { '' })
     for _, place in ipairs(places) do

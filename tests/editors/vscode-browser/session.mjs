@@ -140,7 +140,7 @@ async function look(page) {
         await page.getByText('Ladder: paused, scan 3, 30ms').waitFor();
     });
     await step('the view lists the tags, and a timer opens into its members', async () => {
-        await row(page, 'warmupET=20ms').click();
+        await row(page, 'warmupQ=').click();
         await row(page, 'warmup.ET').waitFor();
     });
 }

@@ -160,6 +160,62 @@ export async function typing(page, { step, until, screenshot, project }) {
         await page.keyboard.press('Tab');
         await page.keyboard.press('Tab');
     });
+    await step('a rung whose block came with operands is laid out when they are left, with a list open too, and by Escape', async () => {
+        const before = await lines(page);
+        for (const [typed, key, named] of [
+            ['thi', 'Tab', 'thi'],
+            ['', 'Escape', 'tag'],
+        ]) {
+            await page.keyboard.press('Control+Home');
+            await page.keyboard.press('End');
+            await page.keyboard.press('Enter');
+            await until('the beginning of a rung', async () => (await lines(page))[1] === '+--');
+            await page.keyboard.type('[ ]( run )--(S', { delay: 50 });
+            await page.locator('.suggest-widget.visible .monaco-list-row[data-index="0"]', { hasText: '(S)' }).first().waitFor();
+            await page.keyboard.press('Tab');
+            await until('the coil', async () => (await lines(page))[1] === '+--[ ]( run )--(S)( tag )--+');
+            await page.keyboard.type(typed, { delay: 50 });
+            await (typed && page.locator('.suggest-widget.visible .monaco-list-row', { hasText: 'third' }).first().waitFor());
+            // What tells of the operand goes first.
+            await until('the rung to be laid out', async () => {
+                await page.keyboard.press(key);
+                await page.waitForTimeout(200);
+                return new RegExp(`^\\+--\\[ \\]\\( run \\)-{30,}\\(S\\)\\( ${named} \\)--\\+$`).test((await lines(page))[1]);
+            });
+            await until('the program as it was', async () => {
+                await page.keyboard.press('Control+Z');
+                await page.waitForTimeout(200);
+                return (await lines(page)).join('\n') === before.join('\n');
+            });
+        }
+        await page.keyboard.press('Control+Home');
+        await page.keyboard.press('Tab');
+        await page.keyboard.press('Tab');
+    });
+    await step('Tab after a tag that was taken from the list goes on, and puts nothing in', async () => {
+        const before = await lines(page);
+        await page.keyboard.press('Control+Home');
+        await page.keyboard.press('End');
+        await page.keyboard.press('Enter');
+        await until('the beginning of a rung', async () => (await lines(page))[1] === '+--');
+        await page.keyboard.type('[TON]( s', { delay: 50 });
+        // Several fit: an editor may have Tab lead from one to the next.
+        await page.locator('.suggest-widget.visible .monaco-list-row').nth(1).waitFor();
+        await page.keyboard.press('Tab');
+        await until('the tag', async () => /^\+--\[TON\]\( \w+ \)$/.test((await lines(page))[1]));
+        const [, taken] = await lines(page);
+        await page.keyboard.press('Tab');
+        await place(page, 2, taken.length + 1);
+        assert.equal((await lines(page))[1], taken);
+        await until('the program as it was', async () => {
+            await page.keyboard.press('Control+Z');
+            await page.waitForTimeout(200);
+            return (await lines(page)).join('\n') === before.join('\n');
+        });
+        await page.keyboard.press('Control+Home');
+        await page.keyboard.press('Tab');
+        await page.keyboard.press('Tab');
+    });
     await step('a key draws a contact, and one undo takes it back', async () => {
         const before = await lines(page);
         await page.keyboard.press('Alt+L');

@@ -77,11 +77,11 @@ fn tags_are_added_and_removed() {
             |
             |
             |
+            |
             |┌ Enter: watch, or no more ────────────────────────┐
             |│   start         BOOL      FALSE                  │
             |│   stop          BOOL      FALSE                  │
-            |│   warmup.Q      BOOL      FALSE                  │
-            |│   warmup.ET     TIME      0s                     │────────────────────────────
+            |│   ▸ warmup      TON       Q=FALSE ET=T#0s        │────────────────────────────
             |│ * run           BOOL      FALSE                  │
             |│   ready         BOOL      FALSE                  │──── [ ] 1 column = 100 ms ─
             |└──────────────────────────────────────────────────┘
