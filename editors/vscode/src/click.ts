@@ -50,19 +50,26 @@ export class Click implements vscode.Disposable {
         }
     }
 
-    /** @returns the document that shows the diagram of a program; none if there is something wrong with it, which is shown */
-    async show(program: vscode.TextDocument): Promise<vscode.TextDocument | undefined> {
+    /** @returns the document with the ladder text of a program; none if there is something wrong with it, which is shown */
+    async drawing(program: vscode.TextDocument): Promise<vscode.TextDocument | undefined> {
         try {
             const uri = vscode.Uri.from(drawingOf(program.uri));
             this.#drawings.begin(uri.toString(), await this.#server.execute('ladder.preview', { uri: program.uri.toString() }));
             this.#changed.fire(uri);
-            const drawing = await vscode.workspace.openTextDocument(uri);
-            await vscode.window.showTextDocument(drawing, { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true });
-            return drawing;
+            return await vscode.workspace.openTextDocument(uri);
         } catch (error) {
             void vscode.window.showErrorMessage(`Ladder: ${reasonOf(error)}`);
             return undefined;
         }
+    }
+
+    /** The same, and shows it next to the program. */
+    async show(program: vscode.TextDocument): Promise<vscode.TextDocument | undefined> {
+        const drawing = await this.drawing(program);
+        if (drawing) {
+            await vscode.window.showTextDocument(drawing, { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true });
+        }
+        return drawing;
     }
 
     dispose(): void {

@@ -138,9 +138,16 @@ async function start(click: Click, simulation: Simulation): Promise<void> {
 
 /** Opens a diagram; of a program of another system that of its ladder text. */
 async function openDiagram(click: Click, diagrams: DiagramEditors, given?: unknown): Promise<void> {
-    const document = vscode.window.activeTextEditor?.document;
-    const drawing = !(given instanceof vscode.Uri) && document && isForeign(document) ? await click.show(document) : undefined;
-    await diagrams.open(drawing?.uri ?? given);
+    const asked = given instanceof vscode.Uri ? given : vscode.window.activeTextEditor?.document.uri;
+    const document = vscode.workspace.textDocuments.find(({ uri }) => uri.toString() === asked?.toString());
+    if (!document || !isForeign(document)) {
+        await diagrams.open(given);
+        return;
+    }
+    const drawing = await click.drawing(document);
+    if (drawing) {
+        await diagrams.open(drawing.uri);
+    }
 }
 
 export interface Views {

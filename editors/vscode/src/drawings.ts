@@ -5,7 +5,7 @@ import type { Previewed } from '../../../panels/protocol.ts';
 export const SCHEME = 'ladder-click';
 
 /** What a drawing shows whose program is not open, as after a start of the editor. */
-const NOTHING = '# Open the Python file as a Click program and show its diagram again. #\n';
+const NOTHING = '# Open the program that this shows, and choose "Show as Ladder" again. #\n';
 
 /** @returns the parts of a drawing's address: that of the program's file, as a file of ladder text */
 export function drawingOf(program: { readonly scheme: string; readonly path: string }) {
