@@ -119,18 +119,20 @@ impl Foreign {
 
     /// What a part of the ladder text was made from, in the shown text.
     pub fn range(&self, of_ladder: TextRange) -> TextRange {
-        let place = self.first_use(of_ladder);
-        self.range_at(place.unwrap_or_else(|| self.converted.place_of(of_ladder.start())))
+        self.own_range(of_ladder)
+            .unwrap_or_else(|| self.range_at(self.converted.place_of(of_ladder.start())))
     }
 
-    /// Of a name in something that was made from nothing, such as the declaration of a tag that the other system does not
-    /// declare: where that name is used first.
-    fn first_use(&self, of_ladder: TextRange) -> Option<LineColumn> {
-        if self.converted.written.origin_around(of_ladder.start()).is_some() {
-            return None;
-        }
-        let name = self.ladder().get(std::ops::Range::<usize>::from(of_ladder))?;
-        self.uses.get(name).copied()
+    /// The same; none if it was made from nothing and is not used. The name of a tag that the other system does not declare is where
+    /// that is used first.
+    fn own_range(&self, of_ladder: TextRange) -> Option<TextRange> {
+        let place = match self.converted.written.origin_around(of_ladder.start()) {
+            Some(origin) => self.converted.places.get(origin as usize),
+            None => self
+                .uses
+                .get(self.ladder().get(std::ops::Range::<usize>::from(of_ladder))?),
+        };
+        place.map(|place| self.range_at(*place))
     }
 
     /// Where each name of the ladder text is used first.
@@ -200,13 +202,15 @@ impl Foreign {
         for finding in &mut findings {
             finding.range = self.range(finding.range);
             finding.fixes.clear();
-            let own = finding.related.iter_mut().filter(|place| place.file.is_none());
-            own.for_each(|place| place.range = self.range(place.range));
-            // Other systems declare what they use where they use it.
-            let range = finding.range;
-            finding
-                .related
-                .retain(|place| place.file.is_some() || place.range != range);
+            // What was made from nothing has no place there, and other systems declare what they use where they use it.
+            finding.related.retain_mut(|place| {
+                if place.file.is_some() {
+                    return true;
+                }
+                let own = self.own_range(place.range);
+                place.range = own.unwrap_or(finding.range);
+                place.range != finding.range
+            });
         }
         findings.sort_by_key(|finding| finding.range.start());
         findings

@@ -627,7 +627,12 @@ fn numbers_become_texts_and_times_numbers() {
 /// A rung that only has NOP says that nothing is forgotten; one that acts need not.
 #[test]
 fn rungs_with_nop() {
-    let rungs = ["NOP();", "XIC(a)[XIO(b) ,]NOP();", "XIC(a)NOP()OTE(b);", "LBL(over)NOP();"];
+    let rungs = [
+        "NOP();",
+        "XIC(a)[XIO(b) ,]NOP();",
+        "XIC(a)NOP()OTE(b);",
+        "LBL(over)NOP();",
+    ];
     let file = controller(&[("a", "BOOL", ""), ("b", "BOOL", "")], &rungs);
     let text = converted(&L5x, file.as_bytes()).written.text;
     let own = text.find("END_VAR").unwrap_or_default();
@@ -644,6 +649,7 @@ fn rungs_with_nop() {
         +--[ ]( a )--# NOP #-------------------------------------------------( )( b )--+
 
         +--<LBL>( over )--# NOP #------------------------------------------------------+
-    "#]].assert_eq(&text[own..]);
+    "#]]
+    .assert_eq(&text[own..]);
     comes_back(&text);
 }
