@@ -1,10 +1,10 @@
 //! An Add-On Instruction as the definition of a block.
 
 use crate::scope::Kind;
-use crate::sketch::{Sketcher, network};
+use crate::sketch::{Sketcher, alone, network};
 use crate::unit::Owner;
 use ladder_format::Circuit;
-use ladder_format::program::{Element, Item, Qualifier, Section, SectionKind};
+use ladder_format::program::{Block, Item, Path, Qualifier, Section, SectionKind};
 
 impl Sketcher<'_> {
     /// An Add-On Instruction as a block.
@@ -20,19 +20,19 @@ impl Sketcher<'_> {
         };
         let (logic, when_off) = (routine("Logic"), routine("EnableInFalse"));
         // With dead power nothing of it runs, but what it has for that.
-        let alone = |text: &str| Circuit::Element(Element::block(text, None));
+        let own = |block: Block| alone(block, None);
         match when_off.filter(|unit| !self.units[*unit].is_empty()) {
             Some(unit) => {
                 let label = self.translator.tags.fresh(scope, "logic");
-                let jump = vec![alone("[ ]( EN )"), alone(&format!("<JMP>( {label} )"))];
+                let jump = vec![own(Block::contact(Path::tag("EN"))), own(Block::jump(&label))];
                 body.push(network(Vec::new(), Circuit::Series(jump)));
                 body.extend(self.unit(unit));
-                let end = network(Vec::new(), alone("<RET>"));
+                let end = network(Vec::new(), own(Block::ret()));
                 body.extend([Item::Blank, end, Item::Blank]);
-                body.push(network(Vec::new(), alone(&format!("<LBL>( {label} )"))));
+                body.push(network(Vec::new(), own(Block::label(&label))));
             }
             None => {
-                let leave = vec![alone("[/]( EN )"), alone("<RET>")];
+                let leave = vec![own(Block::negated_contact(Path::tag("EN"))), own(Block::ret())];
                 body.push(network(Vec::new(), Circuit::Series(leave)));
             }
         }

@@ -50,7 +50,7 @@ pub(crate) struct Blocks {
 }
 
 impl Blocks {
-    /// Notes that a block is used. Its name, with the `$`.
+    /// Notes that a block is used. Its name, without the `$`.
     pub(crate) fn plain(&mut self, name: &str) -> String {
         self.take(name, String::new(), std::borrow::ToOwned::to_owned)
     }
@@ -89,9 +89,8 @@ impl Blocks {
         let own = TEXTS.iter().find(|(own, _)| *own == name);
         let body = own.map(|(_, body)| *body).unwrap_or_default();
         let name = format!("{name}{suffix}");
-        let block = format!("${name}");
-        self.used.entry(name).or_insert_with(|| text(body));
-        block
+        self.used.entry(name.clone()).or_insert_with(|| text(body));
+        name
     }
 
     /// Whether the name of a block is one of these.

@@ -1,31 +1,33 @@
 //! The instructions that have a counterpart here, by all their names, and what their operands are. What the translation,
 //! the types of undeclared tags and the reader of RSLogix 500's text know of an instruction is in this table.
 
+use ladder_format::program::{Operator, Sign};
+use ladder_instructions::Op as Own;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
 /// An instruction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Op {
-    Xic,
-    Xio,
-    Ote,
-    Otl,
-    Otu,
+    /// A contact, as it is here.
+    Contact(Own),
+    Coil(Own),
     Ons,
     Osr,
     Osf,
     Timer(&'static str),
     Counter(&'static str),
     Res,
-    Compare(&'static str),
+    Compare(Own),
     Lim,
     Meq,
     Cmp,
     /// An operator between two values.
-    Binary(&'static str),
-    /// A function of one value, or a sign before it.
-    Unary(&'static str),
+    Binary(Operator),
+    /// A sign before a value.
+    Unary(Sign),
+    /// A function of one value.
+    Function(&'static str),
     Atan2,
     Trunc,
     Cpt,
@@ -52,8 +54,8 @@ pub(crate) enum Op {
     FromBcd,
     For,
     Brk,
-    Jmp,
-    Lbl,
+    /// A label, or a jump to one.
+    Label(Own),
     Jsr,
     Sbr,
     Ret,
@@ -64,8 +66,8 @@ pub(crate) enum Op {
     Scl,
     Scp,
     Pid,
-    /// A function of strings: its name here.
-    Strings(&'static str),
+    /// A function of strings.
+    Strings(Own),
     /// A number as text, and back.
     ToText,
     FromText,
@@ -75,7 +77,7 @@ impl Op {
     /// Whether it decides about the power of its rung. All others act, and pass it.
     pub(crate) const fn is_condition(self, operands: usize) -> bool {
         match self {
-            Op::Xic | Op::Xio | Op::Ons | Op::Compare(_) | Op::Lim | Op::Meq | Op::Cmp => true,
+            Op::Contact(_) | Op::Ons | Op::Compare(_) | Op::Lim | Op::Meq | Op::Cmp => true,
             Op::Osr => operands == 1,
             _ => false,
         }
@@ -85,7 +87,7 @@ impl Op {
     pub(crate) const fn may_leave(self) -> bool {
         matches!(
             self,
-            Op::Jmp | Op::Lbl | Op::Ret | Op::Brk | Op::Tnd | Op::Mcr | Op::Sbr
+            Op::Label(_) | Op::Ret | Op::Brk | Op::Tnd | Op::Mcr | Op::Sbr
         )
     }
 }
@@ -120,11 +122,11 @@ const fn row(names: &'static [&'static str], op: Op, operands: &'static str) -> 
 }
 
 const ROWS: &[Row] = &[
-    row(&["XIC"], Op::Xic, "b"),
-    row(&["XIO"], Op::Xio, "b"),
-    row(&["OTE", "EOT"], Op::Ote, "B"),
-    row(&["OTL"], Op::Otl, "B"),
-    row(&["OTU"], Op::Otu, "B"),
+    row(&["XIC"], Op::Contact(Own::Contact), "b"),
+    row(&["XIO"], Op::Contact(Own::NegatedContact), "b"),
+    row(&["OTE", "EOT"], Op::Coil(Own::Coil), "B"),
+    row(&["OTL"], Op::Coil(Own::SetCoil), "B"),
+    row(&["OTU"], Op::Coil(Own::ResetCoil), "B"),
     row(&["ONS"], Op::Ons, "B"),
     (&["OSR"], Op::Osr, "BB", Some("B")),
     row(&["OSF"], Op::Osf, "BB"),
@@ -134,39 +136,39 @@ const ROWS: &[Row] = &[
     row(&["CTU"], Op::Counter("CTU"), "Cpp"),
     row(&["CTD"], Op::Counter("CTD"), "Cpp"),
     row(&["RES"], Op::Res, "S"),
-    row(&["EQU", "EQ"], Op::Compare("EQ"), "vv"),
-    row(&["NEQ", "NE"], Op::Compare("NE"), "vv"),
-    row(&["LES", "LT"], Op::Compare("LT"), "vv"),
-    row(&["LEQ", "LE"], Op::Compare("LE"), "vv"),
-    row(&["GRT", "GT"], Op::Compare("GT"), "vv"),
-    row(&["GEQ", "GE"], Op::Compare("GE"), "vv"),
+    row(&["EQU", "EQ"], Op::Compare(Own::Eq), "vv"),
+    row(&["NEQ", "NE"], Op::Compare(Own::Ne), "vv"),
+    row(&["LES", "LT"], Op::Compare(Own::Lt), "vv"),
+    row(&["LEQ", "LE"], Op::Compare(Own::Le), "vv"),
+    row(&["GRT", "GT"], Op::Compare(Own::Gt), "vv"),
+    row(&["GEQ", "GE"], Op::Compare(Own::Ge), "vv"),
     row(&["LIM", "LIMIT"], Op::Lim, "vvv"),
     row(&["MEQ"], Op::Meq, "vvv"),
     row(&["CMP"], Op::Cmp, "f"),
-    row(&["ADD"], Op::Binary("+"), "vvV"),
-    row(&["SUB"], Op::Binary("-"), "vvV"),
-    row(&["MUL"], Op::Binary("*"), "vvV"),
-    row(&["DIV"], Op::Binary("/"), "vvV"),
-    row(&["MOD"], Op::Binary("MOD"), "vvV"),
-    row(&["XPY", "EXPT"], Op::Binary("**"), "vvV"),
-    row(&["AND"], Op::Binary("AND"), "vvV"),
-    row(&["OR"], Op::Binary("OR"), "vvV"),
-    row(&["XOR"], Op::Binary("XOR"), "vvV"),
-    row(&["NOT"], Op::Unary("NOT"), "vV"),
-    row(&["NEG"], Op::Unary("-"), "vV"),
-    row(&["ABS"], Op::Unary("ABS"), "vV"),
-    row(&["SQR", "SQRT"], Op::Unary("SQRT"), "vV"),
-    row(&["SIN"], Op::Unary("SIN"), "vV"),
-    row(&["COS"], Op::Unary("COS"), "vV"),
-    row(&["TAN"], Op::Unary("TAN"), "vV"),
-    row(&["ASN", "ASIN"], Op::Unary("ASIN"), "vV"),
-    row(&["ACS", "ACOS"], Op::Unary("ACOS"), "vV"),
-    row(&["ATN", "ATAN"], Op::Unary("ATAN"), "vV"),
+    row(&["ADD"], Op::Binary(Operator::Plus), "vvV"),
+    row(&["SUB"], Op::Binary(Operator::Minus), "vvV"),
+    row(&["MUL"], Op::Binary(Operator::Times), "vvV"),
+    row(&["DIV"], Op::Binary(Operator::Divide), "vvV"),
+    row(&["MOD"], Op::Binary(Operator::Mod), "vvV"),
+    row(&["XPY", "EXPT"], Op::Binary(Operator::Power), "vvV"),
+    row(&["AND"], Op::Binary(Operator::And), "vvV"),
+    row(&["OR"], Op::Binary(Operator::Or), "vvV"),
+    row(&["XOR"], Op::Binary(Operator::Xor), "vvV"),
+    row(&["NOT"], Op::Unary(Sign::Not), "vV"),
+    row(&["NEG"], Op::Unary(Sign::Minus), "vV"),
+    row(&["ABS"], Op::Function("ABS"), "vV"),
+    row(&["SQR", "SQRT"], Op::Function("SQRT"), "vV"),
+    row(&["SIN"], Op::Function("SIN"), "vV"),
+    row(&["COS"], Op::Function("COS"), "vV"),
+    row(&["TAN"], Op::Function("TAN"), "vV"),
+    row(&["ASN", "ASIN"], Op::Function("ASIN"), "vV"),
+    row(&["ACS", "ACOS"], Op::Function("ACOS"), "vV"),
+    row(&["ATN", "ATAN"], Op::Function("ATAN"), "vV"),
     row(&["ATAN2"], Op::Atan2, "vvV"),
-    row(&["LN"], Op::Unary("LN"), "vV"),
-    row(&["LOG"], Op::Unary("LOG"), "vV"),
-    row(&["DEG"], Op::Unary("DEG"), "vV"),
-    row(&["RAD"], Op::Unary("RAD"), "vV"),
+    row(&["LN"], Op::Function("LN"), "vV"),
+    row(&["LOG"], Op::Function("LOG"), "vV"),
+    row(&["DEG"], Op::Function("DEG"), "vV"),
+    row(&["RAD"], Op::Function("RAD"), "vV"),
     row(&["TRN", "TRUNC"], Op::Trunc, "vV"),
     row(&["CPT"], Op::Cpt, "Vf"),
     row(&["MOV", "MOVE"], Op::Mov, "vV"),
@@ -195,8 +197,8 @@ const ROWS: &[Row] = &[
     row(&["FRD", "BCD_TO"], Op::FromBcd, "vV"),
     row(&["FOR"], Op::For, "wVvvv"),
     row(&["BRK"], Op::Brk, ""),
-    row(&["JMP"], Op::Jmp, "w"),
-    row(&["LBL"], Op::Lbl, "w"),
+    row(&["JMP"], Op::Label(Own::Jmp), "w"),
+    row(&["LBL"], Op::Label(Own::Lbl), "w"),
     (&["JSR"], Op::Jsr, "w", Some("w")),
     (&["SBR"], Op::Sbr, "", Some("")),
     (&["RET"], Op::Ret, "", Some("")),
@@ -207,11 +209,11 @@ const ROWS: &[Row] = &[
     row(&["SCL"], Op::Scl, "vvvV"),
     row(&["SCP"], Op::Scp, "vvvvvV"),
     row(&["PID"], Op::Pid, "IvvVwwv"),
-    row(&["CONCAT"], Op::Strings("CONCAT"), "xxX"),
-    row(&["MID"], Op::Strings("MID"), "xvvX"),
-    row(&["DELETE"], Op::Strings("DELETE"), "xvvX"),
-    row(&["INSERT"], Op::Strings("INSERT"), "xxvX"),
-    row(&["FIND"], Op::Strings("FIND"), "xxvV"),
+    row(&["CONCAT"], Op::Strings(Own::Concat), "xxX"),
+    row(&["MID"], Op::Strings(Own::Mid), "xvvX"),
+    row(&["DELETE"], Op::Strings(Own::Delete), "xvvX"),
+    row(&["INSERT"], Op::Strings(Own::Insert), "xxvX"),
+    row(&["FIND"], Op::Strings(Own::Find), "xxvV"),
     row(&["DTOS"], Op::ToText, "vX"),
     row(&["STOD", "STOR"], Op::FromText, "xV"),
 ];

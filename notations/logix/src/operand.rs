@@ -1,5 +1,7 @@
 //! Operands and formulas of instructions: `cells[i + 1].level.3`, `(a + b) * 2.5`, `'text'`.
 
+use ladder_format::program::{Operator, Sign};
+
 /// An operand.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Expr {
@@ -8,11 +10,24 @@ pub(crate) enum Expr {
     /// Without its quotes, with its escapes.
     Text(String),
     Path(Path),
-    Unary(&'static str, Box<Expr>),
-    Binary(&'static str, Box<Expr>, Box<Expr>),
+    Unary(Sign, Box<Expr>),
+    Binary(Operator, Box<Expr>, Box<Expr>),
     Call(String, Vec<Expr>),
     /// The value is in the tag.
     Unset,
+}
+
+impl Expr {
+    /// What an operator or a function is applied to.
+    pub(crate) fn parts(&self) -> impl Iterator<Item = &Expr> {
+        let (one, more): (Option<&Expr>, &[Expr]) = match self {
+            Expr::Unary(_, inner) => (Some(inner), &[]),
+            Expr::Binary(_, left, right) => (Some(left), std::slice::from_ref(&**right)),
+            Expr::Call(_, all) => (None, all),
+            _ => (None, &[]),
+        };
+        one.into_iter().chain(more)
+    }
 }
 
 /// A tag, a part of it, or a bit.
@@ -21,6 +36,16 @@ pub(crate) struct Path {
     /// With the colons of modules, and the `\` before the name of another program.
     pub(crate) root: String,
     pub(crate) steps: Vec<Step>,
+}
+
+impl Path {
+    /// A tag as a whole.
+    pub(crate) fn tag(name: impl Into<String>) -> Path {
+        Path {
+            root: name.into(),
+            steps: Vec::new(),
+        }
+    }
 }
 
 /// What follows the name of a tag.
@@ -36,21 +61,27 @@ pub(crate) enum Step {
 /// Nothing nests deeper.
 const DEEPEST: usize = 40;
 
-/// Operators from the loosest to the tightest: Logix' own order.
-const LEVELS: &[&[(&str, &str)]] = &[
-    &[("||", "OR"), ("OR", "OR")],
-    &[("^^", "XOR"), ("XOR", "XOR")],
-    &[("&&", "AND"), ("AND", "AND")],
+/// Operators from the loosest to the tightest: Logix' own order. Powers are here so that they are no products; they are tighter
+/// than a sign.
+const LEVELS: &[&[(&str, Operator)]] = &[
+    &[("||", Operator::Or), ("OR", Operator::Or)],
+    &[("^^", Operator::Xor), ("XOR", Operator::Xor)],
+    &[("&&", Operator::And), ("AND", Operator::And)],
     &[
-        ("<>", "<>"),
-        ("<=", "<="),
-        (">=", ">="),
-        ("=", "="),
-        ("<", "<"),
-        (">", ">"),
+        ("<>", Operator::NotEqual),
+        ("<=", Operator::LessEqual),
+        (">=", Operator::GreaterEqual),
+        ("=", Operator::Equal),
+        ("<", Operator::Less),
+        (">", Operator::Greater),
     ],
-    &[("+", "+"), ("-", "-")],
-    &[("**", ""), ("*", "*"), ("/", "/"), ("MOD", "MOD")],
+    &[("+", Operator::Plus), ("-", Operator::Minus)],
+    &[
+        ("**", Operator::Power),
+        ("*", Operator::Times),
+        ("/", Operator::Divide),
+        ("MOD", Operator::Mod),
+    ],
 ];
 
 /// Reads an operand or a formula.
@@ -150,7 +181,7 @@ impl<'t> Reader<'t> {
     }
 
     /// The operator of a level that stands here.
-    fn operator(&mut self, level: usize) -> Option<&'static str> {
+    fn operator(&mut self, level: usize) -> Option<Operator> {
         self.blanks();
         let rest = self.rest();
         let &(spelled, operator) = LEVELS[level].iter().find(|(spelled, _)| {
@@ -161,7 +192,7 @@ impl<'t> Reader<'t> {
             let goes_on = rest[spelled.len()..].starts_with(|c: char| c.is_alphanumeric() || c == '_');
             start.eq_ignore_ascii_case(spelled) && !(is_word && goes_on)
         })?;
-        if operator.is_empty() {
+        if operator == Operator::Power {
             return None;
         }
         self.at += spelled.len();
@@ -200,14 +231,14 @@ impl<'t> Reader<'t> {
                     Some(number) if !self.is_power() => Ok(number),
                     _ => {
                         self.at = before + 1;
-                        Ok(Expr::Unary("-", Box::new(self.unary()?)))
+                        Ok(Expr::Unary(Sign::Minus, Box::new(self.unary()?)))
                     }
                 }
             } else {
-                Ok(Expr::Unary("-", Box::new(self.unary()?)))
+                Ok(Expr::Unary(Sign::Minus, Box::new(self.unary()?)))
             }
         } else if self.eat("!") || self.eat_not() {
-            Ok(Expr::Unary("NOT", Box::new(self.unary()?)))
+            Ok(Expr::Unary(Sign::Not, Box::new(self.unary()?)))
         } else {
             self.power()
         };
@@ -236,11 +267,11 @@ impl<'t> Reader<'t> {
             count += 1;
             self.at += 2;
             let right = if self.eat("-") {
-                Expr::Unary("-", Box::new(self.primary()?))
+                Expr::Unary(Sign::Minus, Box::new(self.primary()?))
             } else {
                 self.primary()?
             };
-            left = Expr::Binary("**", Box::new(left), Box::new(right));
+            left = Expr::Binary(Operator::Power, Box::new(left), Box::new(right));
         }
         Ok(left)
     }
@@ -412,8 +443,15 @@ mod tests {
             Expr::Real(real) => format!("{real:?}"),
             Expr::Text(text) => format!("'{text}'"),
             Expr::Unset => "?".to_owned(),
-            Expr::Unary(op, a) => format!("({op} {})", shown(a)),
-            Expr::Binary(op, a, b) => format!("({} {op} {})", shown(a), shown(b)),
+            Expr::Unary(Sign::Minus, a) => format!("(- {})", shown(a)),
+            Expr::Unary(Sign::Not, a) => format!("(NOT {})", shown(a)),
+            Expr::Binary(own, a, b) => {
+                let mut all = LEVELS.iter().copied().flatten().rev();
+                let (spelled, _) = all
+                    .find(|(_, operator)| operator == own)
+                    .expect("it is in the table");
+                format!("({} {spelled} {})", shown(a), shown(b))
+            }
             Expr::Call(name, all) => {
                 format!("{name}({})", all.iter().map(shown).collect::<Vec<_>>().join(";"))
             }

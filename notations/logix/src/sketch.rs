@@ -15,7 +15,8 @@ use crate::unit::{Owner, Unit, units};
 use crate::unread::LEFT;
 use ladder_drawings::neutral::{Instruction, Part, instructions};
 use ladder_format::Circuit;
-use ladder_format::program::{Drawing, Element, Item, Network};
+use ladder_format::program::{Block, Drawing, Element, Item, Network, Origin, Path};
+use ladder_instructions::Op as Own;
 use ladder_notation::names::Names;
 use ladder_notation::{LineColumn, Lines, Reading};
 use std::collections::{HashMap, HashSet};
@@ -66,18 +67,18 @@ impl<'p> Sketcher<'p> {
         let project = self.translator.project;
         let main = plan.main.map(|main| self.unit(main)).unwrap_or_default();
         let calls = plan.called.iter().flat_map(|called| {
-            let block = Element::block(format!("<CALL>( {} )", plan.functions[*called]), None);
-            [Item::Blank, network(Vec::new(), Circuit::Element(block))]
+            let call = Block::call(&plan.functions[*called]);
+            [Item::Blank, network(Vec::new(), alone(call, None))]
         });
         let mut calls: Vec<Item> = calls.collect();
         for (routines, later) in plan.later.iter().filter(|(_, later)| !later.is_run) {
             let program = &project.programs[later.program].name;
             for routine in routines {
                 let comments = vec![format!("program {program}: {}", later.why)];
-                let never = Element::block("[ ]( SYS.OFF )", None);
-                let call = Element::block(format!("<CALL>( {} )", plan.functions[*routine]), None);
-                let circuit = [never, call].map(Circuit::Element).to_vec();
-                calls.extend([Item::Blank, network(comments, Circuit::Series(circuit))]);
+                let never = Block::contact(Path::system("OFF"));
+                let call = Block::call(&plan.functions[*routine]);
+                let circuit = [never, call].map(|block| alone(block, None));
+                calls.extend([Item::Blank, network(comments, Circuit::Series(circuit.to_vec()))]);
             }
         }
         let mut functions: Vec<(usize, Vec<Item>)> = Vec::new();
@@ -121,9 +122,9 @@ impl<'p> Sketcher<'p> {
     fn function(&mut self, number: usize, function: &str, first: Vec<Item>) -> Vec<Item> {
         let routine = self.units[number].routine;
         let origin = self.origin(routine.at);
-        let begin = Element::block(format!("<FUN>( {function} )"), Some(origin));
+        let begin = alone(Block::function(function), Some(origin));
         let comments = routine.comment.iter().cloned().collect();
-        let mut items = vec![Item::Blank, network(comments, Circuit::Element(begin))];
+        let mut items = vec![Item::Blank, network(comments, begin)];
         items.extend(first);
         items.extend(self.unit(number));
         items
@@ -159,29 +160,17 @@ impl<'p> Sketcher<'p> {
     /// What the tools are told, and what the program is.
     fn head(&self) -> Vec<Item> {
         let project = self.translator.project;
-        let mut items = Vec::new();
-        let mut tell = |said: &str| items.push(Item::Directive(said.to_owned()));
-        tell("profile logix");
-        items.extend(self.cycle());
-        let mut tell = |said: &str| items.push(Item::Directive(said.to_owned()));
-        for (rule, why) in [
-            (
-                "never-written",
-                "other devices reach the tags of a controller too",
-            ),
-            ("never-read", "other devices reach the tags of a controller too"),
+        let others = "other devices reach the tags of a controller too";
+        let allowed = [
+            ("never-written", others),
+            ("never-read", others),
             ("contact-after-coil", "rungs of Logix go on after a coil"),
-            (
-                "set-without-reset",
-                "other devices reach the tags of a controller too",
-            ),
-            (
-                "reset-without-set",
-                "other devices reach the tags of a controller too",
-            ),
-        ] {
-            tell(&format!("allow-file({rule}): {why}"));
-        }
+            ("set-without-reset", others),
+            ("reset-without-set", others),
+        ];
+        let mut items = vec![Item::Directive("profile logix".to_owned())];
+        items.extend(self.cycle());
+        items.extend(allowed.map(|(rule, why)| Item::Directive(format!("allow-file({rule}): {why}"))));
         let what = match project.family {
             Family::Logix if !project.name.is_empty() => Some(format!("Controller {}", project.name)),
             _ => None,
@@ -296,7 +285,7 @@ impl<'p> Sketcher<'p> {
                     let why = || format!("`{}` {LEFT} ({why})", it.text);
                     self.leaves.get_or_insert_with(why);
                 }
-                Circuit::Element(Element::block(unread.block, Some(origin)))
+                alone(unread.block, Some(origin))
             }
         }
     }
@@ -324,13 +313,8 @@ impl<'p> Sketcher<'p> {
             .iter()
             .map(|ty| (ty.at, format!("type {}", ty.name)));
         let entries: Vec<(usize, String)> = tags.into_iter().chain(types).collect();
-        let said: HashSet<LineColumn> = self
-            .reading
-            .report
-            .entries
-            .iter()
-            .map(|entry| entry.place)
-            .collect();
+        let said = self.reading.report.entries.iter().map(|entry| entry.place);
+        let said: HashSet<LineColumn> = said.collect();
         for (at, what) in entries {
             let place = self.place(at);
             if !said.contains(&place) {
@@ -345,6 +329,11 @@ fn shortened(text: &str) -> String {
         Some((end, _)) => format!("{} ..", &text[..end]),
         None => text.to_owned(),
     }
+}
+
+/// A block, and what it was made from.
+pub(crate) const fn alone(block: Block, origin: Option<Origin>) -> Circuit<Element> {
+    Circuit::Element(Element::of(block, origin))
 }
 
 /// A network from the left rail to the right one.
@@ -368,7 +357,7 @@ fn labels(unit: &Unit<'_>) -> HashMap<String, String> {
     let mut labels = HashMap::new();
     for parts in unit.rungs.iter().filter_map(|rung| rung.as_ref().ok()) {
         instructions(parts, &mut |it| {
-            if let (Some(Op::Lbl), Some(name)) =
+            if let (Some(Op::Label(Own::Lbl)), Some(name)) =
                 (instruction(it.name, it.operands.len()), it.operands.first())
             {
                 let key = name.to_ascii_uppercase();

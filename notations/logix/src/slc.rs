@@ -163,13 +163,7 @@ fn reached(expr: &Expr, length: u32, sizes: &mut BTreeMap<String, u32>) {
                 reached(index, 0, sizes);
             }
         }
-        Expr::Unary(_, inner) => reached(inner, 0, sizes),
-        Expr::Call(_, all) => all.iter().for_each(|inner| reached(inner, 0, sizes)),
-        Expr::Binary(_, left, right) => {
-            reached(left, 0, sizes);
-            reached(right, 0, sizes);
-        }
-        _ => {}
+        _ => expr.parts().for_each(|part| reached(part, 0, sizes)),
     }
 }
 
@@ -239,14 +233,8 @@ fn address(text: &str) -> Option<Path> {
                 root: format!("S:{word}"),
                 steps: vec![Step::Bit(bit)],
             },
-            _ if bit.is_empty() => Path {
-                root: format!("{upper}:{word}"),
-                steps: Vec::new(),
-            },
-            Ok(bit) => Path {
-                root: format!("{upper}:{word}/{bit}"),
-                steps: Vec::new(),
-            },
+            _ if bit.is_empty() => Path::tag(format!("{upper}:{word}")),
+            Ok(bit) => Path::tag(format!("{upper}:{word}/{bit}")),
             Err(_) => return None,
         });
     }

@@ -13,6 +13,7 @@ use crate::types::Ty;
 use crate::unit::{Unit, operand};
 use crate::values::Value;
 use ladder_drawings::neutral::{Instruction, instructions};
+use ladder_instructions::Op as Own;
 
 /// Goes through all units.
 pub(crate) fn survey(units: &[Unit<'_>], family: Family, tags: &mut Tags) {
@@ -53,13 +54,7 @@ fn note_undeclared(tags: &mut Tags, scope: usize, expr: &Expr) {
                 }
             }
         }
-        Expr::Unary(_, inner) => note_undeclared(tags, scope, inner),
-        Expr::Call(_, all) => all.iter().for_each(|inner| note_undeclared(tags, scope, inner)),
-        Expr::Binary(_, left, right) => {
-            note_undeclared(tags, scope, left);
-            note_undeclared(tags, scope, right);
-        }
-        Expr::Int(_) | Expr::Real(_) | Expr::Text(_) | Expr::Unset => {}
+        _ => expr.parts().for_each(|part| note_undeclared(tags, scope, part)),
     }
 }
 
@@ -91,20 +86,14 @@ impl Surveyor<'_> {
             Expr::Path(path) => {
                 if matches!(path.steps.first(), Some(Step::Member(_) | Step::Index(_)))
                     && let Ok(Place {
-                        parameter: Some((instance, _, symbol)),
+                        parameter: Some((instance, symbol)),
                         ..
                     }) = self.tags.place(self.scope, path, role)
                 {
                     self.tags.pass(self.scope, &instance, symbol);
                 }
             }
-            Expr::Unary(_, inner) => self.paths(inner, Role::Value),
-            Expr::Call(_, all) => all.iter().for_each(|inner| self.paths(inner, Role::Value)),
-            Expr::Binary(_, left, right) => {
-                self.paths(left, Role::Value);
-                self.paths(right, Role::Value);
-            }
-            _ => {}
+            _ => expr.parts().for_each(|part| self.paths(part, Role::Value)),
         }
     }
 
@@ -116,7 +105,7 @@ impl Surveyor<'_> {
         let first = it.operands.first().copied().unwrap_or_default();
         let control = |at: usize| it.operands.get(at).copied().unwrap_or_default();
         match op {
-            Op::Ote => self.put(first, &[], 0),
+            Op::Coil(Own::Coil) => self.put(first, &[], 0),
             Op::Ons => self.put(first, &[], 1),
             Op::Osr if it.operands.len() == 1 => self.put(first, &[], 1),
             Op::Osr => {

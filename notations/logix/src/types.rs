@@ -388,6 +388,14 @@ impl Types {
         found.next()
     }
 
+    /// The structure that a type is, as the file spells it; nothing for others.
+    pub(crate) fn original(&self, ty: &Ty) -> &str {
+        match ty {
+            Ty::Structure(index) => &self.all[*index].original,
+            _ => "",
+        }
+    }
+
     /// Notes that a declared tag has a type.
     pub(crate) fn keep(&mut self, ty: &Ty) {
         match ty {

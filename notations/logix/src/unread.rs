@@ -5,14 +5,13 @@ use crate::mnemonic::{Op, instruction, is_written};
 use crate::model::{Family, Foreign, Language, Protected};
 use crate::operand::{Expr, Path, Step};
 use crate::plan::Later;
-use crate::sketch::{Sketcher, network};
+use crate::sketch::{Sketcher, alone, network};
 use crate::translate::Translator;
 use crate::unit::{Owner, Unit, operand};
 use ladder_drawings::neutral::{Instruction, instructions};
-use ladder_format::Circuit;
-use ladder_format::program::{Element, Item};
+use ladder_format::program::{Block, Item};
 use ladder_notation::{Power, Turn, Unread};
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 
 /// What an instruction without a counterpart writes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,7 +43,7 @@ pub(crate) const LEFT: &str = "in it is not read";
 
 /// An instruction that is not read, as it is on a rung.
 pub(crate) struct Unreadable {
-    pub(crate) block: String,
+    pub(crate) block: Block,
     /// What there is to say of it.
     pub(crate) why: String,
     /// Its routine may not go on after it, or goes on elsewhere.
@@ -93,7 +92,7 @@ impl<'p> Translator<'p> {
         let names = &self.aoi_names;
         let is_taken = |name: &str| names.iter().any(|own| own.eq_ignore_ascii_case(name));
         Unreadable {
-            block: self.unread.block(part, is_taken).to_string(),
+            block: self.unread.block(part, is_taken),
             why: format!("{why}: it is not run, and {says}"),
             may_leave: op.is_some_and(Op::may_leave) || it.name == "SUS",
         }
@@ -123,18 +122,15 @@ impl<'p> Translator<'p> {
         if op.is_none() && others == Writes::Anything {
             return None;
         }
-        let mut texts: Vec<&str> = it.operands.clone();
-        let mut number = 0;
-        texts.retain(|_| {
-            number += 1;
-            is_written(number - 1)
-        });
+        let operands = it.operands.iter().copied().enumerate();
+        let written = operands.filter(|(index, _)| is_written(*index));
+        let mut texts: Vec<&str> = written.map(|(_, text)| text).collect();
         if it.name.eq_ignore_ascii_case("MSG") {
             let message = it.operands.first()?.to_ascii_uppercase();
             let fetched = self.project.messages.get(&message)?;
             texts.extend(fetched.iter().map(String::as_str));
         }
-        let mut names = Vec::new();
+        let mut names = BTreeSet::new();
         for text in texts {
             let mut paths = Vec::new();
             match operand(self.project.family, text) {
@@ -146,9 +142,7 @@ impl<'p> Translator<'p> {
                 names.extend(self.tags.written(scope, &path)?);
             }
         }
-        names.sort_unstable();
-        names.dedup();
-        Some(names)
+        Some(names.into_iter().collect())
     }
 
     /// What a routine may write that is unread: each tag that its text names, unless it acts on what it does not name.
@@ -165,23 +159,17 @@ impl<'p> Translator<'p> {
         if words.iter().any(calls) {
             return None;
         }
-        let mut names = Vec::new();
+        let mut names = BTreeSet::new();
         // `Local:1:O` is a module, `X:y` in a CASE two words.
         for root in words.into_iter().flat_map(|word| word.split(':').chain([word])) {
-            let path = Path {
-                root: root.to_owned(),
-                steps: Vec::new(),
-            };
-            names.extend(self.tags.written(scope, &path)?);
+            names.extend(self.tags.written(scope, &Path::tag(root))?);
         }
-        names.sort_unstable();
-        names.dedup();
-        Some(names)
+        Some(names.into_iter().collect())
     }
 
     /// What the routines of a program may write.
     fn writes_of_all<'u>(&mut self, units: impl Iterator<Item = &'u Unit<'u>>) -> Option<Vec<String>> {
-        let mut names: Vec<String> = Vec::new();
+        let mut names = BTreeSet::new();
         for unit in units {
             if unit.routine.foreign.is_some() {
                 return None;
@@ -194,9 +182,7 @@ impl<'p> Translator<'p> {
                 }
             }
         }
-        names.sort_unstable();
-        names.dedup();
-        Some(names)
+        Some(names.into_iter().collect())
     }
 }
 
@@ -210,13 +196,7 @@ fn paths_of(expr: &Expr, out: &mut Vec<Path>) {
                 steps: path.steps.iter().take_while(own).cloned().collect(),
             });
         }
-        Expr::Unary(_, inner) => paths_of(inner, out),
-        Expr::Call(_, all) => all.iter().for_each(|inner| paths_of(inner, out)),
-        Expr::Binary(_, left, right) => {
-            paths_of(left, out);
-            paths_of(right, out);
-        }
-        Expr::Int(_) | Expr::Real(_) | Expr::Text(_) | Expr::Unset => {}
+        _ => expr.parts().for_each(|part| paths_of(part, out)),
     }
 }
 
@@ -264,8 +244,7 @@ impl Sketcher<'_> {
         };
         let block = self.unread_body(part);
         let origin = self.origin(unit.routine.at);
-        let block = Circuit::Element(Element::block(block, Some(origin)));
-        vec![Item::Blank, network(Vec::new(), block)]
+        vec![Item::Blank, network(Vec::new(), alone(block, Some(origin)))]
     }
 
     /// What is in the function of a program that runs at other times than the scan.
@@ -300,14 +279,13 @@ impl Sketcher<'_> {
         };
         let block = self.unread_body(part);
         let origin = self.origin(program.at);
-        let block = Circuit::Element(Element::block(block, Some(origin)));
-        vec![Item::Blank, network(Vec::new(), block)]
+        vec![Item::Blank, network(Vec::new(), alone(block, Some(origin)))]
     }
 
-    fn unread_body(&mut self, part: Unread<'_>) -> String {
+    fn unread_body(&mut self, part: Unread<'_>) -> Block {
         let names = &self.translator.aoi_names;
         let is_taken = |name: &str| names.iter().any(|own| own.eq_ignore_ascii_case(name));
-        self.translator.unread.body(part, is_taken).to_string()
+        self.translator.unread.body(part, is_taken)
     }
 }
 

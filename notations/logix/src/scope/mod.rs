@@ -9,6 +9,7 @@ use crate::model::{Project, Raw, Tag, Usage};
 use crate::operand::{Expr, Path, Step, parse};
 use crate::types::{Elem, Ty, Types};
 use crate::values::Value;
+use ladder_format::program;
 use ladder_notation::names::Names;
 use std::collections::{HashMap, HashSet};
 
@@ -93,7 +94,7 @@ pub(crate) struct Tags {
     scopes: Vec<Scope>,
     names: Names,
     /// Inputs of instances that the program uses from outside: the tag that a call passes.
-    pub(crate) passed: HashMap<(String, usize), usize>,
+    pub(crate) passed: HashMap<(program::Path, usize), usize>,
     /// Tags that are not declared: place, element, reason.
     pub(crate) unknown: Vec<(usize, String, String)>,
     /// Instances of Add-On Instructions with what the file says of their inputs.
@@ -223,8 +224,9 @@ impl Tags {
             let parameter = &self.symbols[symbol];
             let value = Value::of(raw, &parameter.ty, &self.types);
             if parameter.kind == Kind::Input && !parameter.required && value != parameter.value {
-                self.pass(own.scope, &own.name, symbol);
-                if let Some(passed) = self.passed.get(&(own.name.clone(), symbol)) {
+                let instance = program::Path::tag(&own.name);
+                self.pass(own.scope, &instance, symbol);
+                if let Some(passed) = self.passed.get(&(instance, symbol)) {
                     self.symbols[*passed].value = value;
                 }
             }
@@ -267,7 +269,7 @@ impl Tags {
     }
 
     /// Declares a tag that the translation needs.
-    pub(crate) fn helper(&mut self, scope: usize, like: &str, elem: Elem, comment: &str) -> String {
+    pub(crate) fn helper(&mut self, scope: usize, like: &str, elem: Elem, comment: &str) -> program::Path {
         let name = self.fresh(scope, like);
         let number = self.symbols.len();
         self.symbols.push(Symbol {
@@ -279,7 +281,7 @@ impl Tags {
         entries
             .entry(name.to_ascii_uppercase())
             .or_insert(Entry::Symbol(number));
-        name
+        program::Path::tag(name)
     }
 
     /// What an operand is known as, in a scope or one around it.
@@ -342,11 +344,8 @@ impl Tags {
     /// A tag, and those that calls hand over for inputs of the instances in it.
     fn names_of(&self, symbol: usize) -> Vec<String> {
         let own = &self.symbols[symbol];
-        let is_in = |instance: &str| {
-            let rest = instance.strip_prefix(own.name.as_str());
-            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
-        };
-        let passed = self.passed.iter().filter(|((instance, _), _)| is_in(instance));
+        let passed = self.passed.iter();
+        let passed = passed.filter(|((instance, _), _)| instance.root == own.name);
         let passed = passed.map(|(_, passed)| &self.symbols[*passed]);
         let passed = passed.filter(|passed| [CONTROLLER, own.scope].contains(&passed.scope));
         std::iter::once(own)
@@ -394,9 +393,9 @@ impl Tags {
     }
 
     /// Makes a tag for an input of an instance.
-    pub(crate) fn pass(&mut self, scope: usize, instance: &str, parameter: usize) {
-        let key = (instance.to_owned(), parameter);
-        if self.passed.contains_key(&key) || instance.contains('[') {
+    pub(crate) fn pass(&mut self, scope: usize, instance: &program::Path, parameter: usize) {
+        let key = (instance.clone(), parameter);
+        if self.passed.contains_key(&key) || instance.indices().next().is_some() {
             return;
         }
         let own = self.symbols[parameter].clone();
@@ -405,7 +404,7 @@ impl Tags {
         } else {
             CONTROLLER
         };
-        let like = format!("{}_{}", instance.replace('.', "_"), own.name);
+        let like = format!("{}_{}", instance.to_string().replace('.', "_"), own.name);
         let name = self.fresh(scope, &like);
         self.symbols.push(Symbol {
             name,

@@ -4,19 +4,36 @@ use super::{Entry, Kind, Tags};
 use crate::mnemonic::Role;
 use crate::operand::{Expr, Path, Step};
 use crate::types::{Elem, Ty};
+use ladder_format::program;
 
 /// Where a path leads.
 #[derive(Debug, Clone)]
 pub(crate) struct Place {
-    pub(crate) text: String,
+    /// As it is here.
+    pub(crate) path: program::Path,
     pub(crate) ty: Ty,
     /// The tag, the way to the part in its value, and the bit; without computed indices.
     pub(crate) part: Option<(usize, Vec<usize>, Option<u32>)>,
-    /// It is a parameter of this instance of an Add-On Instruction.
-    pub(crate) parameter: Option<(String, usize, usize)>,
+    /// It is this parameter of this instance of an Add-On Instruction.
+    pub(crate) parameter: Option<(program::Path, usize)>,
 }
 
 impl Place {
+    /// A place of which no more is known than its type.
+    pub(crate) const fn of(path: program::Path, ty: Ty) -> Place {
+        Place {
+            path,
+            ty,
+            part: None,
+            parameter: None,
+        }
+    }
+
+    /// Whether the controller keeps it, and no program writes it.
+    pub(crate) fn is_system(&self) -> bool {
+        self.path.root == "SYS"
+    }
+
     pub(crate) fn elem(&self) -> Option<Elem> {
         match self.ty {
             Ty::Elem(elem) => Some(elem),
@@ -80,19 +97,14 @@ impl Tags {
     /// What the controller itself keeps.
     fn system(&self, scope: usize, key: &str, path: &Path) -> Option<Place> {
         let in_body = self.scopes[scope].own_names.is_some();
-        let text = match key {
-            "S:FS" => "SYS.FIRST_SCAN",
-            "S:1" if path.steps == [Step::Bit(15)] => "SYS.FIRST_SCAN",
-            "ENABLEIN" if in_body => "EN",
-            "ENABLEOUT" if in_body => "ENO",
+        let path = match key {
+            "S:FS" => program::Path::system("FIRST_SCAN"),
+            "S:1" if path.steps == [Step::Bit(15)] => program::Path::system("FIRST_SCAN"),
+            "ENABLEIN" if in_body => program::Path::tag("EN"),
+            "ENABLEOUT" if in_body => program::Path::tag("ENO"),
             _ => return None,
         };
-        Some(Place {
-            text: text.to_owned(),
-            ty: Ty::Elem(Elem::Bool),
-            part: None,
-            parameter: None,
-        })
+        Some(Place::of(path, Ty::Elem(Elem::Bool)))
     }
 
     /// An alias of an input or output that the file does not declare: it stands for that.
@@ -133,7 +145,6 @@ impl Tags {
             let title = &self.scopes[scope].title;
             return Err(format!("`{}` is not declared in {title}", path.root));
         }
-        let whole = spelled(path);
         if path
             .steps
             .iter()
@@ -141,25 +152,13 @@ impl Tags {
         {
             return Err(format!("`{}` is not declared in the file", path.root));
         }
-        let mut steps = path.steps.clone();
-        let mut name = whole.clone();
-        let is_known = |tags: &Tags, name: &str| {
-            let found = tags.entry(scope, &name.to_ascii_uppercase());
-            matches!(found, Some((_, Entry::Symbol(_))))
-        };
-        let mut role = role;
-        if !is_known(self, &name)
-            && let Some(Step::Bit(_)) = steps.last()
-        {
-            steps.pop();
-            name = spelled(&Path {
-                root: path.root.clone(),
-                steps: steps.clone(),
-            });
+        let (mut word, mut rest, mut role) = (path.clone(), Path::tag(""), role);
+        let whole = self.entry(scope, &spelled(path).to_ascii_uppercase());
+        if !matches!(whole, Some((_, Entry::Symbol(_)))) && matches!(path.steps.last(), Some(Step::Bit(_))) {
+            rest.steps.extend(word.steps.pop());
             role = Role::Value;
-        } else {
-            steps.clear();
         }
+        let name = spelled(&word);
         let symbol = match self.entry(scope, &name.to_ascii_uppercase()) {
             Some((_, Entry::Symbol(symbol))) => *symbol,
             _ => {
@@ -168,14 +167,6 @@ impl Tags {
                 self.undeclared(&name, ty)
             }
         };
-        let bit = match path.steps.last() {
-            Some(bit @ Step::Bit(_)) if name != whole => vec![bit.clone()],
-            _ => Vec::new(),
-        };
-        let rest = Path {
-            root: String::new(),
-            steps: bit,
-        };
         self.steps(scope, symbol, &rest)
     }
 
@@ -183,27 +174,17 @@ impl Tags {
     fn steps(&mut self, scope: usize, symbol: usize, path: &Path) -> Result<Place, String> {
         let own = &self.symbols[symbol];
         let mut place = Place {
-            text: own.name.clone(),
-            ty: own.ty.clone(),
             part: Some((symbol, Vec::new(), None)),
-            parameter: None,
+            ..Place::of(program::Path::tag(&own.name), own.ty.clone())
         };
         for step in &path.steps {
-            if place
-                .parameter
-                .as_ref()
-                .is_some_and(|(_, _, number)| *number == usize::MAX)
-            {
-                return Err(format!("`{}` is not reached from outside", place.text));
-            }
             match (step, &place.ty) {
                 (Step::Member(name), Ty::Structure(index)) => {
                     let Some((number, field)) = self.types.member(*index, name) else {
                         let of = &self.types.all[*index].original;
                         return Err(format!("{of} has no member `{name}` that can be read here"));
                     };
-                    place.text.push('.');
-                    place.text.push_str(&field.name);
+                    place.path = place.path.member(&field.name);
                     let ty = field.ty.clone();
                     if let Some((_, part, _)) = &mut place.part {
                         part.push(number);
@@ -211,21 +192,21 @@ impl Tags {
                     place.ty = ty;
                 }
                 (Step::Member(name), Ty::Aoi(aoi)) => {
-                    place = self.parameter(place.text.clone(), *aoi, name)?;
+                    place = self.parameter(place.path, *aoi, name)?;
                 }
                 (Step::Index(indices), Ty::Array(ty, sizes)) => {
                     if indices.len() != sizes.len() {
-                        let (many, text) = (sizes.len(), &place.text);
-                        return Err(format!("`{text}` has {many} dimensions"));
+                        let (many, path) = (sizes.len(), &place.path);
+                        return Err(format!("`{path}` has {many} dimensions"));
                     }
                     let (ty, sizes) = ((**ty).clone(), sizes.clone());
                     let mut number = Some(0usize);
-                    let mut texts = Vec::new();
+                    let mut own = Vec::new();
                     for (index, size) in indices.iter().zip(&sizes) {
                         number = match (number, index) {
                             (Some(number), Expr::Int(index)) => {
                                 if !(0..i64::from(*size)).contains(index) {
-                                    return Err(format!("the index {index} is outside `{}`", place.text));
+                                    return Err(format!("the index {index} is outside `{}`", place.path));
                                 }
                                 number
                                     .checked_mul(*size as usize)
@@ -233,9 +214,9 @@ impl Tags {
                             }
                             _ => None,
                         };
-                        texts.push(self.formula(scope, index)?);
+                        own.push(self.formula(scope, index)?);
                     }
-                    place.text = format!("{}[{}]", place.text, texts.join(", "));
+                    place.path = place.path.index(own);
                     match (&mut place.part, number) {
                         (Some((_, part, _)), Some(number)) => part.push(number),
                         (part, _) => *part = None,
@@ -243,33 +224,28 @@ impl Tags {
                     place.ty = ty;
                 }
                 (Step::Bit(bit), Ty::Elem(elem)) if elem.is_integer() && *bit < elem.bits() => {
-                    place.text = format!("{}.{bit}", place.text);
+                    place.path = place.path.bit(*bit);
                     place.ty = Ty::Elem(Elem::Bool);
                     if let Some((_, _, of)) = &mut place.part {
                         *of = Some(*bit);
                     }
                 }
                 // An element without an index is the first one.
-                (Step::Bit(_) | Step::Member(_), Ty::Array(ty, sizes)) if sizes.len() == 1 => {
-                    let inner = Place {
-                        text: format!("{}[0]", place.text),
-                        ty: (**ty).clone(),
-                        part: None,
-                        parameter: None,
-                    };
-                    return Err(format!("`{}` is an array: say `{}`", place.text, inner.text));
+                (Step::Bit(_) | Step::Member(_), Ty::Array(_, sizes)) if sizes.len() == 1 => {
+                    let path = &place.path;
+                    return Err(format!("`{path}` is an array: say `{path}[0]`"));
                 }
                 (Step::ComputedBit(_), _) => {
-                    return Err(format!("the bit of `{}` is computed", place.text));
+                    return Err(format!("the bit of `{}` is computed", place.path));
                 }
-                _ => return Err(format!("`{}` has no such part", place.text)),
+                _ => return Err(format!("`{}` has no such part", place.path)),
             }
         }
         Ok(place)
     }
 
     /// A parameter of an instance, seen from outside. An input that the program sets there is a tag that each call passes.
-    fn parameter(&mut self, instance: String, aoi: usize, name: &str) -> Result<Place, String> {
+    fn parameter(&mut self, instance: program::Path, aoi: usize, name: &str) -> Result<Place, String> {
         let scope = self.scopes.len() - self.aois() + aoi;
         if name.eq_ignore_ascii_case("EnableOut") || name.eq_ignore_ascii_case("EnableIn") {
             return Err(format!("`{name}` of an instance is the power of its block here"));
@@ -281,29 +257,18 @@ impl Tags {
             ));
         };
         let own = &self.symbols[*symbol];
+        let path = instance.clone().member(&own.name);
         match own.kind {
-            Kind::Output => Ok(Place {
-                text: format!("{instance}.{}", own.name),
-                ty: own.ty.clone(),
-                part: None,
-                parameter: None,
-            }),
+            Kind::Output => Ok(Place::of(path, own.ty.clone())),
             Kind::Input => {
-                let symbol = *symbol;
-                if let Some(passed) = self.passed.get(&(instance.clone(), symbol)) {
+                let parameter = (instance, *symbol);
+                if let Some(passed) = self.passed.get(&parameter) {
                     let passed = &self.symbols[*passed];
-                    return Ok(Place {
-                        text: passed.name.clone(),
-                        ty: passed.ty.clone(),
-                        part: None,
-                        parameter: None,
-                    });
+                    return Ok(Place::of(program::Path::tag(&passed.name), passed.ty.clone()));
                 }
                 Ok(Place {
-                    text: format!("{instance}.{}", own.name),
-                    ty: own.ty.clone(),
-                    part: None,
-                    parameter: Some((instance, aoi, symbol)),
+                    parameter: Some(parameter),
+                    ..Place::of(path, own.ty.clone())
                 })
             }
             _ => Err(format!(

@@ -8,7 +8,8 @@ use crate::operand::{Expr, Step};
 use crate::scope::Kind;
 use crate::types::{Elem, Ty};
 use ladder_format::Circuit;
-use ladder_format::program::Element;
+use ladder_format::program::{Element, Expression, Operand, Path};
+use ladder_instructions::Op;
 use std::collections::HashSet;
 
 /// The name of the block that each Add-On Instruction becomes, with its `$`: letters and digits alone.
@@ -61,7 +62,7 @@ impl Translator<'_> {
         let scope = 1 + project.programs.len() + aoi;
         let mut rest = rest.iter();
         // In the order of the sections that declare them.
-        let mut texts: Vec<(u8, String)> = vec![(0, own.text.clone())];
+        let mut handed: Vec<(u8, Operand)> = vec![(0, Operand::from(&own.path))];
         let mut before = Vec::new();
         for parameter in &definition.parameters {
             let Some(symbol) = self.tags.parameter_symbol(scope, &parameter.name) else {
@@ -75,9 +76,10 @@ impl Translator<'_> {
                 (symbol.name.clone(), symbol.ty.clone(), symbol.kind)
             };
             if !given(parameter) {
-                let passed = self.tags.passed.get(&(own.text.clone(), symbol)).copied();
+                let passed = self.tags.passed.get(&(own.path.clone(), symbol)).copied();
                 if let (Some(passed), Kind::Input) = (passed, kind) {
-                    texts.push((1, format!("{name} := {}", self.tags.symbols[passed].name)));
+                    let passed = Path::tag(&self.tags.symbols[passed].name);
+                    handed.push((1, Operand::Given(name, passed.into())));
                 }
                 continue;
             }
@@ -87,53 +89,46 @@ impl Translator<'_> {
             match (kind, &ty) {
                 (Kind::Input, Ty::Elem(elem)) => {
                     let value = self.input(text, *elem, &mut before)?;
-                    texts.push((1, format!("{name} := {value}")));
+                    handed.push((1, Operand::Given(name, value)));
                 }
                 (Kind::Output, Ty::Elem(elem)) => {
-                    let place = self.target(
-                        text,
-                        if *elem == Elem::Bool {
-                            Role::Bit
-                        } else {
-                            Role::Value
-                        },
-                    )?;
+                    let is_bit = *elem == Elem::Bool;
+                    let place = self.target(text, if is_bit { Role::Bit } else { Role::Value })?;
                     if place.ty != ty {
                         return Err(format!("`{text}` has another type than {}", parameter.name));
                     }
-                    texts.push((3, format!("{name} => {}", place.text)));
+                    handed.push((3, Operand::Taken(name, place.path.into())));
                 }
                 _ => {
                     let place = self.target(text, Role::Array)?;
-                    texts.push((2, format!("{name} := {}", place.text)));
+                    handed.push((2, Operand::Given(name, place.path.into())));
                 }
             }
         }
         if rest.next().is_some() {
             return Err(format!("{} does not have so many operands", definition.name));
         }
-        texts.sort_by_key(|(section, _)| *section);
-        let texts: Vec<String> = texts.into_iter().map(|(_, text)| text).collect();
-        let call = format!("[{}]( {} )", self.aoi_names[aoi], texts.join(", "));
-        before.push(self.block(call));
+        handed.sort_by_key(|(section, _)| *section);
+        let handed = handed.into_iter().map(|(_, operand)| operand);
+        before.push(self.user(self.aoi_names[aoi].trim_start_matches('$'), handed)?);
         Ok(Circuit::Series(before))
     }
 
     /// The value of an input; one of another type is brought to it before.
-    fn input(&mut self, text: &str, elem: Elem, before: &mut Vec<Circuit<Element>>) -> Result<String> {
+    fn input(&mut self, text: &str, elem: Elem, before: &mut Vec<Circuit<Element>>) -> Result<Expression> {
         let expr = self.expr(text)?;
         if let (Elem::Bool, Expr::Path(path)) = (elem, &expr) {
             if matches!(path.steps.last(), Some(Step::ComputedBit(_))) {
                 return Err(format!("the bit of `{text}` is computed"));
             }
-            return Ok(self.tags.place(self.scope, path, Role::Bit)?.text);
+            return Ok(self.tags.place(self.scope, path, Role::Bit)?.path.into());
         }
         let (value, own) = self.value(&expr, elem)?;
         if own.is_none_or(|own| own == elem || own.widens_to(elem)) {
             return Ok(value);
         }
         let helper = self.helper("input", elem, text);
-        before.push(self.block(format!("[TYP]( {helper}, {value} )")));
-        Ok(helper)
+        before.push(self.put(Op::Typ, &helper, value)?);
+        Ok(helper.into())
     }
 }

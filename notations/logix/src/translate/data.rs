@@ -6,7 +6,9 @@ use crate::operand::{Expr, Path};
 use crate::scope::Place;
 use crate::types::{Elem, Ty};
 use ladder_format::Circuit;
-use ladder_format::program::Element;
+use ladder_format::program::Operator::{self, And, Divide, Equal, Minus, Or, Plus, Shl, Shr, Times};
+use ladder_format::program::{Block, Element, Expression, Sign};
+use ladder_instructions::Op;
 
 /// Whether a formula divides by something that may be 0.
 fn divides(formula: &Expr) -> bool {
@@ -17,53 +19,62 @@ fn divides(formula: &Expr) -> bool {
                 Expr::Real(number) => number == 0.0,
                 _ => true,
             };
-            (*operator == "/" && may_be_zero) || divides(left) || divides(right)
+            (*operator == Divide && may_be_zero) || divides(left) || divides(right)
         }
-        Expr::Unary(_, inner) => divides(inner),
-        Expr::Call(_, all) => all.iter().any(divides),
-        _ => false,
+        _ => formula.parts().any(divides),
     }
 }
 
-fn binary(operator: &'static str, left: Expr, right: Expr) -> Expr {
+fn binary(operator: Operator, left: Expr, right: Expr) -> Expr {
     Expr::Binary(operator, Box::new(left), Box::new(right))
 }
 
-fn unary(operator: &'static str, inner: Expr) -> Expr {
-    Expr::Unary(operator, Box::new(inner))
+fn not(inner: Expr) -> Expr {
+    Expr::Unary(Sign::Not, Box::new(inner))
 }
 
-/// What `[CALC]` and blocks call an operator.
-fn block_of(operator: &str) -> &'static str {
-    match operator {
-        "+" => "ADD",
-        "-" => "SUB",
-        "*" => "MUL",
-        "/" => "DIV",
-        "MOD" => "MOD",
-        "AND" => "AND",
-        "OR" => "OR",
-        "XOR" => "XOR",
-        _ => "EXP",
-    }
+/// The block that compares as an operator does.
+const fn comparison(operator: Operator) -> Option<Op> {
+    Some(match operator {
+        Equal => Op::Eq,
+        Operator::NotEqual => Op::Ne,
+        Operator::Less => Op::Lt,
+        Operator::LessEqual => Op::Le,
+        Operator::Greater => Op::Gt,
+        Operator::GreaterEqual => Op::Ge,
+        _ => return None,
+    })
+}
+
+/// The block that computes as an operator does. A division by zero is not a fault: only a formula knows that.
+const fn arithmetic(operator: Operator) -> Option<Op> {
+    Some(match operator {
+        Plus => Op::Add,
+        Minus => Op::Sub,
+        Times => Op::Mul,
+        And => Op::And,
+        Or => Op::Or,
+        Operator::Xor => Op::Xor,
+        _ => return None,
+    })
 }
 
 impl Translator<'_> {
     /// `EQU` to `GEQ`
-    pub(super) fn compare(&mut self, name: &str, operands: &[&str]) -> Result<Circuit<Element>> {
-        let (left, right) = (self.expr(operands[0])?, self.expr(operands[1])?);
-        self.comparison(name, &[left, right])
+    pub(super) fn compare(&mut self, op: Op, operands: &[&str]) -> Result<Circuit<Element>> {
+        let values: [Expr; 2] = self.exprs(operands)?;
+        self.comparison(op, &values)
     }
 
     /// Values that are compared, each with its neighbour.
-    fn comparison(&mut self, name: &str, values: &[Expr]) -> Result<Circuit<Element>> {
+    fn comparison(&mut self, op: Op, values: &[Expr]) -> Result<Circuit<Element>> {
         let mut elem = None;
         for value in values {
             let own = match value {
                 Expr::Path(path) => {
                     let place = self.tags.place(self.scope, path, Role::Value)?;
                     let Some(own) = place.elem() else {
-                        return Err(format!("`{}` has no value to compare", place.text));
+                        return Err(format!("`{}` has no value to compare", place.path));
                     };
                     Some(own)
                 }
@@ -79,24 +90,23 @@ impl Translator<'_> {
             }
         }
         let elem = elem.unwrap_or(Elem::Dint);
-        let mut texts = Vec::new();
+        let mut own = Vec::new();
         for value in values {
-            let is_formula = matches!(value, Expr::Binary(..) | Expr::Call(..) | Expr::Unary("NOT", _));
+            let is_formula = matches!(
+                value,
+                Expr::Binary(..) | Expr::Call(..) | Expr::Unary(Sign::Not, _)
+            );
             if is_formula {
                 return Err("a formula".to_owned());
             }
-            texts.push(self.value(value, elem)?.0);
+            own.push(self.value(value, elem)?.0);
         }
-        Ok(self.block(format!("[{name}]( {} )", texts.join(", "))))
+        self.op(op, own)
     }
 
     /// `LIM`: between two limits, or outside of them if the lower one is the higher.
     pub(super) fn limits(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
-        let (low, test, high) = (
-            self.expr(operands[0])?,
-            self.expr(operands[1])?,
-            self.expr(operands[2])?,
-        );
+        let [low, test, high] = self.exprs(operands)?;
         let number = |expr: &Expr| match expr {
             Expr::Int(int) => Some(*int as f64),
             Expr::Real(real) => Some(*real),
@@ -106,19 +116,19 @@ impl Translator<'_> {
             (Some(low), Some(high)) => Some(low > high),
             _ => None,
         };
-        let mut inside = || self.comparison("LE", &[low.clone(), test.clone(), high.clone()]);
+        let mut inside = || self.comparison(Op::Le, &[low.clone(), test.clone(), high.clone()]);
         if is_turned == Some(false) {
             return inside();
         }
         let inside = inside()?;
         let outside = Circuit::Parallel(vec![
-            self.comparison("LE", &[test.clone(), high.clone()])?,
-            self.comparison("GE", &[test, low.clone()])?,
+            self.comparison(Op::Le, &[test.clone(), high.clone()])?,
+            self.comparison(Op::Ge, &[test, low.clone()])?,
         ]);
         if is_turned == Some(true) {
             return Ok(outside);
         }
-        let turned = self.comparison("GT", &[low, high])?;
+        let turned = self.comparison(Op::Gt, &[low, high])?;
         // Inside of limits is never so with turned ones.
         Ok(Circuit::Parallel(vec![
             inside,
@@ -127,38 +137,21 @@ impl Translator<'_> {
     }
 
     pub(super) fn masked_equal(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
-        let (source, mask, other) = (
-            self.expr(operands[0])?,
-            self.expr(operands[1])?,
-            self.expr(operands[2])?,
-        );
-        let masked = binary(
-            "=",
-            binary("AND", source, mask.clone()),
-            binary("AND", other, mask),
-        );
+        let [source, mask, other] = self.exprs(operands)?;
+        let masked = binary(Equal, binary(And, source, mask.clone()), binary(And, other, mask));
         self.condition(&masked, "MEQ")
     }
 
     pub(super) fn compare_formula(&mut self, text: &str) -> Result<Circuit<Element>> {
         let expr = self.expr(text)?;
-        if let Expr::Binary(operator, left, right) = &expr {
-            let name = match *operator {
-                "=" => "EQ",
-                "<>" => "NE",
-                "<" => "LT",
-                "<=" => "LE",
-                ">" => "GT",
-                ">=" => "GE",
-                _ => "",
-            };
-            if !name.is_empty() {
-                let mut circuit = Vec::new();
-                let left = self.side(left, &mut circuit)?;
-                let right = self.side(right, &mut circuit)?;
-                circuit.push(self.comparison(name, &[left, right])?);
-                return Ok(Circuit::Series(circuit));
-            }
+        if let Expr::Binary(operator, left, right) = &expr
+            && let Some(op) = comparison(*operator)
+        {
+            let mut circuit = Vec::new();
+            let left = self.side(left, &mut circuit)?;
+            let right = self.side(right, &mut circuit)?;
+            circuit.push(self.comparison(op, &[left, right])?);
+            return Ok(Circuit::Series(circuit));
         }
         self.condition(&expr, "CMP")
     }
@@ -168,18 +161,15 @@ impl Translator<'_> {
         if matches!(expr, Expr::Path(_) | Expr::Int(_) | Expr::Real(_) | Expr::Text(_)) {
             return Ok(expr.clone());
         }
-        let text = self.tags.formula(self.scope, expr)?;
+        let formula = self.tags.formula(self.scope, expr)?;
         let elem = if self.is_real(expr) {
             Elem::Lreal
         } else {
             Elem::Dint
         };
         let helper = self.helper("side", elem, "a side of a comparison");
-        before.push(self.block(format!("[CALC]( {helper}, {text} )")));
-        Ok(Expr::Path(Path {
-            root: helper,
-            steps: Vec::new(),
-        }))
+        before.push(self.put(Op::Calc, &helper, formula)?);
+        Ok(Expr::Path(Path::tag(helper.root)))
     }
 
     /// Whether a formula has a real in it.
@@ -190,56 +180,45 @@ impl Translator<'_> {
                 let place = self.tags.place(self.scope, path, Role::Value);
                 place.is_ok_and(|place| place.elem().is_some_and(Elem::is_real))
             }
-            Expr::Call(name, all) => name != "ABS" || all.iter().any(|inner| self.is_real(inner)),
-            Expr::Unary(_, inner) => self.is_real(inner),
-            Expr::Binary(_, left, right) => self.is_real(left) || self.is_real(right),
-            Expr::Int(_) | Expr::Text(_) | Expr::Unset => false,
+            Expr::Call(name, _) if name != "ABS" => true,
+            _ => expr.parts().any(|part| self.is_real(part)),
         }
     }
 
     /// Power that a formula decides about.
     fn condition(&mut self, formula: &Expr, like: &str) -> Result<Circuit<Element>> {
-        let text = self.tags.formula(self.scope, formula)?;
+        let formula = self.tags.formula(self.scope, formula)?;
         let helper = self.helper(like, Elem::Bool, like);
-        Ok(self.blocks([format!("[CALC]( {helper}, {text} )"), format!("[ ]( {helper} )")]))
+        let computed = self.put(Op::Calc, &helper, formula)?;
+        Ok(Circuit::Series(vec![
+            computed,
+            self.block(Block::contact(helper)),
+        ]))
     }
 
-    pub(super) fn binary(&mut self, operator: &'static str, operands: &[&str]) -> Result<Circuit<Element>> {
-        let (left, right) = (self.expr(operands[0])?, self.expr(operands[1])?);
+    pub(super) fn binary(&mut self, operator: Operator, operands: &[&str]) -> Result<Circuit<Element>> {
+        let [left, right] = self.exprs(operands)?;
         let (to, elem) = self.number(operands[2])?;
-        if self.is_slc() && elem.is_integer() && matches!(operator, "+" | "-" | "*" | "/") {
+        if self.is_slc() && elem.is_integer() && matches!(operator, Plus | Minus | Times | Divide) {
             self.note_first(
                 "here words wrap, where a controller keeps the limit, and a quotient is cut off, where it is rounded",
             );
         }
-        // A division by zero is not a fault: only a formula knows that.
-        let block = block_of(operator);
-        let is_plain = !matches!(block, "DIV" | "MOD" | "EXP");
         let ((a, own_a), (b, own_b)) = (self.value(&left, elem)?, self.value(&right, elem)?);
         let fits = |own: Option<Elem>, expr: &Expr| match own {
             Some(own) => own == elem,
             None => matches!(expr, Expr::Int(_)) || (elem.is_real() && matches!(expr, Expr::Real(_))),
         };
-        if is_plain && fits(own_a, &left) && fits(own_b, &right) {
-            return Ok(self.block(format!("[{block}]( {}, {a}, {b} )", to.text)));
+        if let Some(op) = arithmetic(operator).filter(|_| fits(own_a, &left) && fits(own_b, &right)) {
+            return self.op(op, [to.path.into(), a, b]);
         }
         self.compute_at(&to, &binary(operator, left, right))
     }
 
-    pub(super) fn unary(&mut self, operator: &'static str, operands: &[&str]) -> Result<Circuit<Element>> {
-        let inner = self.expr(operands[0])?;
-        let (to, _) = self.number(operands[1])?;
-        let formula = match operator {
-            "NOT" | "-" => unary(operator, inner),
-            name => Expr::Call(name.to_owned(), vec![inner]),
-        };
-        self.compute_at(&to, &formula)
-    }
-
     /// `ATAN2`: the angle of a point, first its `y`.
     pub(super) fn angle(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
-        let point = vec![self.expr(operands[0])?, self.expr(operands[1])?];
-        self.compute(operands[2], &Expr::Call("ATAN2".to_owned(), point))
+        let point: [Expr; 2] = self.exprs(operands)?;
+        self.compute(operands[2], &Expr::Call("ATAN2".to_owned(), point.to_vec()))
     }
 
     /// `DTOS` and `STOD`: between a number and its digits. The number is the first operand, or else the text.
@@ -259,14 +238,14 @@ impl Translator<'_> {
         if is_text {
             self.note("a text that is no number is a fault here; there the first digits in it count");
         }
-        Ok(self.block(format!("[TYP]( {}, {value} )", to.text)))
+        self.put(Op::Typ, &to.path, value)
     }
 
     pub(super) fn truncate(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
         let (to, elem) = self.number(operands[1])?;
         let from = self.expr(operands[0])?;
         let (from, _) = self.value(&from, elem)?;
-        Ok(self.block(format!("[TRUNC]( {}, {from} )", to.text)))
+        self.put(Op::Trunc, &to.path, from)
     }
 
     /// A tag that is a number.
@@ -288,20 +267,14 @@ impl Translator<'_> {
         if is_real && divides(formula) {
             self.note_first("a REAL that is divided by 0, or too large, is a fault here, and infinite there");
         }
-        let text = self.tags.formula(self.scope, formula)?;
-        Ok(self.block(format!("[CALC]( {}, {text} )", to.text)))
+        let formula = self.tags.formula(self.scope, formula)?;
+        self.put(Op::Calc, &to.path, formula)
     }
 
     pub(super) fn move_value(&mut self, from: &str, to: &str) -> Result<Circuit<Element>> {
         let from = self.expr(from)?;
-        let to = self.target(
-            to,
-            if matches!(from, Expr::Text(_)) {
-                Role::Text
-            } else {
-                Role::Value
-            },
-        )?;
+        let is_text = matches!(from, Expr::Text(_));
+        let to = self.target(to, if is_text { Role::Text } else { Role::Value })?;
         self.moved(&from, &to)
     }
 
@@ -309,40 +282,36 @@ impl Translator<'_> {
     pub(super) fn moved(&mut self, from: &Expr, to: &Place) -> Result<Circuit<Element>> {
         let Some(elem) = to.elem() else {
             let Expr::Path(path) = from else {
-                return Err(format!("`{}` takes no single value", to.text));
+                return Err(format!("`{}` takes no single value", to.path));
             };
             let from = self.tags.place(self.scope, path, Role::Value)?;
             if from.ty != to.ty || matches!(to.ty, Ty::Aoi(_)) {
                 return Err(format!(
                     "`{}` and `{}` are of different types",
-                    from.text, to.text
+                    from.path, to.path
                 ));
             }
-            return Ok(self.block(format!("[MOV]( {}, {} )", to.text, from.text)));
+            return self.put(Op::Mov, &to.path, from.path);
         };
         let (value, own) = self.value(from, elem)?;
-        let name = match own {
-            Some(own) if own == elem => "MOV",
-            Some(Elem::String(_)) if matches!(elem, Elem::String(_)) => "MOV",
+        let op = match own {
+            Some(own) if own == elem => Op::Mov,
+            Some(Elem::String(_)) if matches!(elem, Elem::String(_)) => Op::Mov,
             Some(Elem::Bool | Elem::String(_)) => return Err(format!("`{value}` is no number")),
             Some(_) if matches!(elem, Elem::Bool | Elem::String(_)) => {
-                return Err(format!("`{}` takes no number", to.text));
+                return Err(format!("`{}` takes no number", to.path));
             }
-            Some(_) => "TYP",
-            None if matches!(from, Expr::Binary(..) | Expr::Call(..)) => "CALC",
-            None => "MOV",
+            Some(_) => Op::Typ,
+            None if matches!(from, Expr::Binary(..) | Expr::Call(..)) => Op::Calc,
+            None => Op::Mov,
         };
-        Ok(self.block(format!("[{name}]( {}, {value} )", to.text)))
+        self.put(op, &to.path, value)
     }
 
     pub(super) fn masked_move(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
-        let (source, mask, to) = (
-            self.expr(operands[0])?,
-            self.expr(operands[1])?,
-            self.expr(operands[2])?,
-        );
-        let kept = binary("AND", to, unary("NOT", mask.clone()));
-        let formula = binary("OR", kept, binary("AND", source, mask));
+        let [source, mask, to] = self.exprs(operands)?;
+        let kept = binary(And, to, not(mask.clone()));
+        let formula = binary(Or, kept, binary(And, source, mask));
         self.compute(operands[2], &formula)
     }
 
@@ -371,11 +340,12 @@ impl Translator<'_> {
         let source = self.expr(operands[0])?;
         let moved = match to_bit - from_bit {
             0 => source,
-            up if up > 0 => binary("SHL", source, Expr::Int(up)),
-            down => binary("SHR", source, Expr::Int(-down)),
+            up if up > 0 => binary(Shl, source, Expr::Int(up)),
+            down => binary(Shr, source, Expr::Int(-down)),
         };
-        let kept = binary("AND", self.expr(operands[2])?, unary("NOT", mask.clone()));
-        self.compute_at(&to, &binary("OR", kept, binary("AND", moved, mask)))
+        let kept = binary(And, self.expr(operands[2])?, not(mask.clone()));
+        let moved = binary(And, moved, mask);
+        self.compute_at(&to, &binary(Or, kept, moved))
     }
 
     /// `SWPB`
@@ -387,23 +357,23 @@ impl Translator<'_> {
         let formula = crate::words::swapped(&from, bits, operands[1]).filter(|_| elem.is_integer());
         let formula =
             formula.ok_or_else(|| format!("`{}` is no way to swap bytes of {bits} bits", operands[1]))?;
-        Ok(self.block(format!("[CALC]( {}, {formula} )", to.text)))
+        self.put(Op::Calc, &to.path, formula)
     }
 
     /// `TOD` and `FRD`: between a number and its decimal digits.
     pub(super) fn digits(
         &mut self,
         operands: &[&str],
-        formula: fn(&str, u32) -> String,
+        formula: fn(&Expression, u32) -> Expression,
     ) -> Result<Circuit<Element>> {
         let (to, elem) = self.number(operands[1])?;
         let from = self.expr(operands[0])?;
         let (from, own) = self.value(&from, elem)?;
         let bits = elem.bits().max(own.map_or(0, Elem::bits));
         if !elem.is_integer() || bits > 32 {
-            return Err(format!("the digits of `{}` have no counterpart here", to.text));
+            return Err(format!("the digits of `{}` have no counterpart here", to.path));
         }
-        Ok(self.block(format!("[CALC]( {}, {} )", to.text, formula(&from, bits))))
+        self.put(Op::Calc, &to.path, formula(&from, bits))
     }
 
     pub(super) fn clear(&mut self, text: &str) -> Result<Circuit<Element>> {
@@ -419,55 +389,43 @@ impl Translator<'_> {
         if !self.is_slc() {
             return Err("SCL is an instruction of function block diagrams in Logix".to_owned());
         }
-        let (source, rate, offset) = (
-            self.expr(operands[0])?,
-            self.expr(operands[1])?,
-            self.expr(operands[2])?,
-        );
-        let slope = binary("/", binary("*", source, rate), Expr::Int(10_000));
-        self.compute(operands[3], &binary("+", slope, offset))
+        let [source, rate, offset] = self.exprs(operands)?;
+        let product = binary(Times, source, rate);
+        let slope = binary(Divide, product, Expr::Int(10_000));
+        self.compute(operands[3], &binary(Plus, slope, offset))
     }
 
     /// `SCP`: along the line through two points.
     pub(super) fn scale_with_parameters(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
-        let mut all = operands
-            .iter()
-            .map(|text| self.expr(text))
-            .collect::<Result<Vec<_>>>()?;
-        all.truncate(5);
-        let Ok([x, x0, x1, y0, y1]) = <[Expr; 5]>::try_from(all) else {
-            return Err("SCP has six operands".to_owned());
-        };
-        let rise = binary("*", binary("-", x, x0.clone()), binary("-", y1, y0.clone()));
-        let formula = binary("+", binary("/", rise, binary("-", x1, x0)), y0);
-        self.compute(operands[5], &formula)
+        let [x, x0, x1, y0, y1] = self.exprs(operands)?;
+        let less = |from, by| binary(Minus, from, by);
+        let rise = binary(Times, less(x, x0.clone()), less(y1, y0.clone()));
+        let slope = binary(Divide, rise, less(x1, x0));
+        self.compute(operands[5], &binary(Plus, slope, y0))
     }
 
     /// Functions of strings: the result is last there, first here.
-    pub(super) fn strings(&mut self, name: &str, operands: &[&str]) -> Result<Circuit<Element>> {
+    pub(super) fn strings(&mut self, op: Op, operands: &[&str]) -> Result<Circuit<Element>> {
         let (to, from) = operands.split_last().ok_or("operands are missing")?;
         let to = self.target(to, Role::Text)?;
-        let mut texts = vec![to.text];
+        let mut own = vec![Expression::from(to.path)];
         for text in from {
             let expr = self.expr(text)?;
-            texts.push(self.value(&expr, Elem::Dint)?.0);
+            own.push(self.value(&expr, Elem::Dint)?.0);
         }
-        if name == "FIND" {
-            // It begins at a position there.
-            if texts.get(3).is_none_or(|start| start != "1") {
-                return Err(
-                    "a search that does not begin at the first character has no counterpart here".to_owned(),
-                );
-            }
-            texts.truncate(3);
+        // It begins at a position there.
+        if op == Op::Find && own.pop() != Some(1.into()) {
+            return Err(
+                "a search that does not begin at the first character has no counterpart here".to_owned(),
+            );
         }
-        if name == "INSERT" {
+        if op == Op::Insert {
             // Before a position there, after it here.
             match self.expr(from[2])? {
-                Expr::Int(position) => texts[3] = position.saturating_sub(1).to_string(),
+                Expr::Int(position) => own[3] = position.saturating_sub(1).into(),
                 _ => return Err("a position that is computed has no counterpart here".to_owned()),
             }
         }
-        Ok(self.block(format!("[{name}]( {} )", texts.join(", "))))
+        self.op(op, own)
     }
 }

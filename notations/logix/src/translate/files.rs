@@ -7,12 +7,14 @@ use crate::scope::Place;
 use crate::types::{Elem, Ty};
 use crate::unit::operand;
 use ladder_format::Circuit;
-use ladder_format::program::Element;
+use ladder_format::program::{Element, Expression, Literal, Operand, Path};
+use ladder_instructions::Op;
+use std::fmt::Display;
 
-/// A part of an array: its text up to the bracket, the index of its first element, how many elements the array has from
+/// A part of an array: the array, the index of its first element, how many elements the array has from
 /// there on, and what they are.
 struct Stretch {
-    array: String,
+    array: Path,
     first: i64,
     left: u32,
     ty: Ty,
@@ -41,10 +43,10 @@ impl Translator<'_> {
                     .ok()
                     .and_then(|first| sizes[0].checked_sub(first));
                 let Some(left) = left.filter(|left| *left > 0) else {
-                    return Err(format!("the index is outside `{}`", place.text));
+                    return Err(format!("the index is outside `{}`", place.path));
                 };
                 Some(Stretch {
-                    array: place.text,
+                    array: place.path,
                     first,
                     left,
                     ty: *ty,
@@ -66,26 +68,26 @@ impl Translator<'_> {
     pub(super) fn copy(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
         let length = self.length(operands[2])?;
         let (from, to) = (self.stretch(operands[0])?, self.stretch(operands[1])?);
-        if let (Some(from), Some(to)) = (&from, &to) {
+        if let (Some(from), Some(to)) = (from, to) {
             if from.ty != to.ty {
-                return self.copy_bytes(from, to, length);
+                return self.copy_bytes(&from, &to, length);
             }
             let length = length.min(to.left).min(from.left);
-            let range = |it: &Stretch| match length {
-                1 => format!("{}[{}]", it.array, it.first),
-                _ => format!("{}[{}..{}]", it.array, it.first, it.first + i64::from(length) - 1),
+            let range = |it: Stretch| match length {
+                1 => it.array.index([it.first]),
+                _ => it.array.range(it.first, it.first + i64::from(length) - 1),
             };
-            let name = if length == 1 { "MOV" } else { "BMOV" };
-            return Ok(self.block(format!("[{name}]( {}, {} )", range(to), range(from))));
+            let op = if length == 1 { Op::Mov } else { Op::Bmov };
+            return self.op(op, [range(to), range(from)]);
         }
         let (from, to) = (
             self.place(operands[0], Role::Array)?,
             self.target(operands[1], Role::Array)?,
         );
         if from.ty != to.ty || length != 1 {
-            return Err(different(&from.text, &to.text));
+            return Err(different(&from.path, &to.path));
         }
-        Ok(self.block(format!("[MOV]( {}, {} )", to.text, from.text)))
+        self.op(Op::Mov, [to.path, from.path])
     }
 
     /// `COP` between arrays of words of other widths: bytes stay in their order.
@@ -106,16 +108,17 @@ impl Translator<'_> {
         let element = |number: u32| {
             let formula = crate::words::element(number, width, (&from.array, from.first), own);
             let index = to.first + i64::from(number);
-            self.block(format!("[CALC]( {}[{index}], {formula} )", to.array))
+            self.put(Op::Calc, &to.array.clone().index([index]), formula)
         };
-        Ok(Circuit::Series((0..length).map(element).collect()))
+        let elements: Result<Vec<_>> = (0..length).map(element).collect();
+        Ok(Circuit::Series(elements?))
     }
 
     /// `SIZE`: how many elements a dimension has.
     pub(super) fn size(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
         let place = self.place(operands[0].trim_end_matches("[0]"), Role::Array)?;
         let Ty::Array(_, sizes) = &place.ty else {
-            return Err(format!("`{}` is no array", place.text));
+            return Err(format!("`{}` is no array", place.path));
         };
         let size = match self.expr(operands[1])? {
             Expr::Int(dimension) => usize::try_from(dimension)
@@ -123,7 +126,7 @@ impl Translator<'_> {
                 .and_then(|at| sizes.get(at).copied()),
             _ => None,
         };
-        let size = size.ok_or_else(|| format!("`{}` has no such dimension", place.text))?;
+        let size = size.ok_or_else(|| format!("`{}` has no such dimension", place.path))?;
         self.move_value(&size.to_string(), operands[2])
     }
 
@@ -157,7 +160,7 @@ impl Translator<'_> {
             return Err(different(&value, &to.array));
         }
         let last = to.first + i64::from(length.min(to.left)) - 1;
-        Ok(self.block(format!("[FILL]( {}[{}..{last}], {value} )", to.array, to.first)))
+        self.put(Op::Fill, &to.array.range(to.first, last), value)
     }
 
     /// A block on a whole array. `kinds` says of each further operand what it is: a place (`P`), a value of the elements' type
@@ -170,23 +173,23 @@ impl Translator<'_> {
         kinds: &str,
     ) -> Result<Circuit<Element>> {
         let (array, size, elem) = self.whole_array(name, array)?;
-        let mut texts = vec![array];
+        let mut own = vec![array.into()];
         for (text, kind) in others.iter().zip(kinds.bytes()) {
-            texts.push(self.file_operand(text, kind, elem)?);
+            own.push(self.file_operand(text, kind, elem)?);
         }
         let block = self.blocks.on_array(name, size, elem);
-        Ok(self.block(format!("[{block}]( {} )", texts.join(", "))))
+        self.user(&block, own)
     }
 
     pub(super) fn load(&mut self, name: &str, operands: &[&str]) -> Result<Circuit<Element>> {
         let (array, size, elem) = self.whole_array(name, operands[1])?;
         let value = self.file_operand(operands[0], b'V', elem)?;
-        let control = self.file_operand(operands[2], b'I', elem)?;
+        let control = self.control(operands[2])?;
         let block = self.blocks.on_array(name, size, elem);
-        Ok(self.block(format!("[{block}]( {value}, {array}, {control} )")))
+        self.user(&block, [value, array.into(), control.into()])
     }
 
-    fn whole_array(&mut self, name: &str, text: &str) -> Result<(String, u32, Elem)> {
+    fn whole_array(&mut self, name: &str, text: &str) -> Result<(Path, u32, Elem)> {
         let stretch = self.stretch(text)?.filter(|it| it.first == 0);
         let Some(Stretch { array, left, ty, .. }) = stretch else {
             return Err(format!(
@@ -202,7 +205,7 @@ impl Translator<'_> {
         }
     }
 
-    pub(super) fn file_operand(&mut self, text: &str, kind: u8, elem: Elem) -> Result<String> {
+    fn file_operand(&mut self, text: &str, kind: u8, elem: Elem) -> Result<Expression> {
         Ok(match kind {
             b'V' => {
                 let expr = self.expr(text)?;
@@ -213,25 +216,26 @@ impl Translator<'_> {
                 value
             }
             b'B' => match self.expr(text)? {
-                Expr::Int(bit) => if bit == 0 { "FALSE" } else { "TRUE" }.to_owned(),
-                _ => self.bit(text)?.text,
+                Expr::Int(bit) => Literal::from(bit != 0).into(),
+                _ => self.bit(text)?.path.into(),
             },
-            b'I' => {
-                let place = self.target(text, Role::Control)?;
-                if !matches!(place.ty, Ty::Structure(index) if self.tags.types.all[index].original == "CONTROL")
-                {
-                    return Err(format!("`{text}` is no CONTROL"));
-                }
-                place.text
-            }
+            b'I' => self.control(text)?.into(),
             _ => {
                 let place: Place = self.target(text, Role::Value)?;
                 if place.ty != Ty::Elem(elem) {
                     return Err(format!("`{text}` has another type than the array"));
                 }
-                place.text
+                place.path.into()
             }
         })
+    }
+
+    pub(super) fn control(&mut self, text: &str) -> Result<Path> {
+        let place = self.target(text, Role::Control)?;
+        if self.tags.types.original(&place.ty) != "CONTROL" {
+            return Err(format!("`{text}` is no CONTROL"));
+        }
+        Ok(place.path)
     }
 
     /// `PID`: the library's controller takes its place.
@@ -248,19 +252,25 @@ impl Translator<'_> {
             let Some((_, field)) = self.tags.types.member(index, member) else {
                 return Err(format!("its tag has no member {member}"));
             };
-            inputs.push(format!("{input} := {}.{}", own.text, field.name));
+            let member = own.path.clone().member(&field.name);
+            inputs.push(Operand::Given(input.to_owned(), member.into()));
         }
         let measured = self.expr(measured)?;
         let (measured, _) = self.value(&measured, Elem::Lreal)?;
         let output = self.target(output, Role::Value)?;
         let helper = self.helper("pid", Elem::Lreal, "the output of the controller, in percent");
         self.note("it is the controller of the library: in parallel form, with an output from 0 to 100, without tieback, hold and cascade");
-        let call = format!("[$PID]( {}, pv := {measured}, y => {helper} )", inputs.join(", "));
-        Ok(self.blocks([call, format!("[TYP]( {}, {helper} )", output.text)]))
+        inputs.push(Operand::Given("pv".to_owned(), measured));
+        inputs.push(Operand::Taken("y".to_owned(), (&helper).into()));
+        let call = self.user("PID", inputs)?;
+        Ok(Circuit::Series(vec![
+            call,
+            self.put(Op::Typ, &output.path, helper)?,
+        ]))
     }
 }
 
-fn different(from: &str, to: &str) -> String {
+fn different(from: impl Display, to: &Path) -> String {
     format!(
         "`{from}` and `{to}` are of different types: the bytes of one in the other have no counterpart here"
     )

@@ -3,12 +3,13 @@
 use super::{Result, Translator};
 use crate::mnemonic::{Op, Role, instruction};
 use crate::operand::Expr;
-use crate::scope::Tags;
+use crate::scope::{Place, Tags};
 use crate::types::{Elem, Ty};
 use crate::unit::{Unit, operand};
 use ladder_drawings::neutral::instructions;
 use ladder_format::Circuit;
-use ladder_format::program::Element;
+use ladder_format::program::{Block, Element, Path};
+use ladder_instructions::Op as Own;
 use std::collections::HashMap;
 
 /// What is known of the routines that others call.
@@ -24,9 +25,9 @@ struct Subroutine {
     /// What takes its inputs.
     inputs: Vec<String>,
     /// The tags that hold what it returns.
-    returned: Vec<(String, Elem)>,
+    returned: Vec<(Path, Elem)>,
     /// The bit with which it ends the loop that calls it.
-    leaves: Option<String>,
+    leaves: Option<Path>,
     /// It is in another language: what it returns is not known.
     is_foreign: bool,
 }
@@ -95,22 +96,20 @@ impl Translator<'_> {
     pub(crate) fn left_by(&self, scope: usize, routine: &str) -> Vec<String> {
         let known = self.routines.known.get(&(scope, routine.to_ascii_uppercase()));
         known.map_or_else(Vec::new, |known| {
-            let returned = known.returned.iter().map(|(helper, _)| helper.clone());
-            returned.chain(known.leaves.clone()).collect()
+            let returned = known.returned.iter().map(|(helper, _)| helper);
+            returned.chain(&known.leaves).map(ToString::to_string).collect()
         })
     }
 
     /// `JMP` and `LBL`
-    pub(super) fn label(&mut self, sign: &str, name: &str) -> Result<Circuit<Element>> {
+    pub(super) fn label(&mut self, own: Own, name: &str) -> Result<Circuit<Element>> {
         // Of a label that is not there the rules tell.
         let label = self
             .labels
             .get(&name.to_ascii_uppercase())
             .map_or(name, String::as_str);
-        if !ladder_syntax::is_identifier(label) {
-            return Err(format!("there is no label `{name}` in the routine"));
-        }
-        Ok(self.block(format!("{sign}( {label} )")))
+        let drawn = self.op(own, [Path::tag(label)]);
+        drawn.map_err(|_| format!("there is no label `{name}` in the routine"))
     }
 
     /// `JSR( routine, count, inputs .., results .. )`: values are copied into what its `SBR` names, and back.
@@ -146,25 +145,21 @@ impl Translator<'_> {
         } else if inputs.len() < targets.len() {
             self.note("the routine takes more values than it is given: a controller would stop");
         }
-        circuit.push(self.block(format!("<CALL>( {function} )")));
+        circuit.push(self.block(Block::call(&function)));
         for (result, (helper, elem)) in results.iter().zip(&returned) {
             let to = self.target(result, Role::Value)?;
-            let same = to.ty == Ty::Elem(*elem);
-            let text = match (same, elem) {
-                (true, Elem::Bool) => {
-                    circuit.push(self.bit_moved(helper, &to.text));
-                    continue;
-                }
-                (true, _) => format!("[MOV]( {}, {helper} )", to.text),
-                (false, _) => format!("[TYP]( {}, {helper} )", to.text),
+            let own = if to.ty == Ty::Elem(*elem) {
+                Own::Mov
+            } else {
+                Own::Typ
             };
-            circuit.push(self.block(text));
+            circuit.push(self.put(own, &to.path, helper)?);
         }
         Ok(Circuit::Series(circuit))
     }
 
     /// The function that a routine is, and the bit with which it ends the loop that calls it.
-    pub(super) fn called(&self, routine: &str) -> Result<(String, Option<String>)> {
+    pub(super) fn called(&self, routine: &str) -> Result<(String, Option<Path>)> {
         let key = (self.scope, routine.to_ascii_uppercase());
         match self.routines.known.get(&key) {
             Some(found) => Ok((found.function.clone(), found.leaves.clone())),
@@ -173,37 +168,28 @@ impl Translator<'_> {
     }
 
     /// A value that becomes a parameter.
-    fn handed(&mut self, from: &Expr, to: &crate::scope::Place) -> Result<Circuit<Element>> {
+    fn handed(&mut self, from: &Expr, to: &Place) -> Result<Circuit<Element>> {
         if to.elem() == Some(Elem::Bool) {
             let (from, _) = self.value(from, Elem::Bool)?;
-            return Ok(self.bit_moved(&from, &to.text));
+            return self.put(Own::Mov, &to.path, from);
         }
         self.moved(from, to)
-    }
-
-    fn bit_moved(&self, from: &str, to: &str) -> Circuit<Element> {
-        self.block(format!("[MOV]( {to}, {from} )"))
     }
 
     /// `RET( values .. )`
     pub(super) fn ret(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
         let mut circuit = Vec::new();
-        let of_this: Vec<(String, Elem)> = self.returned_here();
+        let of_this: Vec<(Path, Elem)> = self.returned_here();
         for (text, (helper, elem)) in operands.iter().zip(of_this) {
             let from = self.expr(text)?;
-            let to = crate::scope::Place {
-                text: helper,
-                ty: Ty::Elem(elem),
-                part: None,
-                parameter: None,
-            };
+            let to = Place::of(helper, Ty::Elem(elem));
             circuit.push(self.handed(&from, &to)?);
         }
-        circuit.push(self.block("<RET>"));
+        circuit.push(self.block(Block::ret()));
         Ok(Circuit::Series(circuit))
     }
 
-    fn returned_here(&self) -> Vec<(String, Elem)> {
+    fn returned_here(&self) -> Vec<(Path, Elem)> {
         let key = (self.scope, self.routine.to_ascii_uppercase());
         let found = self.routines.known.get(&key);
         found.map(|found| found.returned.clone()).unwrap_or_default()

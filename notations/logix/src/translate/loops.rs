@@ -5,7 +5,8 @@ use crate::mnemonic::Role;
 use crate::operand::Expr;
 use crate::types::Elem;
 use ladder_format::Circuit;
-use ladder_format::program::Element;
+use ladder_format::program::{Block, Element, Expression, Operand, Operator, Path};
+use ladder_instructions::Op;
 
 impl Translator<'_> {
     /// The mode of a file instruction as the blocks have it: 0 for all, -1 for one, else how many in a scan.
@@ -19,23 +20,30 @@ impl Translator<'_> {
     }
 
     /// The block on the rung, and the tag that says how often.
-    fn turns(&mut self, name: &str, operands: &[&str]) -> Result<(Circuit<Element>, String, String)> {
+    fn turns(&mut self, name: &str, operands: &[&str]) -> Result<(Circuit<Element>, Path, Path)> {
         let mode = self.mode(operands[3])?;
-        let control = self.file_operand(operands[0], b'I', Elem::Dint)?;
+        let control = self.control(operands[0])?;
         let what = format!("how many elements {name} goes through");
         let turns = self.helper("turns", Elem::Dint, &what);
         let block = self.blocks.plain(name);
-        let call = self.block(format!("[{block}]( {control}, {mode}, {turns} )"));
-        Ok((call, control, turns))
+        let own = [Expression::from(&control), mode.into(), (&turns).into()];
+        Ok((self.user(&block, own)?, control, turns))
+    }
+
+    /// On to the next element.
+    fn next(&self, control: &Path) -> Result<Circuit<Element>> {
+        let place = Expression::from(control.clone().member("POS"));
+        self.op(Op::Add, [place.clone(), place, 1.into()])
     }
 
     /// What is after the loop.
-    fn done(&self, control: &str) -> Circuit<Element> {
-        self.blocks([
-            format!("[ ]( {control}.EN )"),
-            format!("[GE]( {control}.POS, {control}.LEN )"),
-            format!("(S)( {control}.DN )"),
-        ])
+    fn done(&self, control: &Path) -> Result<Circuit<Element>> {
+        let member = |name: &str| control.clone().member(name);
+        Ok(Circuit::Series(vec![
+            self.block(Block::contact(member("EN"))),
+            self.op(Op::Ge, [member("POS"), member("LEN")])?,
+            self.op(Op::SetCoil, [member("DN")])?,
+        ]))
     }
 
     /// `FAL`
@@ -43,12 +51,11 @@ impl Translator<'_> {
         let formula = self.expr(operands[5])?;
         let each = self.compute(operands[4], &formula)?;
         let (call, control, turns) = self.turns("FAL", operands)?;
-        let next = self.block(format!("[ADD]( {control}.POS, {control}.POS, 1 )"));
         let after = [
-            self.block(format!("<FOR>( {turns} )")),
-            Circuit::Series(vec![each, next]),
-            self.block("<NEXT>"),
-            self.done(&control),
+            self.op(Op::For, [turns])?,
+            Circuit::Series(vec![each, self.next(&control)?]),
+            self.op(Op::Next, Operand::NONE)?,
+            self.done(&control)?,
         ];
         self.after.extend(after);
         self.note("its elements are computed right after the rung");
@@ -59,23 +66,20 @@ impl Translator<'_> {
     pub(super) fn file_search(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
         let found = self.compare_formula(operands[4])?;
         let (call, control, turns) = self.turns("FSC", operands)?;
-        let searches = || self.block(format!("[/]( {control}.IN )"));
+        let member = |name: &str| control.clone().member(name);
+        let searches = self.block(Block::negated_contact(member("IN")));
         let found = vec![
-            searches(),
+            searches.clone(),
             found,
-            self.block(format!("(S)( {control}.FD )")),
-            self.block(format!("(S)( {control}.IN )")),
-        ];
-        let next = vec![
-            searches(),
-            self.block(format!("[ADD]( {control}.POS, {control}.POS, 1 )")),
+            self.op(Op::SetCoil, [member("FD")])?,
+            self.op(Op::SetCoil, [member("IN")])?,
         ];
         let after = [
-            self.block(format!("<FOR>( {turns} )")),
+            self.op(Op::For, [turns])?,
             Circuit::Series(found),
-            Circuit::Series(next),
-            self.block("<NEXT>"),
-            self.done(&control),
+            Circuit::Series(vec![searches, self.next(&control)?]),
+            self.op(Op::Next, Operand::NONE)?,
+            self.done(&control)?,
         ];
         self.after.extend(after);
         self.note("its elements are searched right after the rung");
@@ -87,40 +91,44 @@ impl Translator<'_> {
         let routine = operands[0];
         let (function, leaves) = self.called(routine)?;
         let index = self.target(operands[1], Role::Value)?;
-        let mut texts = Vec::new();
+        let mut values = Vec::new();
         for text in &operands[2..] {
             let expr = self.expr(text)?;
-            texts.push(self.value(&expr, Elem::Dint)?.0);
+            values.push(self.value(&expr, Elem::Dint)?.0);
         }
-        let [first, last, step] = &texts[..] else {
+        let [first, last, step] = &values[..] else {
             return Err("FOR has five operands".to_owned());
         };
         let turns = self.helper("turns", Elem::Dint, &format!("how often FOR calls {routine}"));
         let turn = self.helper("turn", Elem::Dint, &format!("the turn of FOR with {routine}"));
         let block = self.blocks.plain("FOR");
-        let at = |turns: &str| self.block(format!("[CALC]( {}, {first} + {turns} * {step} )", index.text));
-        let mut body = vec![
-            at(&format!("({turn} - 1)")),
-            self.block(format!("<CALL>( {function} )")),
-        ];
-        let end = self.block(format!("[GE]( {turns}, 0 )"));
-        let mut after = vec![self.block(format!("<FOR>( {turns}, I => {turn} )"))];
-        let ends = Circuit::Series(vec![end, at(&turns)]);
-        match leaves {
-            None => after.extend([Circuit::Series(body), self.block("<NEXT>"), ends]),
+        let at = |turns: Expression| {
+            let way = turns.with(Operator::Times, step.clone());
+            self.put(Op::Calc, &index.path, first.clone().with(Operator::Plus, way))
+        };
+        let before = Expression::from(&turn).with(Operator::Minus, 1);
+        let mut body = vec![at(before)?, self.block(Block::call(&function))];
+        let end = self.op(Op::Ge, [Expression::from(&turns), 0.into()])?;
+        let ends = Circuit::Series(vec![end, at((&turns).into())?]);
+        let count = Operand::from(&turns);
+        let begin = self.op(Op::For, [count, Operand::Taken("I".to_owned(), turn.into())])?;
+        let mark = match leaves {
+            None => None,
             Some(leaves) => {
                 let label = self.tags.fresh(self.scope, "left");
                 body.extend([
-                    self.block(format!("[ ]( {leaves} )")),
-                    self.block(format!("(R)( {leaves} )")),
-                    self.block(format!("<JMP>( {label} )")),
+                    self.block(Block::contact(&leaves)),
+                    self.op(Op::ResetCoil, [leaves])?,
+                    self.block(Block::jump(&label)),
                 ]);
-                let mark = self.block(format!("<LBL>( {label} )"));
-                after.extend([Circuit::Series(body), self.block("<NEXT>"), ends, mark]);
+                Some(self.block(Block::label(&label)))
             }
-        }
-        let call = self.block(format!("[{block}]( {first}, {last}, {step}, {turns} )"));
-        self.after.extend(after);
+        };
+        let next = self.op(Op::Next, Operand::NONE)?;
+        let own = [first.clone(), last.clone(), step.clone(), turns.into()];
+        let call = self.user(&block, own)?;
+        let after = [begin, Circuit::Series(body), next, ends];
+        self.after.extend(after.into_iter().chain(mark));
         self.note("the routine is called right after the rung");
         Ok(call)
     }
@@ -129,7 +137,10 @@ impl Translator<'_> {
     pub(super) fn leave_loop(&mut self) -> Result<Circuit<Element>> {
         let routine = self.routine.clone();
         match self.called(&routine)? {
-            (_, Some(leaves)) => Ok(self.blocks([format!("(S)( {leaves} )"), "<RET>".to_owned()])),
+            (_, Some(leaves)) => Ok(Circuit::Series(vec![
+                self.op(Op::SetCoil, [leaves])?,
+                self.block(Block::ret()),
+            ])),
             (_, None) => Err("no routine of the program is called in a loop here".to_owned()),
         }
     }

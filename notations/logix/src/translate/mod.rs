@@ -14,11 +14,13 @@ use crate::operand::{Expr, Path, Step};
 use crate::scope::{Place, Tags};
 use crate::types::Elem;
 use crate::unit::operand;
+use crate::values::{Value, literal};
 use crate::words;
 pub(crate) use flow::Routines;
 use ladder_drawings::neutral::Instruction;
 use ladder_format::Circuit;
-use ladder_format::program::Element;
+use ladder_format::program::{self, Block, Element, Expression, Operand, Operator, Sign};
+use ladder_instructions::Op as Own;
 use ladder_notation::UnreadParts;
 use std::collections::{HashMap, HashSet};
 
@@ -132,11 +134,8 @@ impl<'p> Translator<'p> {
             });
         };
         match op {
-            Op::Xic => self.contact(operands[0], true),
-            Op::Xio => self.contact(operands[0], false),
-            Op::Ote => self.coil("( )", operands[0]),
-            Op::Otl => self.coil("(S)", operands[0]),
-            Op::Otu => self.coil("(R)", operands[0]),
+            Op::Contact(own) => self.contact(own, operands[0]),
+            Op::Coil(own) => self.coil(own, operands[0]),
             Op::Ons => self.state_block("ONS", operands),
             Op::Osr if operands.len() == 1 => self.state_block("ONS", operands),
             Op::Osr => self.state_block("OSR", operands),
@@ -144,12 +143,19 @@ impl<'p> Translator<'p> {
             Op::Timer(name) => self.timer(name, operands),
             Op::Counter(name) => self.state_block(name, &operands[..1]),
             Op::Res => self.reset(operands[0]),
-            Op::Compare(name) => self.compare(name, operands),
+            Op::Compare(own) => self.compare(own, operands),
             Op::Lim => self.limits(operands),
             Op::Meq => self.masked_equal(operands),
             Op::Cmp => self.compare_formula(operands[0]),
             Op::Binary(operator) => self.binary(operator, operands),
-            Op::Unary(operator) => self.unary(operator, operands),
+            Op::Unary(sign) => {
+                let inner = Box::new(self.expr(operands[0])?);
+                self.compute(operands[1], &Expr::Unary(sign, inner))
+            }
+            Op::Function(name) => {
+                let inner = self.expr(operands[0])?;
+                self.compute(operands[1], &Expr::Call(name.to_owned(), vec![inner]))
+            }
             Op::Atan2 => self.angle(operands),
             Op::ToText => self.spelled(operands, false),
             Op::FromText => self.spelled(operands, true),
@@ -180,28 +186,45 @@ impl<'p> Translator<'p> {
             Op::FromBcd => self.digits(operands, words::from_bcd),
             Op::For => self.repeat(operands),
             Op::Brk => self.leave_loop(),
-            Op::Jmp => self.label("<JMP>", operands[0]),
-            Op::Lbl => self.label("<LBL>", operands[0]),
+            Op::Label(own) => self.label(own, operands[0]),
             Op::Jsr => self.call(operands),
             Op::Sbr => Ok(Circuit::Series(Vec::new())),
             Op::Ret => self.ret(operands),
-            Op::Mcr => Ok(self.block("<MCR>")),
-            Op::Afi => Ok(self.block("[ ]( SYS.OFF )")),
+            Op::Mcr => self.op(Own::Mcr, Operand::NONE),
+            Op::Afi => Ok(self.block(Block::contact(program::Path::system("OFF")))),
             Op::Nop => Ok(Circuit::Element(Element::comment("NOP", self.origin))),
-            Op::Tnd => Ok(self.block("<RET>")),
+            Op::Tnd => Ok(self.block(Block::ret())),
             Op::Scl => self.scale(operands),
             Op::Scp => self.scale_with_parameters(operands),
             Op::Pid => self.pid(operands),
-            Op::Strings(name) => self.strings(name, operands),
+            Op::Strings(own) => self.strings(own, operands),
         }
     }
 
-    fn block(&self, text: impl Into<String>) -> Circuit<Element> {
-        Circuit::Element(Element::block(text, self.origin))
+    fn block(&self, block: Block) -> Circuit<Element> {
+        Circuit::Element(Element::of(block, self.origin))
     }
 
-    fn blocks<const N: usize>(&self, texts: [String; N]) -> Circuit<Element> {
-        Circuit::Series(texts.into_iter().map(|text| self.block(text)).collect())
+    fn op<O: Into<Operand>>(
+        &self,
+        op: Own,
+        operands: impl IntoIterator<Item = O>,
+    ) -> Result<Circuit<Element>> {
+        Ok(self.block(Block::of(op, operands)?))
+    }
+
+    /// An instruction that makes one value of another: `[MOV]( to, value )`
+    fn put(&self, op: Own, to: &program::Path, value: impl Into<Expression>) -> Result<Circuit<Element>> {
+        self.op(op, [to.into(), value.into()])
+    }
+
+    /// A block that the program brings along, by its name.
+    fn user<O: Into<Operand>>(
+        &self,
+        name: &str,
+        operands: impl IntoIterator<Item = O>,
+    ) -> Result<Circuit<Element>> {
+        Ok(self.block(Block::user(name, operands)?))
     }
 
     /// Notes why what comes of an instruction is not quite the same.
@@ -225,28 +248,26 @@ impl<'p> Translator<'p> {
         Ok(expr)
     }
 
+    /// The first operands, as those that are read.
+    fn exprs<const N: usize>(&mut self, texts: &[&str]) -> Result<[Expr; N]> {
+        let all = texts.iter().take(N).map(|text| self.expr(text));
+        let all: Vec<Expr> = all.collect::<Result<_>>()?;
+        all.try_into().map_err(|_| "operands are missing".to_owned())
+    }
+
     /// Puts tags in the place of the lengths of texts.
     fn measure(&mut self, expr: &mut Expr) -> Result<()> {
         match expr {
             Expr::Path(path) => {
-                let Some((Step::Member(member), steps)) = path.steps.split_last() else {
-                    return Ok(());
-                };
-                let text = Path {
-                    root: path.root.clone(),
-                    steps: steps.to_vec(),
-                };
-                let place = self.tags.place(self.scope, &text, Role::Text);
-                if let (true, Ok(place)) = (member == "LEN", place)
+                let mut text = path.clone();
+                if text.steps.pop() == Some(Step::Member("LEN".to_owned()))
+                    && let Ok(place) = self.tags.place(self.scope, &text, Role::Text)
                     && matches!(place.elem(), Some(Elem::String(_)))
                 {
                     let helper = self.helper("length", Elem::Dint, "the length of a text");
-                    let block = self.block(format!("[LEN]( {helper}, {} )", place.text));
+                    let block = self.put(Own::Len, &helper, place.path)?;
                     self.before.push(block);
-                    *path = Path {
-                        root: helper,
-                        steps: Vec::new(),
-                    };
+                    *path = Path::tag(helper.root);
                 }
                 Ok(())
             }
@@ -270,10 +291,10 @@ impl<'p> Translator<'p> {
     /// A place that is written: the inputs of an instance are not, from outside.
     fn target(&mut self, text: &str, role: Role) -> Result<Place> {
         let place = self.place(text, role)?;
-        match (&place.parameter, place.text.contains("SYS.")) {
+        match (&place.parameter, place.is_system()) {
             (Some(_), _) => Err(format!(
                 "`{}` cannot be written from outside of its instruction",
-                place.text
+                place.path
             )),
             (None, true) => Err(format!("`{text}` belongs to the controller")),
             (None, false) => Ok(place),
@@ -288,94 +309,94 @@ impl<'p> Translator<'p> {
         }
     }
 
-    fn contact(&mut self, text: &str, open: bool) -> Result<Circuit<Element>> {
-        let sign = if open { "[ ]" } else { "[/]" };
+    fn contact(&mut self, own: Own, text: &str) -> Result<Circuit<Element>> {
         if let Some((word, index)) = self.computed_bit(text)? {
             let helper = self.helper("bit", Elem::Bool, text);
-            let formula = format!("[CALC]( {helper}, ({} SHR ({index}) AND 1) <> 0 )", word.text);
-            return Ok(self.blocks([formula, format!("{sign}( {helper} )")]));
+            let shifted = Expression::from(word.path).with(Operator::Shr, index);
+            let is_on = shifted.with(Operator::And, 1).with(Operator::NotEqual, 0);
+            let blocks = vec![self.put(Own::Calc, &helper, is_on)?, self.op(own, [helper])?];
+            return Ok(Circuit::Series(blocks));
         }
         let place = self.bit(text)?;
-        Ok(self.block(format!("{sign}( {} )", place.text)))
+        self.op(own, [place.path])
     }
 
     /// The word and the number of a bit that is computed, `w.[i]`.
-    fn computed_bit(&mut self, text: &str) -> Result<Option<(Place, String)>> {
-        let Expr::Path(path) = operand(self.project.family, text)? else {
+    fn computed_bit(&mut self, text: &str) -> Result<Option<(Place, Expression)>> {
+        let Expr::Path(mut word) = operand(self.project.family, text)? else {
             return Ok(None);
         };
-        let Some((Step::ComputedBit(index), word)) = path.steps.split_last() else {
+        let Some(Step::ComputedBit(index)) = word.steps.pop() else {
             return Ok(None);
-        };
-        let word = Path {
-            root: path.root.clone(),
-            steps: word.to_vec(),
         };
         let word = self.tags.place(self.scope, &word, Role::Value)?;
         if !word.elem().is_some_and(Elem::is_integer) {
-            return Err(format!("`{}` has no bits", word.text));
+            return Err(format!("`{}` has no bits", word.path));
         }
-        let index = self.tags.formula(self.scope, index)?;
+        let index = self.tags.formula(self.scope, &index)?;
         Ok(Some((word, index)))
     }
 
     /// A coil on a bit that is computed. One that also clears is a block, which runs without power too.
-    fn coil_on_computed(&mut self, sign: &str, word: &Place, index: &str) -> Result<Circuit<Element>> {
-        let text = &word.text;
-        if word.parameter.is_some() || text.contains("SYS.") {
-            return Err(format!("`{text}` cannot be written here"));
+    fn coil_on_computed(&mut self, own: Own, word: &Place, index: Expression) -> Result<Circuit<Element>> {
+        let path = &word.path;
+        if word.parameter.is_some() || word.is_system() {
+            return Err(format!("`{path}` cannot be written here"));
         }
-        Ok(match sign {
-            "(S)" => self.block(format!("[CALC]( {text}, {text} OR 1 SHL ({index}) )")),
-            "(R)" => self.block(format!("[CALC]( {text}, {text} AND NOT (1 SHL ({index})) )")),
-            _ => {
-                if index.contains(' ') {
-                    return Err(format!("the number of a bit of `{text}` is a formula"));
-                }
+        let bit = |index: Expression| Expression::from(1).with(Operator::Shl, index);
+        let whole = Expression::from(path);
+        match (own, &index) {
+            (Own::SetCoil, _) => self.put(Own::Calc, path, whole.with(Operator::Or, bit(index))),
+            (Own::ResetCoil, _) => self.put(Own::Calc, path, whole.with(Operator::And, bit(index).negated())),
+            (_, Expression::Path(_) | Expression::Literal(_)) => {
                 let elem = word.elem().unwrap_or(Elem::Dint);
                 let block = self.blocks.on_word(OTE_BIT, elem);
-                self.block(format!("[{block}]( {text}, {index} )"))
+                self.user(&block, [whole, index])
             }
-        })
+            _ => Err(format!("the number of a bit of `{path}` is a formula")),
+        }
     }
 
-    fn coil(&mut self, sign: &str, text: &str) -> Result<Circuit<Element>> {
+    fn coil(&mut self, own: Own, text: &str) -> Result<Circuit<Element>> {
         if let Some((word, index)) = self.computed_bit(text)? {
-            return self.coil_on_computed(sign, &word, &index);
+            return self.coil_on_computed(own, &word, index);
         }
         let place = self.target(text, Role::Bit)?;
         match place.elem() {
-            Some(Elem::Bool) => Ok(self.block(format!("{sign}( {} )", place.text))),
+            Some(Elem::Bool) => self.op(own, [place.path]),
             _ => Err(format!("`{text}` is no bit")),
         }
     }
 
     /// A tag that an instruction needs for a value on its way.
-    fn helper(&mut self, like: &str, elem: Elem, what: &str) -> String {
+    fn helper(&mut self, like: &str, elem: Elem, what: &str) -> program::Path {
         self.tags
             .helper(self.scope, like, elem, &format!("helper: {what}"))
     }
 
     /// A value as an operand where a type is asked for, and its own type if it is a tag.
-    fn value(&mut self, expr: &Expr, wanted: Elem) -> Result<(String, Option<Elem>)> {
-        use crate::values::{Value, literal};
-        Ok(match expr {
-            Expr::Int(int) => (literal(&Value::Int(*int), wanted), None),
-            Expr::Real(real) => (literal(&Value::Real(*real), wanted), None),
-            Expr::Unary("-", inner) if matches!(**inner, Expr::Int(_) | Expr::Real(_)) => match **inner {
-                Expr::Int(int) => (literal(&Value::Int(int.wrapping_neg()), wanted), None),
-                Expr::Real(real) => (literal(&Value::Real(-real), wanted), None),
-                _ => return Err("a value is missing".to_owned()),
+    fn value(&mut self, expr: &Expr, wanted: Elem) -> Result<(Expression, Option<Elem>)> {
+        let constant = match expr {
+            Expr::Int(int) => Some(Value::Int(*int)),
+            Expr::Real(real) => Some(Value::Real(*real)),
+            Expr::Text(text) => Some(Value::Text(text.clone())),
+            Expr::Unary(Sign::Minus, inner) => match **inner {
+                Expr::Int(int) => Some(Value::Int(int.wrapping_neg())),
+                Expr::Real(real) => Some(Value::Real(-real)),
+                _ => None,
             },
-            Expr::Text(text) => (format!("'{text}'"), None),
             Expr::Path(path) => {
                 let place = self.tags.place(self.scope, path, Role::Value)?;
                 let elem = place.elem();
-                (place.text, elem)
+                return Ok((place.path.into(), elem));
             }
-            Expr::Unset => return Err("a value is missing".to_owned()),
-            formula => (self.tags.formula(self.scope, formula)?, None),
-        })
+            _ => None,
+        };
+        let value = match constant {
+            Some(constant) => Expression::literal(literal(&constant, wanted))?,
+            None => self.tags.formula(self.scope, expr)?,
+        };
+        Ok((value, None))
     }
 
     /// Whether programs of the family count in other units, and so on.

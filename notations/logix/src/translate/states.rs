@@ -2,34 +2,36 @@
 
 use super::{Result, Translator};
 use crate::mnemonic::Role;
-use crate::types::Ty;
+use crate::operand::Expr;
+use crate::types::Elem;
 use ladder_format::Circuit;
-use ladder_format::program::Element;
+use ladder_format::program::{Element, Expression};
 
 impl Translator<'_> {
     /// A block that keeps its state in its operands.
     pub(super) fn state_block(&mut self, name: &str, operands: &[&str]) -> Result<Circuit<Element>> {
         let is_counter = matches!(name, "CTU" | "CTD");
-        let mut texts = Vec::new();
+        let mut own = Vec::new();
         for text in operands {
             let place = self.target(text, if is_counter { Role::Counter } else { Role::Bit })?;
-            let fits = match place.ty {
-                Ty::Structure(index) => is_counter && self.tags.types.all[index].original == "COUNTER",
-                _ => !is_counter && place.elem() == Some(crate::types::Elem::Bool),
+            let fits = if is_counter {
+                self.tags.types.original(&place.ty) == "COUNTER"
+            } else {
+                place.elem() == Some(Elem::Bool)
             };
             if !fits {
                 let what = if is_counter { "COUNTER" } else { "bit" };
                 return Err(format!("`{text}` is no {what}"));
             }
-            texts.push(place.text);
+            own.push(place.path);
         }
         let block = self.blocks.plain(name);
-        Ok(self.block(format!("[{block}]( {} )", texts.join(", "))))
+        self.user(&block, own)
     }
 
     pub(super) fn timer(&mut self, name: &str, operands: &[&str]) -> Result<Circuit<Element>> {
         let place = self.target(operands[0], Role::Timer)?;
-        if !matches!(place.ty, Ty::Structure(index) if self.tags.types.all[index].original == "TIMER") {
+        if self.tags.types.original(&place.ty) != "TIMER" {
             return Err(format!("`{}` is no TIMER", operands[0]));
         }
         let block = self.blocks.plain(name);
@@ -38,29 +40,29 @@ impl Translator<'_> {
         }
         let unit = match operands {
             [_, base, _, _] => match self.expr(base)? {
-                crate::operand::Expr::Int(1) => ", T#1s",
-                crate::operand::Expr::Real(1.0) => ", T#1s",
-                crate::operand::Expr::Real(0.01) => ", T#10ms",
-                crate::operand::Expr::Real(0.001) => "",
+                Expr::Int(1) | Expr::Real(1.0) => Some("T#1s"),
+                Expr::Real(0.01) => Some("T#10ms"),
+                Expr::Real(0.001) => None,
                 _ => return Err(format!("`{base}` is no time base: there are 1.0, 0.01 and 0.001")),
             },
-            _ => "",
+            _ => None,
         };
-        Ok(self.block(format!("[{block}]( {}{unit} )", place.text)))
+        let mut own = vec![Expression::from(place.path)];
+        if let Some(unit) = unit {
+            own.push(Expression::literal(unit)?);
+        }
+        self.user(&block, own)
     }
 
     pub(super) fn reset(&mut self, text: &str) -> Result<Circuit<Element>> {
         let place = self.target(text, Role::State)?;
-        let name = match place.ty {
-            Ty::Structure(index) => match self.tags.types.all[index].original.as_str() {
-                "TIMER" => "TimerRES",
-                "COUNTER" => "CounterRES",
-                "CONTROL" => "ControlRES",
-                _ => return Err(format!("`{text}` is no TIMER, COUNTER or CONTROL")),
-            },
+        let name = match self.tags.types.original(&place.ty) {
+            "TIMER" => "TimerRES",
+            "COUNTER" => "CounterRES",
+            "CONTROL" => "ControlRES",
             _ => return Err(format!("`{text}` is no TIMER, COUNTER or CONTROL")),
         };
         let block = self.blocks.plain(name);
-        Ok(self.block(format!("[{block}]( {} )", place.text)))
+        self.user(&block, [place.path])
     }
 }

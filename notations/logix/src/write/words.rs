@@ -6,6 +6,7 @@ use crate::words;
 use ladder_analysis::program::{Argument, BlockKind, Expr, ExprKind, Network, Place};
 use ladder_analysis::values::types::Scalar;
 use ladder_format::Circuit;
+use ladder_format::program::{Expression, Path, Step};
 use ladder_instructions::Op;
 
 /// Without blanks.
@@ -29,21 +30,23 @@ impl Writer<'_> {
             return Ok(None);
         };
         let whole = bare(self.source(formula.range));
-        let source = self.source(read.range).trim().to_owned();
-        let is = |text: &str| bare(text) == whole;
+        let Ok(source) = Expression::read(self.source(read.range)) else {
+            return Ok(None);
+        };
+        let is = |formula: &Expression| bare(&formula.to_string()) == whole;
         for bits in [16, 32] {
             let mut modes = words::MODES.iter();
-            let mode = modes.find(|mode| words::swapped(&source, bits, mode).is_some_and(|text| is(&text)));
+            let mode = modes.find(|mode| words::swapped(&source, bits, mode).as_ref().is_some_and(is));
             if let Some(mode) = mode {
                 return Ok(Some(it("SWPB", &[&self.value(read)?, mode, to])));
             }
         }
         for bits in [8, 16, 32] {
-            for (name, text) in [
+            for (name, formula) in [
                 ("TOD", words::to_bcd(&source, bits)),
                 ("FRD", words::from_bcd(&source, bits)),
             ] {
-                if is(&text) {
+                if is(&formula) {
                     return Ok(Some(it(name, &[&self.value(read)?, to])));
                 }
             }
@@ -92,21 +95,29 @@ impl Writer<'_> {
             let wanted = words::element(*number as u32, width, (&source, from), own);
             element(part).is_some_and(|(to, index, _, formula)| {
                 let same = to == array && index == first + *number as i64;
-                same && bare(self.source(formula.range)) == bare(&wanted)
+                same && bare(self.source(formula.range)) == bare(&wanted.to_string())
             })
         };
         let taken = series.iter().enumerate().take_while(is_next).count();
         if taken == 0 || (taken == 1 && Self::is_simple(formula)) {
             return Ok(None);
         }
-        let from = self.path(&format!("{source}[{from}]"))?;
-        let to = self.path(&format!("{array}[{first}]"))?;
+        let [from, to] = [source.index([from]), array.index([first])].map(|path| path.to_string());
+        let (from, to) = (self.path(&from)?, self.path(&to)?);
         Ok(Some((it("COP", &[&from, &to, &taken.to_string()]), taken)))
     }
 }
 
 /// An array and a constant index in it.
-fn indexed(written: &str) -> Option<(String, i64)> {
-    let (array, index) = written.trim().strip_suffix(']')?.rsplit_once('[')?;
-    Some((array.to_owned(), index.trim().parse().ok()?))
+fn indexed(written: &str) -> Option<(Path, i64)> {
+    let Expression::Path(mut path) = Expression::read(written).ok()? else {
+        return None;
+    };
+    match path.steps.pop()? {
+        Step::Index(index) => match &index[..] {
+            [Expression::Literal(index)] => Some((path, index.as_str().parse().ok()?)),
+            _ => None,
+        },
+        _ => None,
+    }
 }
