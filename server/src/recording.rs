@@ -27,18 +27,12 @@ pub(crate) struct Mirror<R> {
 }
 
 impl<R> Mirror<R> {
-    /// Records into a file, which is made again. One that holds something else than a recording stays.
+    /// Records into a file, which is made again. One that holds something else than a recording stays, and so does what a link
+    /// leads to.
     pub(crate) fn new(input: R, file: &Path) -> io::Result<Mirror<R>> {
-        if holds_something_else(file)? {
-            return Err(io::Error::other(
-                "it holds something else, and stays as it is; name another file",
-            ));
-        }
-        let mut file = File::create(file)?;
-        file.write_all(format!("{HEADER}\n").as_bytes())?;
         Ok(Mirror {
             input,
-            file: Some(file),
+            file: Some(begun(file)?),
             begun: Instant::now(),
         })
     }
@@ -71,6 +65,30 @@ impl<R: AsyncRead + Unpin> AsyncRead for Mirror<R> {
     }
 }
 
+/// A file with the first line of a recording.
+fn begun(file: &Path) -> io::Result<File> {
+    let header = format!("{HEADER}\n");
+    // A device, a pipe or a terminal is written to as it is.
+    if file.metadata().is_ok_and(|there| !there.is_file()) {
+        let mut file = File::options().write(true).open(file)?;
+        file.write_all(header.as_bytes())?;
+        return Ok(file);
+    }
+    if file.is_symlink() {
+        return Err(io::Error::other(
+            "it is a link, and nothing is written through it; name another file",
+        ));
+    }
+    if holds_something_else(file)? {
+        return Err(io::Error::other(
+            "it holds something else, and stays as it is; name another file",
+        ));
+    }
+    ladder_workspace::write_made(file, header.as_bytes())
+        .map_err(|error| io::Error::other(error.problem.to_string()))?;
+    File::options().append(true).open(file)
+}
+
 /// Whether a file is there that is neither empty nor a recording.
 fn holds_something_else(file: &Path) -> io::Result<bool> {
     let metadata = match file.metadata() {
@@ -78,8 +96,7 @@ fn holds_something_else(file: &Path) -> io::Result<bool> {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(false),
         Err(error) => return Err(error),
     };
-    // A device, a pipe or a terminal is written to as it is.
-    if !metadata.is_file() || metadata.len() == 0 {
+    if metadata.len() == 0 {
         return Ok(false);
     }
     let mut head = Vec::new();

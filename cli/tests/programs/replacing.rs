@@ -238,4 +238,20 @@ fn a_recording_replaces_recordings_only() {
         assert_eq!(mirror("session.rec").0, Some(1));
         assert!(folder.read("session.rec").starts_with("ladder lsp recording 1\n"));
     }
+    #[cfg(unix)]
+    for target in ["nowhere.rec", "session.rec"] {
+        let before = folder.path("session.rec").metadata().unwrap().modified().unwrap();
+        std::os::unix::fs::symlink(target, folder.path(&format!("to-{target}"))).unwrap();
+        let (status, said) = mirror(&format!("to-{target}"));
+        assert_eq!(status, Some(2), "{said}");
+        assert!(
+            said.contains("it is a link, and nothing is written through it"),
+            "{said}"
+        );
+        assert!(!folder.path("nowhere.rec").exists());
+        assert_eq!(
+            folder.path("session.rec").metadata().unwrap().modified().unwrap(),
+            before
+        );
+    }
 }
