@@ -508,3 +508,78 @@ fn the_settings_of_the_workspace_hold() {
     "#]]
     .assert_eq(&folder.ladder(&["check", "motor.rung"]).to_string());
 }
+
+#[test]
+fn a_timer_or_counter_of_two_blocks_is_a_warning_in_its_file() {
+    let ldmicro = "\
+LDmicro0.1
+CYCLE=10000
+CRYSTAL=4000000
+BAUD=2400
+
+IO LIST
+END
+
+PROGRAM
+RUNG
+CONTACTS Xa 0
+TON Tx 100000
+COIL Ya 0 0 0
+END
+RUNG
+CONTACTS Xb 0
+TON Tx 200000
+COIL Yb 0 0 0
+END
+RUNG
+CONTACTS Xc 0
+CTU Cx 3
+RES Cx
+END
+RUNG
+CONTACTS Xd 0
+CTU Cx 4
+COIL Yd 0 0 0
+END
+";
+    let iot = "\
+NO I01 ; TON T1 3 100 ; OUT Q01
+NO I02 ; TON T1 5 100 ; OUT Q02
+NO I03 ; CTU C1 3 ; RESET C1
+NO I04 ; CTU C1 4 ; OUT Q04
+";
+    let folder = Folder::with(&[("two.ld", ldmicro), ("two.iot", iot)]);
+    let check = |file: &str| folder.ladder(&["check", file, "--format", "concise"]).to_string();
+    expect![[r#"
+        exit status 0
+        -- stdout
+        two.ld:12:1: warning[ldmicro-timer-name] Variable for 'Tx' incorrectly assigned: TON: variable cannot be used elsewhere.
+        two.ld:17:1: warning[ldmicro-timer-name] Variable for 'Tx' incorrectly assigned: TON: variable cannot be used elsewhere.
+        two.ld:17:1: warning[duplicate-timer] the timer `Tx` has a second block: both would work on one TON
+        two.ld:27:1: warning[duplicate-counter] the counter `Cx` has a second block: both would work on one CTU
+        Checked 1 file: 4 warnings.
+    "#]].assert_eq(&check("two.ld"));
+    expect![[r#"
+        exit status 0
+        -- stdout
+        two.iot:2:10: warning[duplicate-timer] the timer `T1` has a second block: both would work on one TON
+        two.iot:4:10: warning[duplicate-counter] the counter `C1` has a second block: both would work on one CTU
+        Checked 1 file: 2 warnings.
+    "#]].assert_eq(&check("two.iot"));
+    // In ladder text that is read from them, too.
+    for file in ["two.ld", "two.iot"] {
+        folder.ladder(&["convert", file, "-o", "two.clad", "--force"]);
+        let said = folder
+            .ladder(&["check", "two.clad", "--format", "concise"])
+            .stdout;
+        let found = |rule: &str| said.lines().filter(|line| line.contains(rule)).count();
+        assert_eq!(
+            [
+                found("warning[duplicate-timer]"),
+                found("warning[duplicate-counter]")
+            ],
+            [1, 1],
+            "{said}"
+        );
+    }
+}

@@ -698,3 +698,34 @@ fn names_of_several_words() {
         "#]],
     );
 }
+
+#[test]
+fn eno_of_a_conversion_that_the_writer_added_is_that_of_the_function() {
+    let body = "leftPowerRail 1
+         contact 2 from=1 a
+         inVariable 3 s
+         block 4 LEN EN=2 IN=3 / ENO OUT
+         block 5 INT_TO_DINT EN=4.ENO IN=4.OUT / ENO OUT
+         outVariable 6 from=5.OUT n
+         coil 7 from=5.ENO q
+         rightPowerRail 99 from=7";
+    let variables = "a : BOOL
+         q : BOOL
+         n : DINT
+         s : <string/>";
+    let header = "<fileHeader companyName=\"\" productName=\"Unnamed\" productVersion=\"0.1.0\"/>\n<types>";
+    let own = project("", &program(variables, body), "").replacen("<types>", header, 1);
+    check(
+        &own,
+        expect![[r#"
+        VAR
+            a : BOOL;
+            q : BOOL;
+            n : DINT;
+            s : STRING;
+        END_VAR
+
+        +--[ ]( a )-------------------------------------------[LEN]( n, s )--( )( q )--+
+    "#]],
+    );
+}
