@@ -3,9 +3,12 @@
 use crate::by_networks::by_networks;
 use crate::comparison::{Change, Comparison};
 use crate::outline::{Kind, Outline, UnreadPart};
+use ladder_analysis::names::scope::{Origin, SectionKind};
 use ladder_prover::{Divergence, Limits, Which, compare_programs, outputs_of_one, rows_of};
 use ladder_simulator::value_text::duration;
 use ladder_simulator::{Options, Simulation};
+use ladder_syntax::Name;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// What is known of two programs.
@@ -51,10 +54,15 @@ impl Comparison<'_> {
                 return Ok(Whole::Outputs(outputs.into_iter().map(only_one_has).collect()));
             }
             match compare_programs(&mut old, &mut new, limits) {
-                Ok(ladder_prover::Whole::Same) => match other_unread(self) {
-                    other if other.is_empty() => Ok(Whole::Same),
-                    other => Ok(Whole::NotDecided(other)),
-                },
+                Ok(ladder_prover::Whole::Same) => {
+                    let mut open = other_unread(self);
+                    open.extend(shared_by_one(self));
+                    Ok(if open.is_empty() {
+                        Whole::Same
+                    } else {
+                        Whole::NotDecided(open)
+                    })
+                }
                 Ok(ladder_prover::Whole::Differs(run)) => Ok(Whole::Differs(run)),
                 Ok(ladder_prover::Whole::Unknown(why)) => Err(why),
                 Err(ladder_prover::NotReproduced) => Ok(Whole::Refuted),
@@ -70,12 +78,35 @@ impl Comparison<'_> {
     }
 }
 
-/// The time between scans for which both programs are made, in nanoseconds: one that does not say runs as the other.
+/// The time between scans for which both programs are made, in nanoseconds.
 fn interval_of_both(old: Option<i64>, new: Option<i64>) -> Result<i64, String> {
-    match (old, new) {
-        (Some(old), Some(new)) if old != new => Err("they are made for other times between scans".into()),
-        (old, new) => Ok(old.or(new).unwrap_or(Options::default().interval)),
+    let [old, new] = [old, new].map(|cycle| cycle.unwrap_or(Options::default().interval));
+    if old != new {
+        return Err("they are made for other times between scans".into());
     }
+    Ok(old)
+}
+
+/// What is said of tags that only one of two programs shares with other programs, which these runs do not have.
+fn shared_by_one(comparison: &Comparison<'_>) -> Vec<String> {
+    let shared = |outline: &Outline| -> BTreeMap<Name, String> {
+        let tags = outline.context.scopes.iter().flat_map(|scope| &scope.tags);
+        let shared = tags.filter(|tag| {
+            let sections = [SectionKind::Global, SectionKind::External].map(Origin::Declared);
+            sections.contains(&tag.origin) || tag.cold.foreign.is_some()
+        });
+        shared
+            .map(|tag| (Name::new(&tag.name), tag.name.to_string()))
+            .collect()
+    };
+    let [old, new] = [comparison.old, comparison.new].map(shared);
+    let of_one = |which: &str, own: &BTreeMap<Name, String>, other: &BTreeMap<Name, String>| -> Vec<String> {
+        let names = own.iter().filter(|(name, _)| !other.contains_key(*name));
+        names
+            .map(|(_, name)| format!("only the {which} program shares {name} with other programs"))
+            .collect()
+    };
+    [of_one("old", &old, &new), of_one("new", &new, &old)].concat()
 }
 
 fn only_one_has((which, name): (Which, String)) -> String {
