@@ -150,32 +150,56 @@ fn a_tag_that_nothing_uses_is_no_difference() {
 fn another_time_between_scans_is_not_the_same() {
     let program = "+--[ ]( a )--[TON]( t, 30ms )--( )( y )--+\n";
     let with = |cycle: &str| format!("# ladder: cycle {cycle} #\n{program}");
-    check(program, &with("20ms"), expect![[r#"
+    check(
+        program,
+        &with("20ms"),
+        expect![[r#"
         new: setting, line 1
         other settings hold
         they are made for other times between scans
-    "#]]);
-    check(&with("5ms"), &with("20ms"), expect![[r#"
+    "#]],
+    );
+    check(
+        &with("5ms"),
+        &with("20ms"),
+        expect![[r#"
         edited: setting, line 1
         other settings hold
         they are made for other times between scans
-    "#]]);
-    check(program, &with("10ms"), expect![[r#"
+    "#]],
+    );
+    check(
+        program,
+        &with("10ms"),
+        expect![[r#"
         the same
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn a_tag_that_other_programs_see_is_another_without_them() {
     let network = "+--[ ]( a )--( )( y )--+\n";
     let with = |section: &str| format!("{section}\n    y : BOOL;\nEND_VAR\n{network}");
-    check(&with("VAR_GLOBAL"), &with("VAR"), expect![[r#"
+    check(
+        &with("VAR_GLOBAL"),
+        &with("VAR"),
+        expect![[r#"
         only the old program shares y with other programs
-    "#]]);
-    check(network, &with("VAR_GLOBAL"), expect![[r#"
+    "#]],
+    );
+    check(
+        network,
+        &with("VAR_GLOBAL"),
+        expect![[r#"
         only the new program shares y with other programs
-    "#]]);
-    check(network, &with("VAR"), expect![[r#"
+    "#]],
+    );
+    check(
+        network,
+        &with("VAR"),
+        expect![[r#"
         the same
-    "#]]);
+    "#]],
+    );
 }
