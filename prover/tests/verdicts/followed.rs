@@ -1,9 +1,9 @@
 //! The prover's functions of bits next to the simulator: every tag in every scan, on generated programs.
 
 use super::compile;
-use super::runs::value;
 use ladder_analysis::values::value::Value;
 use ladder_generator::generator::{Dice, Mode, program};
+use ladder_generator::runs::value;
 use ladder_prover::Concrete;
 use ladder_simulator::{Options, Simulation, Status, value_text};
 use std::collections::BTreeMap;

@@ -1,7 +1,7 @@
 //! Programs for which verdicts are asked: few networks of few tags, so that much is decided, with inputs of every kind.
 
 use super::case::{Case, Other};
-use super::constants::literals;
+use ladder_generator::constants::literals;
 use ladder_generator::generator::Dice;
 
 /// A tag that conditions read: how it is written, its type, and the name of the input that it is, if it is one.

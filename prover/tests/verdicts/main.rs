@@ -13,7 +13,6 @@
 //! `GENERATED_PROGRAMS=20000 cargo test -p ladder-prover --test verdicts` tries more; what fails names its seed.
 
 mod case;
-mod constants;
 mod edits;
 mod followed;
 mod followed_profiles;

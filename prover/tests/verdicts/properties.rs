@@ -1,8 +1,8 @@
 //! Properties of generated programs.
 
 use super::case::Case;
-use super::constants::literals;
 use ladder_analysis::values::types::Scalar;
+use ladder_generator::constants::literals;
 use ladder_generator::generator::Dice;
 use ladder_simulator::Point;
 

@@ -3,9 +3,9 @@
 
 use super::compile;
 use super::followed::programs;
-use super::runs::value;
 use ladder_format::{Options as Layout, format_text};
 use ladder_generator::generator::{Dice, Mode, program};
+use ladder_generator::runs::value;
 use ladder_prover::{Compared, Meaning, other_tags};
 use ladder_simulator::{Options as Running, Simulation};
 use std::time::Duration;

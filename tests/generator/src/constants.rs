@@ -3,7 +3,7 @@
 use ladder_analysis::values::types::Scalar;
 
 /// The literals of a type, by its name.
-pub(crate) fn literals(ty: &str) -> &'static [&'static str] {
+pub fn literals(ty: &str) -> &'static [&'static str] {
     match ty {
         "REAL" | "LREAL" => &["2.5", "-1.0", "100.0"],
         "TIME" => &["T#30ms", "T#0ms", "T#5s"],
@@ -18,7 +18,7 @@ pub(crate) fn literals(ty: &str) -> &'static [&'static str] {
 }
 
 /// The numbers among them, and the times, as the simulator holds them.
-pub(crate) fn numbers(ty: Scalar) -> &'static [i64] {
+pub fn numbers(ty: Scalar) -> &'static [i64] {
     match ty {
         Scalar::Time => &[0, 30_000_000, 5_000_000_000],
         _ => &[0, 1, 3, 7, 100, -2],
