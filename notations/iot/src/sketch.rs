@@ -5,7 +5,10 @@ use super::model::{Element, Family, File, IotLine, Member, Number, Operand, Vari
 use super::word::Form;
 use ladder_analysis::Severity;
 use ladder_format::Circuit;
-use ladder_format::program::{Declaration, Drawing, Element as Block, Item, Network, Section, SectionKind};
+use ladder_format::program::{
+    self, Block, Declaration, Drawing, Expression, Invalid, Item, Network, Operand as Given, Path, Section,
+    SectionKind,
+};
 use ladder_instructions::{Op, by_op};
 use ladder_notation::{Finding, LineColumn, Names, Reading};
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -143,7 +146,7 @@ impl<'f> Importer<'f> {
         self.reading.program.items.push(item);
     }
 
-    fn circuit(&mut self, circuit: &'f Circuit<Element>) -> Circuit<Block> {
+    fn circuit(&mut self, circuit: &'f Circuit<Element>) -> Circuit<program::Element> {
         match circuit {
             Circuit::Element(element) => Circuit::Element(self.element(element)),
             Circuit::Series(parts) => Circuit::Series(parts.iter().map(|part| self.circuit(part)).collect()),
@@ -153,11 +156,11 @@ impl<'f> Importer<'f> {
         }
     }
 
-    fn element(&mut self, element: &'f Element) -> Block {
+    fn element(&mut self, element: &'f Element) -> program::Element {
         let place = element.place;
         let origin = Some(self.reading.origin(place));
-        let text = match self.block(element) {
-            Ok(text) => text,
+        let block = match self.block(element) {
+            Ok(block) => block,
             Err(why) => {
                 self.reading.report.refused(place, element.to_string(), &why);
                 self.reading.findings.push(Finding {
@@ -166,7 +169,7 @@ impl<'f> Importer<'f> {
                     check: "iot-element",
                     message: format!("`{element}` stays as a comment: {why}"),
                 });
-                return Block::comment(&format!("iot: {element}"), origin);
+                return program::Element::comment(&format!("iot: {element}"), origin);
             }
         };
         let is_stamp = |operand: &Operand| matches!(operand, Operand::Member(_, Member::Tt));
@@ -177,52 +180,53 @@ impl<'f> Importer<'f> {
         } else {
             self.reading.report.translated(place, element.to_string());
         }
-        Block::block(text, origin)
+        program::Element::of(block, origin)
     }
 
     /// The block of an element, or why there is none.
-    fn block(&self, element: &'f Element) -> Result<String, String> {
+    fn block(&self, element: &'f Element) -> Result<Block, String> {
         let operands = &element.operands;
-        Ok(match element.row.form {
+        match element.row.form {
             Form::Contact(op) => match &operands[0] {
-                Operand::Number(_) => return Err("a contact looks at a variable".to_owned()),
-                operand => format!("{}( {} )", by_op(op).block(), self.text(operand)),
+                Operand::Number(_) => Err("a contact looks at a variable".to_owned()),
+                operand => Ok(Block::of(op, [self.value(operand, true)?])?),
             },
-            Form::Coil(op) => self.coil(op, &operands[0])?,
+            Form::Coil(op) => self.coil(op, &operands[0]),
             Form::Reset => match &operands[0] {
-                Operand::Variable(variable) if variable.family.is_state() => format!("(RES)( {variable} )"),
-                operand @ Operand::Member(..) => self.put(operand, 0)?,
-                operand => self.coil(Op::ResetCoil, operand)?,
+                Operand::Variable(variable) if variable.family.is_state() => {
+                    Ok(Block::of(Op::Res, [tag(variable)])?)
+                }
+                operand @ Operand::Member(..) => self.put(operand, 0),
+                operand => self.coil(Op::ResetCoil, operand),
             },
-            Form::Timer(op) | Form::Counter(op) => self.state(op, element)?,
-            Form::Compare(op) => self.comparison(op, &operands[0], &operands[1])?,
-            Form::Calculate(op) => self.calculation(op, operands)?,
-            Form::Not => self.calculation(Op::Not, operands)?,
-            Form::Assign => self.calculation(Op::Mov, operands)?,
-            Form::ScanTime => by_op(Op::Scantime).block(),
-        })
+            Form::Timer(op) | Form::Counter(op) => self.state(op, element),
+            Form::Compare(op) => self.comparison(op, &operands[0], &operands[1]),
+            Form::Calculate(op) => self.calculation(op, operands),
+            Form::Not => self.calculation(Op::Not, operands),
+            Form::Assign => self.calculation(Op::Mov, operands),
+            Form::ScanTime => Ok(Block::of(Op::Scantime, Given::NONE)?),
+        }
     }
 
-    fn coil(&self, op: Op, operand: &Operand) -> Result<String, String> {
+    fn coil(&self, op: Op, operand: &Operand) -> Result<Block, String> {
         match (op, operand) {
             (Op::SetCoil, Operand::Variable(variable)) if self.is_number(variable) => self.put(operand, 1),
             (Op::ResetCoil, Operand::Variable(variable)) if self.is_number(variable) => self.put(operand, 0),
-            (_, Operand::Variable(_)) => Ok(format!("{}( {} )", by_op(op).block(), self.text(operand))),
+            (_, Operand::Variable(variable)) => Ok(Block::of(op, [tag(variable)])?),
             _ => Err(format!("a coil writes no {operand} here")),
         }
     }
 
     /// What sets and resets a number: it is given one.
-    fn put(&self, operand: &Operand, number: u8) -> Result<String, String> {
-        let head = by_op(Op::Mov).block();
-        Ok(format!("{head}( {}, {number} )", self.written(operand)?))
+    fn put(&self, operand: &Operand, number: i64) -> Result<Block, String> {
+        Ok(Block::of(Op::Mov, [self.written(operand)?, number.into()])?)
     }
 
     fn is_number(&self, variable: &Variable) -> bool {
         matches!(variable.family, Family::Integer | Family::Float) || self.numbers.contains(variable)
     }
 
-    fn state(&self, op: Op, element: &'f Element) -> Result<String, String> {
+    fn state(&self, op: Op, element: &'f Element) -> Result<Block, String> {
         let Some(Operand::Variable(variable)) = element.operands.first() else {
             return Err("it has no timer and no counter".to_owned());
         };
@@ -233,21 +237,24 @@ impl<'f> Importer<'f> {
         let preset = self.presets.get(variable);
         let is_written = preset.is_some_and(|preset| preset.tag.is_some());
         let preset = match number(1).filter(|_| !is_written) {
-            Some(number) => number.to_string(),
-            None => self.text(&Operand::Member(variable.clone(), Member::Pre)),
+            Some(number) => Expression::from(i64::from(number)),
+            None => self.member(variable, Member::Pre),
         };
-        let mut text = format!("{}( {variable}, {preset}", by_op(op).block());
+        let mut operands = vec![tag(variable).into(), Given::Value(preset)];
         match (variable.family, number(2)) {
             (Family::Timer, base) => {
-                text.push_str(&format!(", B := {}", duration(base.unwrap_or(DEFAULT_BASE))));
+                let base = duration(base.unwrap_or(DEFAULT_BASE))?;
+                operands.push(Given::Given("B".to_owned(), base));
             }
-            (_, Some(start)) if start != 0 => text.push_str(&format!(", AC := {start}")),
+            (_, Some(start)) if start != 0 => {
+                operands.push(Given::Given("AC".to_owned(), i64::from(start).into()));
+            }
             _ => {}
         }
-        Ok(text + " )")
+        Ok(Block::of(op, operands)?)
     }
 
-    fn comparison(&self, op: Op, left: &Operand, right: &Operand) -> Result<String, String> {
+    fn comparison(&self, op: Op, left: &Operand, right: &Operand) -> Result<Block, String> {
         let both = [left, right];
         let is_number = |operand: &&Operand| matches!(operand, Operand::Number(_));
         if both.iter().all(is_number) {
@@ -264,58 +271,56 @@ impl<'f> Importer<'f> {
         if floats && both.iter().any(is_bit) {
             return Err("a bit is compared with a float: assign it to an MI first".to_owned());
         }
-        let value = |operand| self.value(operand, !floats);
-        Ok(format!(
-            "{}( {}, {} )",
-            by_op(op).block(),
-            value(left)?,
-            value(right)?
-        ))
+        Ok(Block::of(
+            op,
+            [self.value(left, !floats)?, self.value(right, !floats)?],
+        )?)
     }
 
     /// The result first, as in the notation.
-    fn calculation(&self, op: Op, operands: &[Operand]) -> Result<String, String> {
+    fn calculation(&self, op: Op, operands: &[Operand]) -> Result<Block, String> {
         let is_bitwise = matches!(op, Op::And | Op::Or | Op::Xor | Op::Not);
-        let mut texts = vec![self.written(&operands[0])?];
+        let mut values = vec![self.written(&operands[0])?];
         for operand in &operands[1..] {
             if is_bitwise && is_float_variable(operand) {
                 return Err(format!("C has no such operation with {operand}"));
             }
-            texts.push(self.value(operand, is_bitwise)?);
+            values.push(self.value(operand, is_bitwise)?);
         }
-        Ok(format!("{}( {} )", by_op(op).block(), texts.join(", ")))
+        Ok(Block::of(op, values)?)
     }
 
     /// An operand that is read.
-    fn value(&self, operand: &Operand, whole: bool) -> Result<String, String> {
+    fn value(&self, operand: &Operand, whole: bool) -> Result<Expression, String> {
         match operand {
+            Operand::Variable(variable) => Ok(tag(variable).into()),
+            Operand::Member(variable, member) => Ok(self.member(variable, *member)),
             Operand::Number(number) => match number.whole() {
-                Some(value) if whole || !number.is_float() => Ok(value.to_string()),
+                Some(value) if whole || !number.is_float() => Ok(i64::from(value).into()),
                 None if whole => Err(format!("C has no such operation with {operand}")),
-                _ => Ok(real(number)),
+                _ => real(number),
             },
-            operand => Ok(self.text(operand)),
         }
     }
 
     /// What an element writes.
-    fn written(&self, operand: &Operand) -> Result<String, String> {
+    fn written(&self, operand: &Operand) -> Result<Expression, String> {
         match operand {
-            Operand::Variable(_) | Operand::Member(_, Member::Pre | Member::Ac) => Ok(self.text(operand)),
+            Operand::Variable(variable) => Ok(tag(variable).into()),
+            Operand::Member(variable, member @ (Member::Pre | Member::Ac)) => {
+                Ok(self.member(variable, *member))
+            }
             _ => Err(format!("only its own block and RESET write {operand} here")),
         }
     }
 
-    /// An operand that is not a number.
-    fn text(&self, operand: &Operand) -> String {
-        let Operand::Member(variable, member) = operand else {
-            return operand.to_string();
-        };
+    /// What a timer or counter remembers. A preset that no element writes is a number.
+    fn member(&self, variable: &Variable, member: Member) -> Expression {
         match (member, self.presets.get(variable)) {
-            (Member::Pre, Some(Preset { tag: Some(tag), .. })) => tag.clone(),
-            (Member::Pre, Some(preset)) => preset.value.to_string(),
-            (Member::B, Some(preset)) => preset.base.to_string(),
-            (member, _) => format!("{variable}.{}", member.word()),
+            (Member::Pre, Some(Preset { tag: Some(name), .. })) => Path::tag(name).into(),
+            (Member::Pre, Some(preset)) => i64::from(preset.value).into(),
+            (Member::B, Some(preset)) => i64::from(preset.base).into(),
+            (member, _) => tag(variable).member(member.word()).into(),
         }
     }
 
@@ -368,20 +373,25 @@ fn is_float_variable(operand: &Operand) -> bool {
     is_float(operand) && matches!(operand, Operand::Variable(_))
 }
 
+/// The tag that a variable is.
+fn tag(variable: &Variable) -> Path {
+    Path::tag(variable.to_string())
+}
+
 /// A time base in milliseconds.
-fn duration(milliseconds: i32) -> String {
-    match milliseconds {
+fn duration(milliseconds: i32) -> Result<Expression, Invalid> {
+    Expression::literal(match milliseconds {
         0 => "T#0ms".to_owned(),
         ms if ms % 1_000 == 0 => format!("T#{}s", ms / 1_000),
         ms => format!("T#{ms}ms"),
-    }
+    })
 }
 
 /// A real literal of ladder text.
-fn real(number: &Number) -> String {
+fn real(number: &Number) -> Result<Expression, String> {
     let text = format!("{:?}", number.value);
-    match text.split_once('e') {
+    Ok(Expression::literal(match text.split_once('e') {
         Some((digits, exponent)) if !digits.contains('.') => format!("{digits}.0e{exponent}"),
         _ => text,
-    }
+    })?)
 }

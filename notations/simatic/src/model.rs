@@ -184,6 +184,8 @@ pub(crate) struct Argument {
 pub(crate) enum Value {
     /// As it is written.
     Operand(String),
+    /// A tag of our own, with a bit.
+    Helper(String),
     /// The power at a point.
     Power(usize),
     /// Nothing.

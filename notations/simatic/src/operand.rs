@@ -1,18 +1,42 @@
 //! Operands: `#run`, `"Data".motor[3].speed`, `%I0.3`, `T#5s`.
 
-use crate::model::{Kind, Type};
+use crate::model::{Argument, Kind, Type, Value};
 use crate::scope::{Scope, member, plain};
 use crate::standard::{SYSTEM, elementary};
+use ladder_format::program::{Expression, Literal, Path};
 
 /// An operand as it is written here.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Operand {
-    pub(crate) text: String,
+    pub(crate) value: Expression,
     pub(crate) ty: Option<Type>,
-    pub(crate) is_literal: bool,
 }
 
 impl Operand {
+    /// What is of an elementary type.
+    pub(crate) fn new(value: impl Into<Expression>, ty: &str) -> Operand {
+        Operand {
+            value: value.into(),
+            ty: Some(Type::Named(ty.to_owned())),
+        }
+    }
+
+    pub(crate) const fn is_literal(&self) -> bool {
+        matches!(self.value, Expression::Literal(_))
+    }
+
+    /// The tag, or the part of one.
+    ///
+    /// # Errors
+    ///
+    /// If it is a literal.
+    pub(crate) fn path(self) -> Result<Path, String> {
+        match self.value {
+            Expression::Path(path) => Ok(path),
+            literal => Err(format!("`{literal}` is not a tag")),
+        }
+    }
+
     /// Its type, if that is elementary or holds a state.
     pub(crate) fn plain(&self) -> Option<&'static str> {
         self.ty.as_ref().and_then(plain)
@@ -31,6 +55,19 @@ pub(crate) fn operand(scope: &mut Scope<'_>, text: &str, wanted: &str) -> Result
     read(scope, text.trim(), wanted, 0)
 }
 
+/// What is at a pin. None: nothing, or the power at a point.
+pub(crate) fn at_pin(
+    scope: &mut Scope<'_>,
+    argument: Option<&Argument>,
+    wanted: &str,
+) -> Option<Result<Operand, String>> {
+    match &argument?.value {
+        Value::Operand(text) => Some(operand(scope, text, wanted)),
+        Value::Helper(tag) => Some(Ok(Operand::new(Path::tag(tag), "BOOL"))),
+        Value::Power(_) | Value::Open => None,
+    }
+}
+
 fn read(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result<Operand, String> {
     if depth > DEEPEST {
         return Err("its indices nest too deep".to_owned());
@@ -40,27 +77,19 @@ fn read(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
     }
     if let Some(address) = text.strip_prefix('%') {
         return address_of(address)
-            .map(|(text, ty)| Operand {
-                text,
-                ty: Some(Type::Named(ty.to_owned())),
-                is_literal: false,
-            })
+            .map(|(path, ty)| Operand::new(path, ty))
             .ok_or_else(|| format!("`{text}` is no address here"));
     }
     let system = SYSTEM.iter().find(|(_, name)| text.trim_matches('"') == *name);
     if let Some((own, _)) = system.filter(|(_, name)| scope.own(name).is_none()) {
-        return Ok(Operand {
-            text: (*own).to_owned(),
-            ty: Some(Type::Named("BOOL".to_owned())),
-            is_literal: false,
-        });
+        return Ok(Operand::new(Path::system(own.name()), "BOOL"));
     }
     let first = text.chars().next().unwrap_or_default();
     if first == '#' || first == '"' {
         return path(scope, text, wanted, depth);
     }
     if let Some(found) = literal(text) {
-        return Ok(found);
+        return found;
     }
     // The names of a block's own variables come without their sign too.
     let word = text.split(['.', '[']).next().unwrap_or_default();
@@ -78,7 +107,7 @@ fn read(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
 enum Step {
     Member(String),
     Index(String),
-    Bit(String),
+    Bit(u32),
 }
 
 fn path(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result<Operand, String> {
@@ -91,7 +120,7 @@ fn path(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
     let mut steps = steps.into_iter().peekable();
     let (mut out, mut ty) = if is_own {
         match scope.own(&root) {
-            Some(known) => (known.spelled.clone(), Some(known.ty.clone())),
+            Some(known) => (known.path(), Some(known.ty.clone())),
             None => return Err(format!("the block declares no `{root}`")),
         }
     } else if let Some(unit) = scope.unit(&root).filter(|unit| unit.kind == Kind::Data) {
@@ -109,12 +138,9 @@ fn path(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
                 .iter()
                 .find(|own| own.name.eq_ignore_ascii_case(&name));
             let found = found.ok_or_else(|| format!("the data block `{root}` has no `{name}`"))?;
-            (
-                format!("{}.{}", known.spelled, member(&name)),
-                Some(found.ty.clone()),
-            )
+            (known.path().member(member(&name)), Some(found.ty.clone()))
         } else {
-            (known.spelled, Some(known.ty))
+            (known.path(), Some(known.ty))
         }
     } else {
         // A part of what is declared elsewhere is a tag by itself, up to what a state has.
@@ -140,7 +166,7 @@ fn path(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
             }
         };
         let known = scope.global(&name, Type::Named(ty.to_owned()));
-        (known.spelled, Some(known.ty))
+        (known.path(), Some(known.ty))
     };
     for step in steps {
         match step {
@@ -150,7 +176,7 @@ fn path(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
                 if state.is_some() {
                     let name = name.to_ascii_uppercase();
                     ty = Some(Type::Named(state_member(&name).to_owned()));
-                    out.push_str(&format!(".{name}"));
+                    out = out.member(name);
                     continue;
                 }
                 let members = of.as_ref().and_then(|of| match of {
@@ -163,29 +189,28 @@ fn path(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
                         .find(|own| own.name.eq_ignore_ascii_case(&name))
                 });
                 ty = found.map(|found| found.ty);
-                out.push_str(&format!(".{}", member(&name)));
+                out = out.member(member(&name));
             }
             Step::Index(text) => {
                 let mut indices = Vec::new();
                 for index in text.split(',') {
-                    indices.push(read(scope, index.trim(), "INT", depth + 1)?.text);
+                    indices.push(read(scope, index.trim(), "INT", depth + 1)?.value);
                 }
-                out.push_str(&format!("[{}]", indices.join(", ")));
+                out = out.index(indices);
                 ty = match ty {
                     Some(Type::Array(_, of)) => Some(*of),
                     _ => None,
                 };
             }
             Step::Bit(bit) => {
-                out.push_str(&format!(".{bit}"));
+                out = out.bit(bit);
                 ty = Some(Type::Named("BOOL".to_owned()));
             }
         }
     }
     Ok(Operand {
-        text: out,
+        value: out.into(),
         ty,
-        is_literal: false,
     })
 }
 
@@ -236,7 +261,7 @@ fn split(text: &str) -> Option<(String, Vec<Step>)> {
         if let Some(bit) = after.strip_prefix("%X").or_else(|| after.strip_prefix("%x")) {
             let end = bit.find(|c: char| !c.is_ascii_digit()).unwrap_or(bit.len());
             let number: u8 = bit[..end].parse().ok()?;
-            steps.push(Step::Bit(number.to_string()));
+            steps.push(Step::Bit(number.into()));
             tail = &bit[end..];
             continue;
         }
@@ -252,7 +277,7 @@ fn split(text: &str) -> Option<(String, Vec<Step>)> {
 }
 
 /// An address as it is written here, and its type.
-pub(crate) fn address_of(text: &str) -> Option<(String, &'static str)> {
+fn address_of(text: &str) -> Option<(Path, &'static str)> {
     let upper = text.trim().to_ascii_uppercase();
     let area = match upper.chars().next()? {
         'I' | 'E' => 'I',
@@ -277,18 +302,18 @@ pub(crate) fn address_of(text: &str) -> Option<(String, &'static str)> {
         Some((byte, bit)) => size == 'X' && is_number(byte) && is_number(bit),
         None => size != 'X' && is_number(number),
     };
-    is_right.then(|| (format!("%{area}{size}{number}"), ty))
+    is_right.then(|| (Path::tag(format!("%{area}{size}{number}")), ty))
 }
 
-/// A literal.
-pub(crate) fn literal(text: &str) -> Option<Operand> {
+/// A literal. None: the text is something else.
+pub(crate) fn literal(text: &str) -> Option<Result<Operand, String>> {
     let upper = text.to_ascii_uppercase();
     let of = |text: String, ty: Option<&str>| {
-        Some(Operand {
-            text,
+        let made = |value| Operand {
+            value: Expression::Literal(value),
             ty: ty.map(|ty| Type::Named(ty.to_owned())),
-            is_literal: true,
-        })
+        };
+        Some(Literal::read(text).map(made).map_err(String::from))
     };
     if upper == "TRUE" || upper == "FALSE" {
         return of(upper, Some("BOOL"));

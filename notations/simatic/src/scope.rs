@@ -2,6 +2,7 @@
 
 use crate::model::{Kind, Type, Unit};
 use crate::standard::{elementary, state_type};
+use ladder_format::program::Path;
 use ladder_notation::Names;
 use std::collections::{BTreeMap, HashMap};
 
@@ -13,6 +14,12 @@ pub(crate) type Library<'l> = HashMap<String, Result<&'l Unit, String>>;
 pub(crate) struct Known {
     pub(crate) spelled: String,
     pub(crate) ty: Type,
+}
+
+impl Known {
+    pub(crate) fn path(&self) -> Path {
+        Path::tag(&self.spelled)
+    }
 }
 
 /// The names of a block.
@@ -64,15 +71,6 @@ impl<'l> Scope<'l> {
         let name = self.names.fresh(like);
         self.helpers.push((name.clone(), ty.to_owned(), what.to_owned()));
         name
-    }
-
-    /// A tag of our own that operands name like a variable of the block.
-    pub(crate) fn adopt(&mut self, name: &str, ty: &str) {
-        let known = Known {
-            spelled: name.to_owned(),
-            ty: Type::Named(ty.to_owned()),
-        };
-        self.own.insert(name.to_lowercase(), known);
     }
 
     /// A tag of the project that this file does not declare, under the name that it is written by.

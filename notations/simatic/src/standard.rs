@@ -1,19 +1,21 @@
 //! The instructions of SIMATIC controllers, each under its names in source documents and in SimaticML, next to what says
 //! the same here.
 
-use ladder_analysis::names::system_tag::SystemTag;
+use ladder_analysis::names::system_tag::{Clock, SystemTag};
+use ladder_format::program::Operator;
+use ladder_instructions::Op;
 
 /// What an instruction becomes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Form {
     /// A contact.
-    Contact(&'static str),
+    Contact(Op),
     /// A contact with a bit that remembers.
-    EdgeContact(&'static str),
+    EdgeContact(Op),
     /// A comparison as a contact.
-    Compare(&'static str),
+    Compare(Op),
     /// A comparison as a box, with its sign.
-    CompareBox(&'static str),
+    CompareBox(Operator),
     /// Whether a value lies between two others.
     InRange,
     OutRange,
@@ -21,27 +23,27 @@ pub(crate) enum Form {
     Valid,
     Invalid,
     /// The edge of the power, with a bit that remembers.
-    Edge(&'static str),
+    Edge(Op),
     Not,
-    Coil(&'static str),
+    Coil(Op),
     /// A coil with a bit that remembers.
-    EdgeCoil(&'static str),
+    EdgeCoil(Op),
     /// A coil on several bits.
-    Bits(&'static str),
+    Bits(Op),
     /// A bit that is set and reset: whether resetting is stronger.
     Bistable {
         reset_wins: bool,
     },
-    /// A block with a state: its mnemonic, and the pins that are operands, each with its name here (by place without).
-    State(&'static str, &'static [(&'static str, &'static str)]),
-    TimerCoil(&'static str),
+    /// A block with a state, and the pins that are operands, each with its name here (by place without).
+    State(Op, &'static [(&'static str, &'static str)]),
+    TimerCoil(Op),
     ResetTimer,
     Move,
-    /// A result from values: its mnemonic, and the pins.
-    Value(&'static str, Pins),
+    /// A result from values, and the pins.
+    Value(Op, Pins),
     Square,
     /// A value that is counted up or down.
-    Step(&'static str),
+    Step(Op),
     Convert,
     Calculate,
     Jump {
@@ -99,87 +101,87 @@ const PT: &[(&str, &str)] = &[("pt", "")];
 /// All of them.
 #[rustfmt::skip]
 pub(crate) const ROWS: &[Row] = &[
-    row(&["Contact"], &["Contact"], Form::Contact("[ ]"), None),
-    row(&["I_Contact"], &[], Form::Contact("[/]"), None),
-    row(&["P_Contact"], &["PContact"], Form::EdgeContact("[P]"), None),
-    row(&["N_Contact"], &["NContact"], Form::EdgeContact("[N]"), None),
-    row(&["P_Trig"], &["PBox"], Form::Edge("[OSR]"), None),
-    row(&["N_Trig"], &["NBox"], Form::Edge("[OSF]"), None),
+    row(&["Contact"], &["Contact"], Form::Contact(Op::Contact), None),
+    row(&["I_Contact"], &[], Form::Contact(Op::NegatedContact), None),
+    row(&["P_Contact"], &["PContact"], Form::EdgeContact(Op::RisingContact), None),
+    row(&["N_Contact"], &["NContact"], Form::EdgeContact(Op::FallingContact), None),
+    row(&["P_Trig"], &["PBox"], Form::Edge(Op::OneShotRising), None),
+    row(&["N_Trig"], &["NBox"], Form::Edge(Op::OneShotFalling), None),
     row(&["Not"], &["Not"], Form::Not, None),
-    row(&["EQ_Contact"], &["Eq"], Form::Compare("EQ"), SRC),
-    row(&["NE_Contact"], &["Ne"], Form::Compare("NE"), SRC),
-    row(&["GT_Contact"], &["Gt"], Form::Compare("GT"), SRC),
-    row(&["GE_Contact"], &["Ge"], Form::Compare("GE"), SRC),
-    row(&["LT_Contact"], &["Lt"], Form::Compare("LT"), SRC),
-    row(&["LE_Contact"], &["Le"], Form::Compare("LE"), SRC),
-    row(&["EQ"], &[], Form::CompareBox("="), SRC),
-    row(&["NE"], &[], Form::CompareBox("<>"), SRC),
-    row(&["GT"], &[], Form::CompareBox(">"), SRC),
-    row(&["GE"], &[], Form::CompareBox(">="), SRC),
-    row(&["LT"], &[], Form::CompareBox("<"), SRC),
-    row(&["LE"], &[], Form::CompareBox("<="), SRC),
+    row(&["EQ_Contact"], &["Eq"], Form::Compare(Op::Eq), SRC),
+    row(&["NE_Contact"], &["Ne"], Form::Compare(Op::Ne), SRC),
+    row(&["GT_Contact"], &["Gt"], Form::Compare(Op::Gt), SRC),
+    row(&["GE_Contact"], &["Ge"], Form::Compare(Op::Ge), SRC),
+    row(&["LT_Contact"], &["Lt"], Form::Compare(Op::Lt), SRC),
+    row(&["LE_Contact"], &["Le"], Form::Compare(Op::Le), SRC),
+    row(&["EQ"], &[], Form::CompareBox(Operator::Equal), SRC),
+    row(&["NE"], &[], Form::CompareBox(Operator::NotEqual), SRC),
+    row(&["GT"], &[], Form::CompareBox(Operator::Greater), SRC),
+    row(&["GE"], &[], Form::CompareBox(Operator::GreaterEqual), SRC),
+    row(&["LT"], &[], Form::CompareBox(Operator::Less), SRC),
+    row(&["LE"], &[], Form::CompareBox(Operator::LessEqual), SRC),
     row(&["InRange"], &["InRange"], Form::InRange, SRC),
     row(&["OutRange"], &["OutRange"], Form::OutRange, SRC),
     row(&["IsValidContact", "OK"], &["OK"], Form::Valid, None),
     row(&["IsNotValidContact", "NOK"], &["NotOK", "NOK"], Form::Invalid, None),
-    row(&["Coil"], &["Coil"], Form::Coil("( )"), None),
-    row(&["I_Coil"], &[], Form::Coil("(/)"), None),
-    row(&["S_Coil"], &["SCoil"], Form::Coil("(S)"), None),
-    row(&["R_Coil"], &["RCoil"], Form::Coil("(R)"), None),
-    row(&["P_Coil"], &["PCoil"], Form::EdgeCoil("(P)"), None),
-    row(&["N_Coil"], &["NCoil"], Form::EdgeCoil("(N)"), None),
-    row(&["S_BitfieldCoil"], &["SET_BF"], Form::Bits("(S)"), None),
-    row(&["R_BitfieldCoil"], &["RESET_BF"], Form::Bits("(R)"), None),
+    row(&["Coil"], &["Coil"], Form::Coil(Op::Coil), None),
+    row(&["I_Coil"], &[], Form::Coil(Op::NegatedCoil), None),
+    row(&["S_Coil"], &["SCoil"], Form::Coil(Op::SetCoil), None),
+    row(&["R_Coil"], &["RCoil"], Form::Coil(Op::ResetCoil), None),
+    row(&["P_Coil"], &["PCoil"], Form::EdgeCoil(Op::RisingCoil), None),
+    row(&["N_Coil"], &["NCoil"], Form::EdgeCoil(Op::FallingCoil), None),
+    row(&["S_BitfieldCoil"], &["SET_BF"], Form::Bits(Op::SetCoil), None),
+    row(&["R_BitfieldCoil"], &["RESET_BF"], Form::Bits(Op::ResetCoil), None),
     row(&["S_SR", "SR"], &["Sr"], Form::Bistable { reset_wins: true }, None),
     row(&["S_RS", "RS"], &["Rs"], Form::Bistable { reset_wins: false }, None),
-    row(&["TON"], &["TON"], Form::State("TON", PT), TIME),
-    row(&["TOF"], &["TOF"], Form::State("TOF", PT), TIME),
-    row(&["TP"], &["TP"], Form::State("TP", PT), TIME),
-    row(&["TONR"], &["TONR"], Form::State("RTO", &[("pt", ""), ("r", "R")]), TIME),
-    row(&["CTU"], &["CTU"], Form::State("CTU", &[("pv", ""), ("r", "R")]), VALUE),
-    row(&["CTD"], &["CTD"], Form::State("CTD", &[("pv", ""), ("ld", "LD")]), VALUE),
-    row(&["CTUD"], &["CTUD"], Form::State("CTUD", &[("pv", ""), ("cd", "CD"), ("r", "R"), ("ld", "LD")]), VALUE),
-    row(&["TON_Coil"], &["CoilTON"], Form::TimerCoil("TON"), TIME),
-    row(&["TOF_Coil"], &["CoilTOF"], Form::TimerCoil("TOF"), TIME),
-    row(&["TP_Coil"], &["CoilTP"], Form::TimerCoil("TP"), TIME),
-    row(&["TONR_Coil"], &["CoilTONR"], Form::TimerCoil("RTO"), TIME),
+    row(&["TON"], &["TON"], Form::State(Op::Ton, PT), TIME),
+    row(&["TOF"], &["TOF"], Form::State(Op::Tof, PT), TIME),
+    row(&["TP"], &["TP"], Form::State(Op::Tp, PT), TIME),
+    row(&["TONR"], &["TONR"], Form::State(Op::Rto, &[("pt", ""), ("r", "R")]), TIME),
+    row(&["CTU"], &["CTU"], Form::State(Op::Ctu, &[("pv", ""), ("r", "R")]), VALUE),
+    row(&["CTD"], &["CTD"], Form::State(Op::Ctd, &[("pv", ""), ("ld", "LD")]), VALUE),
+    row(&["CTUD"], &["CTUD"], Form::State(Op::Ctud, &[("pv", ""), ("cd", "CD"), ("r", "R"), ("ld", "LD")]), VALUE),
+    row(&["TON_Coil"], &["CoilTON"], Form::TimerCoil(Op::Ton), TIME),
+    row(&["TOF_Coil"], &["CoilTOF"], Form::TimerCoil(Op::Tof), TIME),
+    row(&["TP_Coil"], &["CoilTP"], Form::TimerCoil(Op::Tp), TIME),
+    row(&["TONR_Coil"], &["CoilTONR"], Form::TimerCoil(Op::Rto), TIME),
     row(&["RT_Coil"], &["RtCoil"], Form::ResetTimer, None),
     row(&["Move"], &["Move"], Form::Move, None),
-    row(&["Add"], &["Add"], Form::Value("ADD", Pins::Numbered), SRC),
-    row(&["Sub"], &["Sub"], Form::Value("SUB", TWO), SRC),
-    row(&["Mul"], &["Mul"], Form::Value("MUL", Pins::Numbered), SRC),
-    row(&["Div"], &["Div"], Form::Value("DIV", TWO), SRC),
-    row(&["Mod"], &["Mod"], Form::Value("MOD", TWO), SRC),
-    row(&["Expt"], &["Expt"], Form::Value("EXP", TWO), SRC),
-    row(&["Neg"], &["Neg"], Form::Value("NEG", IN), SRC),
-    row(&["Abs"], &["Abs"], Form::Value("ABS", IN), SRC),
-    row(&["Sqrt"], &["Sqrt"], Form::Value("SQRT", IN), SRC),
-    row(&["Ln"], &["Ln"], Form::Value("LN", IN), SRC),
-    row(&["Exp"], &["Exp"], Form::Value("EXPE", IN), SRC),
-    row(&["Sin"], &["Sin"], Form::Value("SIN", IN), SRC),
-    row(&["Cos"], &["Cos"], Form::Value("COS", IN), SRC),
-    row(&["Tan"], &["Tan"], Form::Value("TAN", IN), SRC),
-    row(&["Asin"], &["Asin"], Form::Value("ASIN", IN), SRC),
-    row(&["Acos"], &["Acos"], Form::Value("ACOS", IN), SRC),
-    row(&["Atan"], &["Atan"], Form::Value("ATAN", IN), SRC),
+    row(&["Add"], &["Add"], Form::Value(Op::Add, Pins::Numbered), SRC),
+    row(&["Sub"], &["Sub"], Form::Value(Op::Sub, TWO), SRC),
+    row(&["Mul"], &["Mul"], Form::Value(Op::Mul, Pins::Numbered), SRC),
+    row(&["Div"], &["Div"], Form::Value(Op::Div, TWO), SRC),
+    row(&["Mod"], &["Mod"], Form::Value(Op::Mod, TWO), SRC),
+    row(&["Expt"], &["Expt"], Form::Value(Op::Exp, TWO), SRC),
+    row(&["Neg"], &["Neg"], Form::Value(Op::Neg, IN), SRC),
+    row(&["Abs"], &["Abs"], Form::Value(Op::Abs, IN), SRC),
+    row(&["Sqrt"], &["Sqrt"], Form::Value(Op::Sqrt, IN), SRC),
+    row(&["Ln"], &["Ln"], Form::Value(Op::Ln, IN), SRC),
+    row(&["Exp"], &["Exp"], Form::Value(Op::Expe, IN), SRC),
+    row(&["Sin"], &["Sin"], Form::Value(Op::Sin, IN), SRC),
+    row(&["Cos"], &["Cos"], Form::Value(Op::Cos, IN), SRC),
+    row(&["Tan"], &["Tan"], Form::Value(Op::Tan, IN), SRC),
+    row(&["Asin"], &["Asin"], Form::Value(Op::Asin, IN), SRC),
+    row(&["Acos"], &["Acos"], Form::Value(Op::Acos, IN), SRC),
+    row(&["Atan"], &["Atan"], Form::Value(Op::Atan, IN), SRC),
     row(&["Sqr"], &["Sqr"], Form::Square, SRC),
-    row(&["Inc"], &["Inc"], Form::Step("ADD"), SRC),
-    row(&["Dec"], &["Dec"], Form::Step("SUB"), SRC),
-    row(&["MIN"], &["Min"], Form::Value("MIN", Pins::Numbered), VALUE),
-    row(&["MAX"], &["Max"], Form::Value("MAX", Pins::Numbered), VALUE),
-    row(&["Limit"], &["Limit"], Form::Value("LIMIT", Pins::Named(&["min", "in", "max"])), VALUE),
-    row(&["SEL"], &["Sel"], Form::Value("SEL", Pins::Selected("g")), VALUE),
-    row(&["Mux"], &["Mux"], Form::Value("MUX", Pins::Selected("k")), SRC),
-    row(&["And"], &["And"], Form::Value("AND", Pins::Numbered), SRC),
-    row(&["Or"], &["Or"], Form::Value("OR", Pins::Numbered), SRC),
-    row(&["Xor"], &["Xor"], Form::Value("XOR", Pins::Numbered), SRC),
-    row(&["Inv"], &["Inv"], Form::Value("NOT", IN), SRC),
-    row(&["Shl"], &["Shl"], Form::Value("SHL", SHIFTED), SRC),
-    row(&["Shr"], &["Shr"], Form::Value("SHR", SHIFTED), SRC),
-    row(&["Rol"], &["Rl", "Rol"], Form::Value("ROL", SHIFTED), SRC),
-    row(&["Ror"], &["Rr", "Ror"], Form::Value("ROR", SHIFTED), SRC),
+    row(&["Inc"], &["Inc"], Form::Step(Op::Add), SRC),
+    row(&["Dec"], &["Dec"], Form::Step(Op::Sub), SRC),
+    row(&["MIN"], &["Min"], Form::Value(Op::Min, Pins::Numbered), VALUE),
+    row(&["MAX"], &["Max"], Form::Value(Op::Max, Pins::Numbered), VALUE),
+    row(&["Limit"], &["Limit"], Form::Value(Op::Limit, Pins::Named(&["min", "in", "max"])), VALUE),
+    row(&["SEL"], &["Sel"], Form::Value(Op::Sel, Pins::Selected("g")), VALUE),
+    row(&["Mux"], &["Mux"], Form::Value(Op::Mux, Pins::Selected("k")), SRC),
+    row(&["And"], &["And"], Form::Value(Op::And, Pins::Numbered), SRC),
+    row(&["Or"], &["Or"], Form::Value(Op::Or, Pins::Numbered), SRC),
+    row(&["Xor"], &["Xor"], Form::Value(Op::Xor, Pins::Numbered), SRC),
+    row(&["Inv"], &["Inv"], Form::Value(Op::Not, IN), SRC),
+    row(&["Shl"], &["Shl"], Form::Value(Op::Shl, SHIFTED), SRC),
+    row(&["Shr"], &["Shr"], Form::Value(Op::Shr, SHIFTED), SRC),
+    row(&["Rol"], &["Rl", "Rol"], Form::Value(Op::Rol, SHIFTED), SRC),
+    row(&["Ror"], &["Rr", "Ror"], Form::Value(Op::Ror, SHIFTED), SRC),
     row(&["Convert"], &["Convert"], Form::Convert, None),
-    row(&["Trunc"], &["Trunc"], Form::Value("TRUNC", IN), None),
+    row(&["Trunc"], &["Trunc"], Form::Value(Op::Trunc, IN), None),
     row(&["Round"], &["Round"], Form::Convert, None),
     row(&["Calculate"], &["Calc"], Form::Calculate, SRC),
     row(&["JumpCoil"], &["Jump"], Form::Jump { negated: false }, None),
@@ -253,9 +255,9 @@ pub(crate) fn power_pins(name: &str) -> (&'static str, &'static str) {
         Some(Form::Compare(_) | Form::InRange | Form::OutRange | Form::Valid | Form::Invalid) => {
             ("pre", "out")
         }
-        Some(Form::State("CTU", _)) => ("CU", "Q"),
-        Some(Form::State("CTD", _)) => ("CD", "Q"),
-        Some(Form::State("CTUD", _)) => ("CU", "QU"),
+        Some(Form::State(Op::Ctu, _)) => ("CU", "Q"),
+        Some(Form::State(Op::Ctd, _)) => ("CD", "Q"),
+        Some(Form::State(Op::Ctud, _)) => ("CU", "QU"),
         Some(Form::State(..)) => ("IN", "Q"),
         Some(Form::Bistable { reset_wins: true }) => ("s", "q"),
         Some(Form::Bistable { reset_wins: false }) => ("r", "q"),
@@ -277,18 +279,16 @@ pub(crate) fn power_pins(name: &str) -> (&'static str, &'static str) {
 }
 
 /// System tags, and what a project calls the same while its system and clock memory are on.
-pub(crate) const SYSTEM: [(&str, &str); 6] = [
-    ("SYS.ON", "AlwaysTRUE"),
-    ("SYS.OFF", "AlwaysFALSE"),
-    ("SYS.FIRST_SCAN", "FirstScan"),
-    ("SYS.CLOCK_100MS", "Clock_10Hz"),
-    ("SYS.CLOCK_500MS", "Clock_2Hz"),
-    ("SYS.CLOCK_1S", "Clock_1Hz"),
+pub(crate) const SYSTEM: [(SystemTag, &str); 6] = [
+    (SystemTag::On, "AlwaysTRUE"),
+    (SystemTag::Off, "AlwaysFALSE"),
+    (SystemTag::FirstScan, "FirstScan"),
+    (SystemTag::Clock(Clock::HundredMilliseconds), "Clock_10Hz"),
+    (SystemTag::Clock(Clock::HalfSecond), "Clock_2Hz"),
+    (SystemTag::Clock(Clock::Second), "Clock_1Hz"),
 ];
 
 /// Whether a project has a tag of `SYS`.
 pub(crate) fn has(tag: SystemTag) -> bool {
-    SYSTEM
-        .iter()
-        .any(|(name, _)| name.strip_prefix("SYS.") == Some(tag.name()))
+    SYSTEM.iter().any(|(own, _)| *own == tag)
 }

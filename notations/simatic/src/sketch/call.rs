@@ -2,15 +2,16 @@
 
 use super::translate::{Translated, Translator};
 use crate::model::{Kind, Part, Role, Type, Unit, Value, Variable};
-use crate::operand::operand;
+use crate::operand::{at_pin, operand};
 use crate::scope::{Scope, block_name, plain};
+use ladder_format::program::{Block, Expression, Operand};
 use ladder_notation::Names;
 
 /// A call.
 pub(super) struct Call<'l> {
     pub(super) callee: &'l Unit,
     /// The tag that holds the state of a function block.
-    instance: Option<String>,
+    instance: Option<Expression>,
 }
 
 impl<'l> Call<'l> {
@@ -50,7 +51,7 @@ impl<'l> Call<'l> {
         let callee = callee.ok_or_else(|| format!("the block `{of}` is in no file next to this one"))?;
         Ok(Call {
             callee,
-            instance: Some(instance.text),
+            instance: Some(instance.value),
         })
     }
 
@@ -61,7 +62,7 @@ impl<'l> Call<'l> {
         part: &Part,
     ) -> Result<Translated, String> {
         let own = Scope::of(self.callee, translator.scope.library);
-        let mut texts: Vec<String> = self.instance.into_iter().collect();
+        let mut operands: Vec<Operand> = self.instance.into_iter().map(Operand::Value).collect();
         let mut note = None;
         let result = self
             .callee
@@ -80,17 +81,14 @@ impl<'l> Call<'l> {
                 None => continue,
             };
             let wanted = plain(&parameter.ty).unwrap_or("INT");
-            let given = match part.pin(&parameter.name).map(|argument| &argument.value) {
-                Some(Value::Operand(text)) => Some(operand(translator.scope, text, wanted)?.text),
-                _ => None,
-            };
+            let given = at_pin(translator.scope, part.pin(&parameter.name), wanted).transpose()?;
             match (parameter.role, given) {
-                (Role::Input | Role::InOut, Some(text)) => texts.push(format!("{spelled} := {text}")),
-                (Role::Output, Some(text)) => texts.push(format!("{spelled} => {text}")),
+                (Role::Input | Role::InOut, Some(it)) => operands.push(Operand::Given(spelled, it.value)),
+                (Role::Output, Some(it)) => operands.push(Operand::Taken(spelled, it.value)),
                 (Role::Input, None) if parameter.initial.is_none() => {
                     let value = zero(&parameter.ty)
                         .ok_or_else(|| format!("nothing is at its pin `{}`", parameter.name))?;
-                    texts.push(format!("{spelled} := {value}"));
+                    operands.push(Operand::Given(spelled, Expression::literal(value)?));
                     note = Some(format!(
                         "`{}` is left out: it has its first value here",
                         parameter.name
@@ -113,11 +111,7 @@ impl<'l> Call<'l> {
             return Err(format!("the block has no pin `{pin}`"));
         }
         Ok(Translated {
-            texts: vec![format!(
-                "[{}]( {} )",
-                block_name(&self.callee.name),
-                texts.join(", ")
-            )],
+            blocks: vec![Block::user(&block_name(&self.callee.name)[1..], operands)?],
             note,
             ..Translated::default()
         })

@@ -266,15 +266,6 @@ fn with_first_name(name: &str, spelled: &str, comment: Option<&str>) -> Option<S
 
 /// An initial value: a literal, or those of an array.
 fn initial_text(text: &str) -> Option<String> {
-    let found = value_text(text)?;
-    let section = format!("VAR\n    x : INT := {found};\nEND_VAR\n");
-    ladder_syntax::parse(&section)
-        .errors()
-        .is_empty()
-        .then_some(found)
-}
-
-fn value_text(text: &str) -> Option<String> {
     let text = text.trim();
     if let Some(inner) = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
         let values = inner.split(',').map(|value| {
@@ -282,13 +273,17 @@ fn value_text(text: &str) -> Option<String> {
             match value.strip_suffix(')').and_then(|rest| rest.split_once('(')) {
                 Some((count, value)) => {
                     let count: u32 = count.trim().parse().ok()?;
-                    Some(format!("{count}({})", literal(value.trim())?.text))
+                    Some(format!("{count}({})", literal_text(value.trim())?))
                 }
-                None => Some(literal(value)?.text),
+                None => literal_text(value),
             }
         });
         let values: Option<Vec<String>> = values.collect();
         return values.map(|values| format!("[{}]", values.join(", ")));
     }
-    literal(text).map(|value| value.text)
+    literal_text(text)
+}
+
+fn literal_text(text: &str) -> Option<String> {
+    Some(literal(text)?.ok()?.value.to_string())
 }

@@ -15,7 +15,9 @@ use crate::scope::{Library, Scope, block_name};
 use call::Labels;
 use declare::Sections;
 use ladder_format::Circuit;
-use ladder_format::program::{Drawing, Element, Item, Network, ProgramSketch, Section, SectionKind};
+use ladder_format::program::{
+    Block, Drawing, Element, Item, Network, Path, ProgramSketch, Section, SectionKind,
+};
 use ladder_notation::{Content, LineColumn, Names, ProjectFile, Reading, UnreadParts, is_function};
 use std::collections::{HashMap, HashSet};
 use translate::Translator;
@@ -179,7 +181,8 @@ impl Sketcher<'_> {
         let mut networks = Vec::new();
         let is_function = unit.said.iter().any(|said| is_function(said));
         if is_block && (!unit.networks.is_empty() || is_function) {
-            let guard = ["[/]( EN )", "<RET>"].map(|text| Circuit::Element(Element::block(text, None)));
+            let guard = [Block::negated_contact(Path::tag("EN")), Block::ret()];
+            let guard = guard.map(|block| Circuit::Element(Element::of(block, None)));
             networks.extend([
                 Item::Blank,
                 Item::Network(Network {

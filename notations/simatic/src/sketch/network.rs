@@ -8,7 +8,8 @@ use super::wiring::{Drawn, Strand, drawn};
 use crate::model::{Body, Net, Network, Part, RAIL, Unit, Value, Wire};
 use crate::standard::{Form, of_document};
 use ladder_format::Circuit;
-use ladder_format::program::{self, Drawing, Element, Item};
+use ladder_format::program::{self, Block, Drawing, Element, Item, Path};
+use ladder_instructions::Op;
 
 impl Sketcher<'_> {
     /// A network of a block, which is the one of this number, with what is said of it.
@@ -29,8 +30,8 @@ impl Sketcher<'_> {
         if let Some((place, label)) = &network.label {
             self.reading.report.translated(*place, format!("label {label}"));
             let origin = self.reading.origin(*place);
-            let label = Element::block(format!("<LBL>( {} )", translator.label(label)), Some(origin));
-            marked(&mut drawings, label);
+            let label = Block::label(&translator.label(label));
+            marked(&mut drawings, Element::of(label, Some(origin)));
         }
         if drawings.is_empty() {
             return comments.into_iter().map(Item::Comment).collect();
@@ -61,77 +62,55 @@ impl Sketcher<'_> {
             if merged.contains(&number) {
                 continue;
             }
-            let mut strand = Strand {
-                from: wire.from,
-                to: wire.to,
-                ..Strand::default()
-            };
+            let mut strand = Strand::new(wire.from, wire.to);
             for (at, part) in wire.parts.iter().enumerate() {
                 let mut part = part.clone();
                 for argument in &mut part.arguments {
                     if let Value::Power(point) = argument.value {
-                        let text = match contact_before(net, point) {
-                            Some((_, text)) => text.to_owned(),
+                        argument.value = match contact_before(net, point) {
+                            Some((_, text)) => Value::Operand(text.to_owned()),
                             None => {
                                 let tag = translator.scope.helper("pin", "BOOL", "the power at a pin");
-                                let mut pin = Strand {
-                                    from: point,
-                                    ..Strand::default()
-                                };
-                                pin.elements.push(Element::block(format!("( )( {tag} )"), None));
+                                let mut pin = Strand::new(point, None);
+                                pin.elements.push(coil(&tag));
                                 strand.needs.push(strands.len());
                                 strands.push(pin);
-                                helper_operand(translator, &tag)
+                                Value::Helper(tag)
                             }
                         };
-                        argument.value = Value::Operand(text);
                     }
                 }
                 let done = self.part(translator, &part);
                 if let Some(tag) = done.cut {
-                    strand
-                        .elements
-                        .push(Element::block(format!("( )( {tag} )"), None));
-                    let needs = vec![strands.len()];
-                    strands.push(Strand {
-                        to: None,
-                        ..std::mem::take(&mut strand)
-                    });
-                    strand = Strand {
-                        from: RAIL,
-                        to: wire.to,
-                        needs,
-                        ..Strand::default()
+                    strand.elements.push(coil(&tag));
+                    strand.to = None;
+                    let after = Strand {
+                        needs: vec![strands.len()],
+                        ..Strand::new(RAIL, wire.to)
                     };
+                    strands.push(std::mem::replace(&mut strand, after));
                 }
                 let origin = self.reading.origin(part.place);
-                let elements = done
-                    .texts
-                    .into_iter()
-                    .map(|text| Element::block(text, Some(origin)));
+                let element = |block| Element::of(block, Some(origin));
+                let elements = done.blocks.into_iter().map(element);
                 let goes_on = at + 1 < wire.parts.len() || wire.to.is_some();
                 if goes_on && sets(&part) {
                     // Power goes on as it came, and here it would be the tag.
                     if !strand.elements.is_empty() {
-                        strands.push(Strand {
-                            to: Some(points),
-                            ..std::mem::take(&mut strand)
-                        });
-                        strand.from = points;
-                        strand.to = wire.to;
+                        strand.to = Some(points);
+                        strands.push(std::mem::replace(&mut strand, Strand::new(points, wire.to)));
                         points += 1;
                     }
                     strands.push(Strand {
-                        from: strand.from,
                         elements: elements.collect(),
-                        ..Strand::default()
+                        ..Strand::new(strand.from, None)
                     });
                     continue;
                 }
                 strand.elements.extend(elements);
-                after.extend(done.after.into_iter().map(|texts| {
-                    let elements = texts.into_iter().map(|text| Element::block(text, Some(origin)));
-                    Drawing::Circuit(Circuit::Series(elements.map(Circuit::Element).collect()))
+                after.extend(done.after.into_iter().map(|blocks| {
+                    let elements = blocks.into_iter().map(element).map(Circuit::Element);
+                    Drawing::Circuit(Circuit::Series(elements.collect()))
                 }));
             }
             strands.push(strand);
@@ -186,18 +165,6 @@ impl Sketcher<'_> {
             Some(row) => translator.instruction(row, part),
             None => self.call(translator, part),
         };
-        let is_drawn = |text: &str| {
-            ladder_syntax::parse(&format!("+--{text}--+\n"))
-                .errors()
-                .is_empty()
-        };
-        let done = done.and_then(|done| {
-            let mut texts = done.texts.iter().chain(done.after.iter().flatten());
-            if texts.all(|text| is_drawn(text)) {
-                return Ok(done);
-            }
-            Err("an operand of it cannot be written here".to_owned())
-        });
         match done {
             Ok(done) => {
                 let report = &mut self.reading.report;
@@ -208,7 +175,7 @@ impl Sketcher<'_> {
                 done
             }
             Err(why) => Translated {
-                texts: vec![self.unread_part(part, &why)],
+                blocks: vec![self.unread_part(part, &why)],
                 ..Translated::default()
             },
         }
@@ -223,7 +190,7 @@ impl Sketcher<'_> {
 
 /// Whether a part sets its bit.
 fn sets(part: &Part) -> bool {
-    of_document(&part.name).is_some_and(|row| row.form == Form::Coil("(S)"))
+    of_document(&part.name).is_some_and(|row| row.form == Form::Coil(Op::SetCoil))
 }
 
 /// The wire to a point and the operand of the contact on it, if no other wire ends at the point, and one pin takes it.
@@ -255,10 +222,9 @@ fn contact_before(net: &Net, point: usize) -> Option<(usize, &str)> {
     }
 }
 
-/// A tag of our own as an operand of the source.
-fn helper_operand(translator: &mut Translator<'_, '_>, tag: &str) -> String {
-    translator.scope.adopt(tag, "BOOL");
-    format!("#{tag}")
+/// What puts the power into a tag of our own.
+fn coil(tag: &str) -> Element {
+    Element::of(Block::coil(Path::tag(tag)), None)
 }
 
 /// A label stands at the beginning of its network, or in one of its own.

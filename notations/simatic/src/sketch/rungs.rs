@@ -11,14 +11,14 @@ use ladder_format::program::{Element, RungPiece};
 const MOST_RUNGS: usize = 64;
 
 /// A way through the network: what is on it, from a point on.
-pub(crate) struct Way<'s> {
+pub(crate) struct Way<'s, T = Element> {
     pub(crate) from: usize,
-    pub(crate) pieces: Vec<Piece<'s>>,
+    pub(crate) pieces: Vec<Piece<'s, T>>,
 }
 
 /// What is on a way.
-pub(crate) enum Piece<'s> {
-    Element(&'s Element),
+pub(crate) enum Piece<'s, T = Element> {
+    Element(&'s T),
     Point(usize),
 }
 
@@ -74,7 +74,7 @@ pub(super) fn drawn(strands: &[Strand]) -> Option<Vec<Vec<RungPiece>>> {
 }
 
 /// Each strand goes on with the first after it that nothing has taken yet.
-pub(crate) fn ways(strands: &[Strand]) -> Vec<Way<'_>> {
+pub(crate) fn ways<T>(strands: &[Strand<T>]) -> Vec<Way<'_, T>> {
     let mut is_taken = vec![false; strands.len()];
     let mut ways = Vec::new();
     for first in 0..strands.len() {

@@ -2,19 +2,21 @@
 
 use super::call::Labels;
 use crate::model::{Part, Value};
-use crate::operand::{Operand, operand};
+use crate::operand::{Operand, at_pin, operand};
 use crate::scope::{Scope, passes};
 use crate::standard::{Form, Pins, Row, elementary};
+use ladder_format::program::{Block, Expression, Literal, Operand as Given, Operator, Path, Step};
+use ladder_instructions::{Op, by_op};
 
 /// What an instruction became.
 #[derive(Debug, Default)]
 pub(super) struct Translated {
     /// One after the other.
-    pub(super) texts: Vec<String>,
+    pub(super) blocks: Vec<Block>,
     /// The tag that the power before it goes into: it begins at the rail.
     pub(super) cut: Option<String>,
     /// Networks after this one.
-    pub(super) after: Vec<Vec<String>>,
+    pub(super) after: Vec<Vec<Block>>,
     /// Why it is not quite the same.
     pub(super) note: Option<String>,
 }
@@ -27,13 +29,13 @@ pub(super) struct Translator<'s, 'l> {
 
 type Result<T> = std::result::Result<T, String>;
 
-fn one(text: String) -> Translated {
-    series([text])
+fn one(block: Block) -> Translated {
+    series([block])
 }
 
-fn series<const N: usize>(texts: [String; N]) -> Translated {
+fn series<const N: usize>(blocks: [Block; N]) -> Translated {
     Translated {
-        texts: texts.into(),
+        blocks: blocks.into(),
         ..Translated::default()
     }
 }
@@ -46,78 +48,74 @@ impl Translator<'_, '_> {
     /// Why it has no counterpart here.
     pub(super) fn instruction(&mut self, row: &Row, part: &Part) -> Result<Translated> {
         match row.form {
-            Form::Contact(sign) => match self.bit(part, "operand")? {
-                it if it.is_literal => Ok(one(format!("{sign}( {} )", always(&it.text)))),
-                it => Ok(one(format!("{sign}( {} )", it.text))),
-            },
-            Form::EdgeContact(sign) | Form::Coil(sign) => {
-                Ok(one(format!("{sign}( {} )", self.bit(part, "operand")?.text)))
+            Form::Contact(op) => {
+                let bit = self.bit(part, "operand")?.value;
+                let bit = match &bit {
+                    Expression::Literal(literal) => always(literal).into(),
+                    _ => bit,
+                };
+                Ok(one(Block::of(op, [bit])?))
             }
-            Form::EdgeCoil(sign) => Ok(one(format!("{sign}( {} )", self.bit(part, "operand")?.text))),
-            Form::Edge(sign) => Ok(one(sign.to_owned())),
-            Form::Not => Ok(one("[NOT]".to_owned())),
-            Form::Compare(name) => {
-                let (a, b) = (self.value(part, "in1")?, self.value(part, "in2")?);
-                Ok(one(format!("[{name}]( {}, {} )", a.text, b.text)))
+            Form::EdgeContact(op) | Form::Coil(op) | Form::EdgeCoil(op) => {
+                Ok(one(Block::of(op, [self.bit(part, "operand")?.value])?))
             }
+            Form::Edge(op) => Ok(one(Block::of(op, Given::NONE)?)),
+            Form::Not => Ok(one(inverter()?)),
+            Form::Compare(op) => Ok(one(Block::of(op, self.values(part, ["in1", "in2"])?)?)),
             Form::CompareBox(sign) => {
-                let (a, b) = (self.value(part, "in1")?, self.value(part, "in2")?);
+                let [a, b] = self.values(part, ["in1", "in2"])?;
                 let out = self.out(part, "out", "BOOL")?;
-                Ok(one(format!(
-                    "[CALC]( {}, {} {sign} {} )",
-                    out.text, a.text, b.text
-                )))
+                Ok(one(Block::of(Op::Calc, [out.value, a.with(sign, b)])?))
             }
-            Form::InRange => {
-                let [min, value, max] = self.values(part, ["min", "in", "max"])?;
-                Ok(one(format!("[LE]( {min}, {value}, {max} )")))
-            }
+            Form::InRange => Ok(one(Block::of(Op::Le, self.values(part, ["min", "in", "max"])?)?)),
             Form::OutRange => {
                 let [min, value, max] = self.values(part, ["min", "in", "max"])?;
-                let helper = self
-                    .scope
-                    .helper("outside", "BOOL", "whether a value is outside of its range");
+                let about = "whether a value is outside of its range";
+                let helper = Expression::from(self.helper("outside", "BOOL", about));
+                let below = value.clone().with(Operator::Less, min);
+                let outside = below.with(Operator::Or, value.with(Operator::Greater, max));
                 Ok(series([
-                    format!("[CALC]( {helper}, {value} < {min} OR {value} > {max} )"),
-                    format!("[ ]( {helper} )"),
+                    Block::of(Op::Calc, [helper.clone(), outside])?,
+                    Block::contact(helper),
                 ]))
             }
             Form::Valid | Form::Invalid => {
-                let value = self.only(part, "operand", "REAL")?;
-                let name = if row.form == Form::Valid { "EQ" } else { "NE" };
-                Ok(one(format!("[{name}]( {0}, {0} )", value.text)))
+                let value = self.only(part, "operand", "REAL")?.value;
+                let op = if row.form == Form::Valid { Op::Eq } else { Op::Ne };
+                Ok(one(Block::of(op, [value.clone(), value])?))
             }
-            Form::Bits(sign) => {
-                let first = self.bit(part, "operand")?;
-                let count = self.value(part, "n")?;
-                bits(sign, &first.text, &count.text)
+            Form::Bits(op) => {
+                let first = self.bit(part, "operand")?.value;
+                let [count] = self.values(part, ["n"])?;
+                let range = bits(&first, &count)
+                    .ok_or("only bits of an array, from a constant index on, can be set together here")?;
+                Ok(one(Block::of(op, [range])?))
             }
             Form::Bistable { reset_wins } => self.bistable(part, reset_wins),
-            Form::State(name, pins) => self.state(part, name, pins),
-            Form::TimerCoil(name) => {
-                let timer = self.only(part, "timer", name)?;
+            Form::State(op, pins) => self.state(part, op, pins),
+            Form::TimerCoil(op) => {
+                let timer = self.only(part, "timer", by_op(op).mnemonic)?;
                 let time = self.pin(part, "pt", "TIME")?;
-                Ok(one(format!("[{name}]( {}, {} )", timer.text, time.text)))
+                Ok(one(Block::of(op, [timer.value, time.value])?))
             }
-            Form::ResetTimer => Ok(one(format!("(RES)( {} )", self.only(part, "timer", "TON")?.text))),
+            Form::ResetTimer => Ok(one(Block::of(Op::Res, [self.only(part, "timer", "TON")?.value])?)),
             Form::Move => self.moves(part),
-            Form::Value(name, pins) => self.computed(part, name, pins),
+            Form::Value(op, pins) => self.computed(part, op, pins),
             Form::Square => {
                 let ty = works_in(part);
-                let value = self.pin(part, "in", ty)?;
-                self.result(part, ty, |out| format!("[MUL]( {out}, {0}, {0} )", value.text))
+                let value = self.pin(part, "in", ty)?.value;
+                self.result(part, ty, Op::Mul, &[value.clone(), value])
             }
-            Form::Step(name) => {
-                let ty = works_in(part);
-                let it = self.only(part, "operand", ty)?;
-                Ok(one(format!("[{name}]( {0}, {0}, 1 )", it.text)))
+            Form::Step(op) => {
+                let it = self.only(part, "operand", works_in(part))?.value;
+                Ok(one(Block::of(op, [it.clone(), it, 1.into()])?))
             }
             Form::Convert => {
                 let from = part.template("SrcType").and_then(elementary).unwrap_or("INT");
                 let to = part.template("DestType").and_then(elementary).unwrap_or("INT");
                 let value = self.pin(part, "in", from)?;
                 let out = self.out(part, "out", to)?;
-                Ok(one(format!("[TYP]( {}, {} )", out.text, value.text)))
+                Ok(one(Block::of(Op::Typ, [out.value, value.value])?))
             }
             Form::Calculate => self.calculated(part),
             Form::Jump { negated } => {
@@ -125,14 +123,14 @@ impl Translator<'_, '_> {
                 let Some(Value::Operand(label)) = label else {
                     return Err("it names no label".to_owned());
                 };
-                let jump = format!("<JMP>( {} )", self.label(label));
+                let jump = Block::jump(&self.label(label));
                 if negated {
-                    return Ok(series(["[NOT]".to_owned(), jump]));
+                    return Ok(series([inverter()?, jump]));
                 }
                 Ok(one(jump))
             }
             Form::Return { .. } => {
-                let mut done = one("<RET>".to_owned());
+                let mut done = one(Block::ret());
                 if !part.arguments.is_empty() || part.name != "Return" {
                     done.note = Some("the power that the block leaves is not set".to_owned());
                 }
@@ -146,36 +144,31 @@ impl Translator<'_, '_> {
         self.labels.spell(name)
     }
 
+    /// A tag that the source does not have.
+    fn helper(&mut self, like: &str, ty: &str, about: &str) -> Path {
+        Path::tag(self.scope.helper(like, ty, about))
+    }
+
     /// The operand at a pin.
     pub(super) fn pin(&mut self, part: &Part, pin: &str, wanted: &str) -> Result<Operand> {
-        match part.pin(pin).map(|argument| &argument.value) {
-            Some(Value::Operand(text)) => operand(self.scope, text, wanted),
-            _ => Err(format!("nothing is at its pin `{pin}`")),
-        }
+        at_pin(self.scope, part.pin(pin), wanted)
+            .unwrap_or_else(|| Err(format!("nothing is at its pin `{pin}`")))
     }
 
     fn only(&mut self, part: &Part, pin: &str, wanted: &str) -> Result<Operand> {
-        match part.only(pin).map(|argument| &argument.value) {
-            Some(Value::Operand(text)) => operand(self.scope, text, wanted),
-            _ => Err("its operand is missing".to_owned()),
-        }
+        at_pin(self.scope, part.only(pin), wanted).unwrap_or_else(|| Err("its operand is missing".to_owned()))
     }
 
     fn bit(&mut self, part: &Part, pin: &str) -> Result<Operand> {
         self.only(part, pin, "BOOL")
     }
 
-    fn value(&mut self, part: &Part, pin: &str) -> Result<Operand> {
-        let ty = works_in(part);
-        self.pin(part, pin, ty)
-    }
-
-    fn values<const N: usize>(&mut self, part: &Part, pins: [&str; N]) -> Result<[String; N]> {
-        let mut texts = pins.map(str::to_owned);
-        for text in &mut texts {
-            *text = self.value(part, &text.clone())?.text;
+    fn values<const N: usize>(&mut self, part: &Part, pins: [&str; N]) -> Result<[Expression; N]> {
+        let mut values = pins.map(|_| Expression::from(0));
+        for (value, pin) in values.iter_mut().zip(pins) {
+            *value = self.pin(part, pin, works_in(part))?.value;
         }
-        Ok(texts)
+        Ok(values)
     }
 
     /// What is written at a pin; a tag of its own where nothing is.
@@ -183,92 +176,80 @@ impl Translator<'_, '_> {
         if part.pin(pin).is_some() {
             return self.pin(part, pin, ty);
         }
-        let text = self.scope.helper("result", ty, "a result that nothing takes");
-        Ok(Operand {
-            text,
-            ty: Some(crate::model::Type::Named(ty.to_owned())),
-            is_literal: false,
-        })
+        let helper = self.helper("result", ty, "a result that nothing takes");
+        Ok(Operand::new(helper, ty))
     }
 
-    /// A result that is computed in a type, and brought to the type of what takes it.
-    fn result(&mut self, part: &Part, ty: &str, text: impl FnOnce(&str) -> String) -> Result<Translated> {
+    /// A result that is computed from values in a type, and brought to the type of what takes it.
+    fn result(&mut self, part: &Part, ty: &str, op: Op, values: &[Expression]) -> Result<Translated> {
         let out = self.out(part, "out", ty)?;
+        let computed = |out: &Expression| Block::of(op, std::iter::once(out).chain(values).cloned());
         match out.plain() {
             Some(to) if !passes(ty, to) => {
-                let helper = self.scope.helper("result", ty, "a result before it is converted");
-                Ok(series([
-                    text(&helper),
-                    format!("[TYP]( {}, {helper} )", out.text),
-                ]))
+                let helper = self.helper("result", ty, "a result before it is converted");
+                let helper = Expression::from(helper);
+                let result = computed(&helper)?;
+                Ok(series([result, Block::of(Op::Typ, [out.value, helper])?]))
             }
-            _ => Ok(one(text(&out.text))),
+            _ => Ok(one(computed(&out.value)?)),
         }
     }
 
     fn moves(&mut self, part: &Part) -> Result<Translated> {
-        let outs: Vec<String> = part
-            .arguments
-            .iter()
-            .filter(|argument| argument.is_output)
-            .filter_map(|argument| match &argument.value {
-                Value::Operand(text) => Some(text.clone()),
-                _ => None,
-            })
-            .collect();
         let mut done = Translated::default();
-        for out in outs {
+        for out in part.arguments.iter().filter(|argument| argument.is_output) {
             // Of two that nobody declares the one that is moved has the type of the other.
-            let known = operand(self.scope, &out, "INT")?;
-            let value = self.pin(part, "in", known.plain().unwrap_or("INT"))?;
-            let block = match (value.plain(), known.plain()) {
-                (Some(from), Some(to)) if !value.is_literal && !passes(from, to) => "TYP",
-                _ => "MOV",
+            let Some(known) = at_pin(self.scope, Some(out), "INT").transpose()? else {
+                continue;
             };
-            done.texts
-                .push(format!("[{block}]( {}, {} )", known.text, value.text));
+            let value = self.pin(part, "in", known.plain().unwrap_or("INT"))?;
+            let op = match (value.plain(), known.plain()) {
+                (Some(from), Some(to)) if !value.is_literal() && !passes(from, to) => Op::Typ,
+                _ => Op::Mov,
+            };
+            done.blocks.push(Block::of(op, [known.value, value.value])?);
         }
-        if done.texts.is_empty() {
+        if done.blocks.is_empty() {
             return Err("nothing takes its value".to_owned());
         }
         Ok(done)
     }
 
-    fn computed(&mut self, part: &Part, name: &str, pins: Pins) -> Result<Translated> {
+    fn computed(&mut self, part: &Part, op: Op, pins: Pins) -> Result<Translated> {
         let ty = works_in(part);
-        let mut texts = Vec::new();
+        let mut values = Vec::new();
         let numbered = |first: usize| (first..).map(|number| format!("in{number}"));
         match pins {
             Pins::Named(pins) => {
                 for pin in pins {
-                    texts.push(self.pin(part, pin, if *pin == "n" { "INT" } else { ty })?.text);
+                    values.push(self.pin(part, pin, if *pin == "n" { "INT" } else { ty })?.value);
                 }
             }
             Pins::Numbered => {
                 for pin in numbered(1).take_while(|pin| part.pin(pin).is_some()) {
-                    texts.push(self.pin(part, &pin, ty)?.text);
+                    values.push(self.pin(part, &pin, ty)?.value);
                 }
-                if texts.len() < 2 {
+                if values.len() < 2 {
                     return Err("it has fewer than two values".to_owned());
                 }
             }
             Pins::Selected(selector) => {
                 let of = if selector == "g" { "BOOL" } else { "INT" };
-                texts.push(self.pin(part, selector, of)?.text);
+                values.push(self.pin(part, selector, of)?.value);
                 for pin in numbered(0).take_while(|pin| part.pin(pin).is_some()) {
-                    texts.push(self.pin(part, &pin, ty)?.text);
+                    values.push(self.pin(part, &pin, ty)?.value);
                 }
                 if part.pin("else").is_some() {
                     return Err("what it takes when the selector is outside has no counterpart".to_owned());
                 }
             }
         }
-        if name == "TRUNC" {
+        if op == Op::Trunc {
             let to = part.template("DestType").and_then(elementary).unwrap_or("INT");
-            let out = self.out(part, "out", to)?;
-            return Ok(one(format!("[TRUNC]( {}, {} )", out.text, texts.join(", "))));
+            values.insert(0, self.out(part, "out", to)?.value);
+            return Ok(one(Block::of(op, values)?));
         }
-        self.result(part, ty, |out| format!("[{name}]( {out}, {} )", texts.join(", ")))
+        self.result(part, ty, op, &values)
     }
 
     fn calculated(&mut self, part: &Part) -> Result<Translated> {
@@ -285,7 +266,7 @@ impl Translator<'_, '_> {
             let upper = word.to_ascii_uppercase();
             match upper.strip_prefix("IN") {
                 Some(number) if !number.is_empty() && number.bytes().all(|c| c.is_ascii_digit()) => {
-                    formula.push_str(&self.pin(part, word, ty)?.text);
+                    formula.push_str(&self.pin(part, word, ty)?.value.to_string());
                 }
                 _ if upper == "SQR" => return Err("the square in its formula has no counterpart".to_owned()),
                 _ if upper == "EXP" => formula.push_str("EXPE"),
@@ -296,38 +277,41 @@ impl Translator<'_, '_> {
                 _ => formula.push_str(&upper),
             }
         }
-        self.result(part, ty, |out| format!("[CALC]( {out}, {formula} )"))
+        self.result(part, ty, Op::Calc, &[Expression::read(&formula)?])
     }
 
     fn bistable(&mut self, part: &Part, reset_wins: bool) -> Result<Translated> {
         let bit = match (&part.instance, part.pin("operand")) {
-            (Some(instance), _) => operand(self.scope, instance, "BOOL")?.text,
-            (None, Some(_)) => self.pin(part, "operand", "BOOL")?.text,
+            (Some(instance), _) => operand(self.scope, instance, "BOOL")?.value,
+            (None, Some(_)) => self.pin(part, "operand", "BOOL")?.value,
             (None, None) => return Err("its operand is missing".to_owned()),
         };
         let other = ["r1", "s1"].iter().find_map(|pin| part.pin(pin));
         let other = other.or_else(|| part.arguments.iter().find(|argument| argument.pin.is_none()));
-        let other = match other.map(|argument| &argument.value) {
-            Some(Value::Operand(text)) => operand(self.scope, text, "BOOL")?.text,
-            _ => "FALSE".to_owned(),
+        let other = match at_pin(self.scope, other, "BOOL") {
+            Some(other) => other?.value,
+            None => Literal::from(false).into(),
         };
         let helper = self.scope.helper("power", "BOOL", "the power before a flip-flop");
+        let power = Expression::from(Path::tag(&helper));
         let formula = if reset_wins {
-            format!("({bit} OR {helper}) AND NOT {other}")
+            let set = bit.clone().with(Operator::Or, power);
+            set.with(Operator::And, other.negated())
         } else {
-            format!("{bit} AND NOT {helper} OR {other}")
+            let kept = bit.clone().with(Operator::And, power.negated());
+            kept.with(Operator::Or, other)
         };
-        let mut done = series([format!("[CALC]( {bit}, {formula} )"), format!("[ ]( {bit} )")]);
+        let mut done = series([Block::of(Op::Calc, [bit.clone(), formula])?, Block::contact(bit)]);
         done.cut = Some(helper);
         Ok(done)
     }
 
-    fn state(&mut self, part: &Part, name: &str, pins: &[(&str, &str)]) -> Result<Translated> {
+    fn state(&mut self, part: &Part, op: Op, pins: &[(&str, &str)]) -> Result<Translated> {
         let Some(instance) = &part.instance else {
             return Err("it has no instance".to_owned());
         };
-        let state = operand(self.scope, instance, name)?.text;
-        let mut texts = vec![state.clone()];
+        let state = operand(self.scope, instance, by_op(op).mnemonic)?.path()?;
+        let mut operands = vec![Given::from(&state)];
         for (pin, named) in pins {
             let wanted = match *pin {
                 "pt" => "TIME",
@@ -336,38 +320,46 @@ impl Translator<'_, '_> {
             };
             match part.pin(pin) {
                 Some(_) => {
-                    let value = self.pin(part, pin, wanted)?.text;
-                    texts.push(match *named {
-                        "" => value,
-                        named => format!("{named} := {value}"),
+                    let value = self.pin(part, pin, wanted)?.value;
+                    operands.push(match *named {
+                        "" => Given::Value(value),
+                        named => Given::Given(named.to_owned(), value),
                     });
                 }
                 None if named.is_empty() => return Err(format!("nothing is at its pin `{pin}`")),
                 None => {}
             }
         }
-        let mut done = one(format!("[{name}]( {} )", texts.join(", ")));
+        let mut done = one(Block::of(op, operands)?);
         for argument in part.arguments.iter().filter(|argument| argument.is_output) {
-            let (Some(pin), Value::Operand(text)) = (&argument.pin, &argument.value) else {
-                continue;
-            };
+            let Some(pin) = &argument.pin else { continue };
             let pin = pin.to_ascii_uppercase();
             let wanted = match pin.as_str() {
                 "ET" => "TIME",
                 "CV" => "DINT",
                 _ => "BOOL",
             };
-            let out = operand(self.scope, text, wanted)?;
-            done.after.push(match (pin.as_str(), out.plain()) {
-                ("ET", _) => vec![format!("[MOV]( {}, {state}.ET )", out.text)],
-                ("CV", Some("DINT" | "LINT")) => vec![format!("[MOV]( {}, {state}.CV )", out.text)],
-                ("CV", _) => vec![format!("[TYP]( {}, {state}.CV )", out.text)],
-                _ => vec![format!("[ ]( {state}.{pin} )"), format!("( )( {} )", out.text)],
+            let Some(out) = at_pin(self.scope, Some(argument), wanted).transpose()? else {
+                continue;
+            };
+            let to = out.plain();
+            let operands = [out.value, state.clone().member(&pin).into()];
+            done.after.push(match (pin.as_str(), to) {
+                ("ET", _) | ("CV", Some("DINT" | "LINT")) => vec![Block::of(Op::Mov, operands)?],
+                ("CV", _) => vec![Block::of(Op::Typ, operands)?],
+                _ => {
+                    let [to, from] = operands;
+                    vec![Block::of(Op::Contact, [from])?, Block::coil(to)]
+                }
             });
             done.note = Some("the values of its other pins are written after the network".to_owned());
         }
         Ok(done)
     }
+}
+
+fn inverter() -> Result<Block> {
+    Ok(Block::of(Op::Inverter, Given::NONE)?)
 }
 
 /// The type that an instruction works in.
@@ -378,26 +370,31 @@ fn works_in(part: &Part) -> &'static str {
     named.and_then(elementary).unwrap_or("INT")
 }
 
-fn always(literal: &str) -> &'static str {
-    if literal == "TRUE" || literal == "1" {
-        "SYS.ON"
-    } else {
-        "SYS.OFF"
-    }
+/// The tag that a contact on a literal reads.
+fn always(literal: &Literal) -> Path {
+    let is_on = matches!(literal.as_str(), "TRUE" | "1");
+    Path::system(if is_on { "ON" } else { "OFF" })
 }
 
-/// A coil on several bits of an array, from one on.
-fn bits(sign: &str, first: &str, count: &str) -> Result<Translated> {
-    let range = first
-        .strip_suffix(']')
-        .and_then(|path| path.rsplit_once('['))
-        .and_then(|(array, index)| {
-            let index: i64 = index.parse().ok()?;
-            let count: i64 = count.rsplit('#').next()?.parse().ok()?;
-            let last = index.checked_add(count - 1).filter(|last| *last >= index)?;
-            Some(format!("{array}[{index}..{last}]"))
-        });
-    let range: String =
-        range.ok_or("only bits of an array, from a constant index on, can be set together here")?;
-    Ok(one(format!("{sign}( {range} )")))
+/// Several bits of an array, from one on.
+fn bits(first: &Expression, count: &Expression) -> Option<Path> {
+    let mut array = first.path()?.clone();
+    let Step::Index(indices) = array.steps.pop()? else {
+        return None;
+    };
+    let [index] = &indices[..] else { return None };
+    let (index, count) = (number(index)?, number(count)?);
+    let last = index.checked_add(count.checked_sub(1)?);
+    Some(array.range(index, last.filter(|last| *last >= index)?))
+}
+
+/// The number that a decimal literal is, with its type or without.
+fn number(value: &Expression) -> Option<i64> {
+    let Expression::Literal(literal) = value else {
+        return None;
+    };
+    match literal.as_str().split_once('#') {
+        None => literal.as_str().parse().ok(),
+        Some((ty, digits)) => elementary(ty).and_then(|_| digits.parse().ok()),
+    }
 }

@@ -25,7 +25,7 @@ const LEADING_WORDS: [&str; 30] = [
 
 impl Sketcher<'_> {
     /// An instruction or a call, as it is on a rung.
-    pub(super) fn unread_part(&mut self, part: &Part, why: &str) -> String {
+    pub(super) fn unread_part(&mut self, part: &Part, why: &str) -> Block {
         let why = format!("{why}: {UNREAD}");
         self.reading
             .report
@@ -57,9 +57,7 @@ impl Sketcher<'_> {
             turn: Turn::Here,
         };
         let library = self.library;
-        self.unread
-            .block(part, |word| is_taken(library, word))
-            .to_string()
+        self.unread.block(part, |word| is_taken(library, word))
     }
 
     /// The blocks of the project that a text calls come along: with another one of them it is another text.

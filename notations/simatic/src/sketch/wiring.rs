@@ -4,20 +4,32 @@
 use super::rungs;
 use crate::model::RAIL;
 use ladder_format::Circuit;
-use ladder_format::program::{Drawing, Element};
+use ladder_format::program::{Block, Drawing, Element, Path};
 use ladder_notation::circuit::{Wires, in_order};
 
 /// A network with more is drawn in pieces: what draws it nests as deep as its branches do.
 const MOST_STRANDS: usize = 400;
 
 /// A wire with the elements on it.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Strand {
+#[derive(Debug, Clone)]
+pub(crate) struct Strand<T = Element> {
     pub(crate) from: usize,
     pub(crate) to: Option<usize>,
-    pub(crate) elements: Vec<Element>,
+    pub(crate) elements: Vec<T>,
     /// The strands that must have run before: what they write is read here.
     pub(crate) needs: Vec<usize>,
+}
+
+impl<T> Strand<T> {
+    /// A wire from a point, without elements.
+    pub(crate) const fn new(from: usize, to: Option<usize>) -> Strand<T> {
+        Strand {
+            from,
+            to,
+            elements: Vec::new(),
+            needs: Vec::new(),
+        }
+    }
 }
 
 /// What a network became.
@@ -81,7 +93,7 @@ fn piece_before(
         .map(|strand| Circuit::Series(from_point(strand, tags)))
         .collect();
     let name = tag();
-    let coil = Circuit::Element(Element::block(format!("( )( {name} )"), None));
+    let coil = Circuit::Element(Element::of(Block::coil(Path::tag(&name)), None));
     let before = match branches.len() {
         1 => branches.into_iter().next().unwrap_or(Circuit::Series(Vec::new())),
         _ => Circuit::Parallel(branches),
@@ -101,7 +113,7 @@ fn piece_before(
 fn from_point(strand: &Strand, tags: &[Option<String>]) -> Vec<Circuit<Element>> {
     let contact = tags[strand.from]
         .as_ref()
-        .map(|tag| Element::block(format!("[ ]( {tag} )"), None));
+        .map(|tag| Element::of(Block::contact(Path::tag(tag)), None));
     contact
         .into_iter()
         .chain(strand.elements.iter().cloned())
@@ -121,7 +133,8 @@ fn without_dead_ends(strands: &mut [Strand], points: usize) {
     for strand in strands {
         if !is_fed[strand.from] {
             strand.from = RAIL;
-            strand.elements.insert(0, Element::block("[ ]( SYS.OFF )", None));
+            let never = Block::contact(Path::system("OFF"));
+            strand.elements.insert(0, Element::of(never, None));
         }
     }
 }

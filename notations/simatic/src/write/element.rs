@@ -8,7 +8,7 @@ use crate::standard::{Form, Pins, ROWS, Row};
 use ladder_analysis::program::{Argument, Block, BlockKind, Bound, ExprKind, ParameterKind};
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
-use ladder_instructions::Op;
+use ladder_instructions::{Instruction, Op};
 
 /// An instruction as it is written, with its pragma on a line before.
 pub(super) type Text = String;
@@ -84,21 +84,22 @@ impl Writer<'_> {
                 format!("Move( in := {value}, out1 => {out} )")
             }
             Op::Calc => return self.formula(block, tags),
-            _ => return self.of_table(block, row.mnemonic, tags),
+            _ => return self.of_table(block, row, tags),
         })
     }
 
     /// The instructions that differ in their names and pins alone.
-    fn of_table(&mut self, block: &Block, mnemonic: &str, tags: &Tags) -> Result<Text, String> {
+    fn of_table(&mut self, block: &Block, own: &Instruction, tags: &Tags) -> Result<Text, String> {
+        let mnemonic = own.mnemonic;
         let none = || format!("`[{mnemonic}]` has no counterpart");
         let arguments = &block.arguments;
         let is = |row: &&Row| match row.form {
-            Form::Compare(name) | Form::Value(name, _) | Form::State(name, _) => name == mnemonic,
+            Form::Compare(op) | Form::Value(op, _) | Form::State(op, _) => op == own.op,
             _ => false,
         };
         let row = ROWS.iter().find(is).ok_or_else(none)?;
         let name = row.sd[0];
-        if block.works_in == Some(Scalar::Bool) && matches!(mnemonic, "AND" | "OR" | "XOR" | "NOT") {
+        if block.works_in == Some(Scalar::Bool) && matches!(own.op, Op::And | Op::Or | Op::Xor | Op::Not) {
             return Err(format!(
                 "`{name}` is for words there, and not for one bit: draw it with contacts"
             ));
@@ -113,7 +114,7 @@ impl Writer<'_> {
         };
         let works_in = || works_in.ok_or_else(|| "the type that it works in has no form there".to_owned());
         match row.form {
-            Form::Compare("LE") if given.len() == 3 => {
+            Form::Compare(Op::Le) if given.len() == 3 => {
                 let head = template(works_in()?);
                 Ok(format!(
                     "{head}InRange( min := {}, in := {}, max := {} )",

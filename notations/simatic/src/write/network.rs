@@ -1,6 +1,7 @@
 //! Networks as rungs with named wires.
 
 use super::Writer;
+use super::element::Text;
 use super::operand::Tags;
 use super::power::{Parted, Power, Stands, is_rail, is_used, parted};
 use super::strands;
@@ -8,7 +9,6 @@ use crate::model::RAIL;
 use crate::sketch::rungs::{Piece, ways};
 use crate::sketch::wiring::Strand;
 use ladder_analysis::program::{Block, BlockKind, Network, Step};
-use ladder_format::program::Element;
 use ladder_instructions::Op;
 use ladder_syntax::TextSize;
 use std::collections::HashMap;
@@ -132,27 +132,22 @@ impl<'a> Writer<'a> {
         wires: &strands::Wires,
         stands: &Stands,
         tags: &Tags,
-    ) -> Result<Vec<Strand>, String> {
+    ) -> Result<Vec<Strand<Text>>, String> {
         let mut out = Vec::new();
         for wire in &wires.wires {
-            let mut elements = Vec::new();
+            let mut strand = Strand::new(wire.from, wire.to);
             for block in &wire.blocks {
                 if let Some(text) = stands.get(block) {
-                    elements.push(Element::block(text.clone(), None));
+                    strand.elements.push(text.clone());
                     continue;
                 }
                 let block = &network.blocks[*block];
                 let text = self.element(block, tags);
                 let head = self.text[block.location.range].to_owned();
                 let text = text.map_err(|why| format!("`{}`: {why}", head.trim()))?;
-                elements.push(Element::block(text, None));
+                strand.elements.push(text);
             }
-            out.push(Strand {
-                from: wire.from,
-                to: wire.to,
-                elements,
-                needs: Vec::new(),
-            });
+            out.push(strand);
         }
         Ok(out)
     }
@@ -203,7 +198,7 @@ fn allowed(network: &Network, wires: &strands::Wires) -> Result<(), String> {
 }
 
 /// The rungs of strands.
-fn rungs(strands: &[Strand]) -> String {
+fn rungs(strands: &[Strand<Text>]) -> String {
     let mut names: HashMap<usize, String> = HashMap::new();
     let mut name = |point: usize| match point {
         RAIL => "wire#powerrail".to_owned(),
@@ -224,7 +219,7 @@ fn rungs(strands: &[Strand]) -> String {
             match piece {
                 Piece::Point(point) => out.push_str(&format!("            {}\r\n", name(*point))),
                 Piece::Element(element) => {
-                    for line in element.to_string().lines() {
+                    for line in element.lines() {
                         out.push_str(&format!("            {line}\r\n"));
                     }
                 }

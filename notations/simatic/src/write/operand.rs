@@ -19,11 +19,10 @@ pub(super) fn operand(text: &str, tags: &Tags) -> Result<String, String> {
         return Ok(literal);
     }
     let upper = text.to_ascii_uppercase();
-    if let Some((_, name)) = SYSTEM.iter().find(|(own, _)| *own == upper) {
+    if let Some(own) = upper.strip_prefix("SYS.") {
+        let row = SYSTEM.iter().find(|(tag, _)| tag.name() == own);
+        let (_, name) = row.ok_or_else(|| format!("`{text}` has no counterpart"))?;
         return Ok(format!("\"{name}\""));
-    }
-    if upper.starts_with("SYS.") {
-        return Err(format!("`{text}` has no counterpart"));
     }
     if let Some(address) = upper.strip_prefix('%') {
         let (area, rest) = address.split_at(1);
