@@ -5,6 +5,7 @@ use super::field::{self, Slot};
 use super::fork::{self, Given, What};
 use super::model::Dialect;
 use super::model::{File, Leaf, leaves};
+use ladder_format::program::Path;
 use ladder_instructions::{Op, by_op};
 use ladder_notation::names::Names;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -218,8 +219,8 @@ impl Tags {
         self.variables.push((name.to_owned(), tag));
     }
 
-    /// The shift register and the index that a name such as `reg3` means.
-    fn stage(&self, name: &str) -> Option<(&str, u32)> {
+    /// The place in a shift register that a name such as `reg3` means.
+    fn stage(&self, name: &str) -> Option<Path> {
         let digits = name.len() - name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
         // `r12` can be stage 12 of `r` or stage 2 of `r1`.
         (1..=digits.min(9)).find_map(|length| {
@@ -229,7 +230,7 @@ impl Tags {
             }
             let (tag, stages) = self.registers.get(base)?;
             let index: u32 = index.parse().ok()?;
-            (index < *stages).then_some((tag.as_str(), index))
+            (index < *stages).then(|| Path::tag(tag).index([i64::from(index)]))
         })
     }
 
@@ -243,8 +244,8 @@ impl Tags {
         tag.map(String::as_str)
     }
 
-    pub(super) fn bit(&self, name: &str) -> &str {
-        self.bit.get(name).map_or("_", String::as_str)
+    pub(super) fn bit(&self, name: &str) -> Path {
+        Path::tag(self.bit.get(name).map_or("_", String::as_str))
     }
 
     /// The type that a variable is declared with.
@@ -256,33 +257,34 @@ impl Tags {
     }
 
     /// The tag of a timer or counter, if the name is one of this sort.
-    pub(super) fn state(&self, name: &str, op: Op) -> Option<&str> {
+    pub(super) fn state(&self, name: &str, op: Op) -> Option<Path> {
         let own = self.states.get(name)?;
-        (is_counter(*own) == is_counter(op)).then(|| self.variable.get(name).map_or("_", String::as_str))
+        self.any_state(name)
+            .filter(|_| is_counter(*own) == is_counter(op))
     }
 
     /// The tag of any timer or counter.
-    pub(super) fn any_state(&self, name: &str) -> Option<&str> {
+    pub(super) fn any_state(&self, name: &str) -> Option<Path> {
         let _ = self.states.get(name)?;
-        self.variable.get(name).map(String::as_str)
+        self.variable.get(name).map(Path::tag)
     }
 
     /// A variable where a number is read or written.
-    pub(super) fn variable(&self, name: &str) -> String {
-        if let Some((tag, index)) = self.stage(name) {
-            return format!("{tag}[{index}]");
+    pub(super) fn variable(&self, name: &str) -> Path {
+        if let Some(stage) = self.stage(name) {
+            return stage;
         }
-        let tag = self.variable.get(name).map_or("_", String::as_str);
+        let tag = Path::tag(self.variable.get(name).map_or("_", String::as_str));
         match self.states.get(name) {
-            None => tag.to_owned(),
-            Some(op) if is_counter(*op) => format!("{tag}.CV"),
-            Some(_) => format!("{tag}.ET"),
+            None => tag,
+            Some(op) if is_counter(*op) => tag.member("CV"),
+            Some(_) => tag.member("ET"),
         }
     }
 
     /// The tags of a name, whatever they are.
     pub(super) fn named(&self, name: &str) -> impl Iterator<Item = String> {
-        let stage = self.stage(name).map(|(tag, index)| format!("{tag}[{index}]"));
+        let stage = self.stage(name).map(|stage| stage.to_string());
         let own = [self.bit.get(name), self.variable.get(name)];
         stage.into_iter().chain(own.into_iter().flatten().cloned())
     }

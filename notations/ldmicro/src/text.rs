@@ -127,23 +127,6 @@ pub(super) fn literal(text: &[Piece]) -> String {
     out
 }
 
-/// Any text as a literal of ladder text.
-pub(super) fn quoted(text: &str) -> String {
-    let mut out = String::from("'");
-    for c in text.chars() {
-        match c {
-            '\'' | '$' => out.extend(['$', c]),
-            c if c.is_control() => {
-                let mut bytes = [0; 4];
-                let bytes = c.encode_utf8(&mut bytes).bytes();
-                bytes.for_each(|byte| out.push_str(&format!("${byte:02X}")));
-            }
-            c => out.push(c),
-        }
-    }
-    out + "'"
-}
-
 /// The other way: from the text that `[FMT]` has, in the profile `ldmicro` or, with `%d` for a number, in another.
 /// None if LDmicro cannot send it.
 pub(super) fn from_value(text: &str, in_profile: bool) -> Option<Vec<Piece>> {

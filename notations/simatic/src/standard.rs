@@ -19,9 +19,8 @@ pub(crate) enum Form {
     /// Whether a value lies between two others.
     InRange,
     OutRange,
-    /// Whether a real is a number.
-    Valid,
-    Invalid,
+    /// Whether a real is a number: it is what it is then.
+    Valid(Op),
     /// The edge of the power, with a bit that remembers.
     Edge(Op),
     Not,
@@ -49,9 +48,7 @@ pub(crate) enum Form {
     Jump {
         negated: bool,
     },
-    Return {
-        negated: bool,
-    },
+    Return,
 }
 
 /// The pins that are operands.
@@ -122,8 +119,8 @@ pub(crate) const ROWS: &[Row] = &[
     row(&["LE"], &[], Form::CompareBox(Operator::LessEqual), SRC),
     row(&["InRange"], &["InRange"], Form::InRange, SRC),
     row(&["OutRange"], &["OutRange"], Form::OutRange, SRC),
-    row(&["IsValidContact", "OK"], &["OK"], Form::Valid, None),
-    row(&["IsNotValidContact", "NOK"], &["NotOK", "NOK"], Form::Invalid, None),
+    row(&["IsValidContact", "OK"], &["OK"], Form::Valid(Op::Eq), None),
+    row(&["IsNotValidContact", "NOK"], &["NotOK", "NOK"], Form::Valid(Op::Ne), None),
     row(&["Coil"], &["Coil"], Form::Coil(Op::Coil), None),
     row(&["I_Coil"], &[], Form::Coil(Op::NegatedCoil), None),
     row(&["S_Coil"], &["SCoil"], Form::Coil(Op::SetCoil), None),
@@ -186,7 +183,7 @@ pub(crate) const ROWS: &[Row] = &[
     row(&["Calculate"], &["Calc"], Form::Calculate, SRC),
     row(&["JumpCoil"], &["Jump"], Form::Jump { negated: false }, None),
     row(&["I_JumpCoil"], &["JumpNot"], Form::Jump { negated: true }, None),
-    row(&["ReturnCoil", "Return", "ReturnTrue", "ReturnFalse"], &["Return"], Form::Return { negated: false }, None),
+    row(&["ReturnCoil", "Return", "ReturnTrue", "ReturnFalse"], &["Return"], Form::Return, None),
 ];
 
 /// The instruction of a name in a source document. Upper and lower case make a difference there, and people forget it: only
@@ -252,9 +249,7 @@ pub(crate) fn elementary(name: &str) -> Option<&'static str> {
 /// The pin that power enters, and the one that it leaves, in SimaticML.
 pub(crate) fn power_pins(name: &str) -> (&'static str, &'static str) {
     match of_xml(name).map(|row| row.form) {
-        Some(Form::Compare(_) | Form::InRange | Form::OutRange | Form::Valid | Form::Invalid) => {
-            ("pre", "out")
-        }
+        Some(Form::Compare(_) | Form::InRange | Form::OutRange | Form::Valid(_)) => ("pre", "out"),
         Some(Form::State(Op::Ctu, _)) => ("CU", "Q"),
         Some(Form::State(Op::Ctd, _)) => ("CD", "Q"),
         Some(Form::State(Op::Ctud, _)) => ("CU", "QU"),
@@ -272,7 +267,7 @@ pub(crate) fn power_pins(name: &str) -> (&'static str, &'static str) {
             | Form::TimerCoil(_)
             | Form::ResetTimer
             | Form::Jump { .. }
-            | Form::Return { .. },
+            | Form::Return,
         ) => ("in", "out"),
         _ => ("en", "eno"),
     }

@@ -2,7 +2,7 @@
 
 use super::Exporter;
 use crate::field;
-use crate::fork::made::Made;
+use crate::fork::made::{Made, definition_in};
 use crate::fork::outside::Outside;
 use crate::fork::{RESOLUTION, table};
 use crate::kept::{UNSETTLED, after};
@@ -94,7 +94,7 @@ impl Exporter<'_> {
     /// The line of an element that is not read, if a block of this name is one: what is said above its definition begins
     /// with its word.
     fn unread(&self, block: &Block, name: &str) -> Option<Result<String, String>> {
-        let definition = self.definition(&format!("[{name}]"))?;
+        let definition = definition_in(self.text, &format!("[{name}]"))?;
         if !definition
             .lines()
             .any(|line| line.starts_with("# ladder: unread"))
@@ -123,26 +123,11 @@ impl Exporter<'_> {
     /// What a block of this name is an element of, if it is defined so.
     fn definition_of(&self, name: &str) -> Result<Made, String> {
         let made = Made::named(name).ok_or(FOREIGN)?;
-        let text = self.definition(&made.head()).ok_or(FOREIGN)?;
+        let text = definition_in(self.text, &made.head()).ok_or(FOREIGN)?;
         if !made.is_defined_by(text) {
             return Err(format!("`{name}` is defined otherwise than LDmicro's own"));
         }
         Ok(made)
-    }
-
-    /// The text that defines a block.
-    fn definition(&self, head: &str) -> Option<&str> {
-        const END: &str = "END_FUNCTION_BLOCK";
-        let mut at = 0;
-        for line in self.text.split_inclusive('\n') {
-            let defines = line.trim().strip_prefix("FUNCTION_BLOCK").map(str::trim);
-            if defines.is_some_and(|own| own.eq_ignore_ascii_case(head)) {
-                let text = &self.text[at..];
-                return Some(&text[..text.find(END)? + END.len()]);
-            }
-            at += line.len();
-        }
-        None
     }
 
     /// The line of an instruction that LDmicro 2.2 does not have.

@@ -7,6 +7,7 @@
 use super::super::model::{File, Leaf, Node, Rung, leaves};
 use super::table::{Jump, row_of};
 use crate::field;
+use ladder_format::program::Block;
 use ladder_notation::names::Names;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
@@ -18,7 +19,7 @@ pub(crate) struct Jumps {
     /// The labels that rungs get because a number leads to them, by the rungs' indices.
     pub(crate) numbered: BTreeMap<usize, String>,
     /// The block for each element, by its line, or why there is none.
-    blocks: HashMap<u32, Result<String, String>>,
+    blocks: HashMap<u32, Result<Block, String>>,
     /// For each rung, and the end after them, the subprogram that it is in.
     within: Vec<Option<usize>>,
     /// For each rung the first one from there on that becomes a network.
@@ -69,7 +70,7 @@ impl Jumps {
             } else {
                 let label = names.spell(name).to_owned();
                 labels.insert(name, (*index, label.clone()));
-                Ok(format!("<LBL>( {label} )"))
+                Ok(Block::label(&label))
             };
             jumps.blocks.insert(leaf.line, block);
         }
@@ -81,13 +82,13 @@ impl Jumps {
                     None => jumps.labelled(*index, labels.get(name), name),
                 },
                 Jump::Gosub => match jumps.subprograms.iter().find(|sub| sub.name == name) {
-                    Some(sub) => Ok(format!("<CALL>( {} )", sub.function)),
+                    Some(sub) => Ok(Block::call(&sub.function)),
                     None => Err(format!(
                         "there is no subprogram `{name}` that could be made a function"
                     )),
                 },
                 Jump::Return => match jumps.subprogram(*index) {
-                    Some(_) => Ok("<RET>".to_owned()),
+                    Some(_) => Ok(Block::ret()),
                     None => Err("it is in no subprogram".to_owned()),
                 },
                 Jump::Label | Jump::Subprog | Jump::Endsub => continue,
@@ -98,7 +99,7 @@ impl Jumps {
     }
 
     /// The block that an element becomes. A border of a subprogram that could be made a function is none.
-    pub(crate) fn block(&self, leaf: &Leaf) -> Option<&Result<String, String>> {
+    pub(crate) fn block(&self, leaf: &Leaf) -> Option<&Result<Block, String>> {
         self.blocks.get(&leaf.line)
     }
 
@@ -144,14 +145,14 @@ impl Jumps {
     }
 
     /// A jump to a label.
-    fn labelled(&self, from: usize, label: Option<&(usize, String)>, name: &str) -> Result<String, String> {
+    fn labelled(&self, from: usize, label: Option<&(usize, String)>, name: &str) -> Result<Block, String> {
         let (to, label) = label.ok_or_else(|| format!("there is no label `{name}`"))?;
         if self.subprogram(from) != self.subprogram(*to) {
             return Err(format!(
                 "it leads out of its subprogram, or into one, to `{name}`"
             ));
         }
-        Ok(format!("<JMP>( {label} )"))
+        Ok(Block::jump(label))
     }
 
     /// A jump to the rung with a number, counted from 1. What lies after the last one is the end of the cycle.
@@ -161,7 +162,7 @@ impl Jumps {
         from: usize,
         number: i64,
         names: &mut Names,
-    ) -> Result<String, String> {
+    ) -> Result<Block, String> {
         let number = usize::try_from(number).unwrap_or(0);
         let mut to = number.checked_sub(1).ok_or("rungs are counted from 1")?;
         to = to.min(file.rungs.len());
@@ -182,7 +183,7 @@ impl Jumps {
                 None => to == file.rungs.len(),
             };
             if at_end {
-                return Ok("<RET>".to_owned());
+                return Ok(Block::ret());
             }
             if self.networks[to] == to {
                 break;
@@ -196,7 +197,7 @@ impl Jumps {
             .numbered
             .entry(to)
             .or_insert_with(|| names.fresh(&format!("rung{}", to + 1)));
-        Ok(format!("<JMP>( {label} )"))
+        Ok(Block::jump(label))
     }
 }
 

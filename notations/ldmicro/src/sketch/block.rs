@@ -10,40 +10,44 @@ use crate::fork::{self, Given, Read, What};
 use crate::model::{Leaf, Version};
 use crate::tags::MOST_STAGES;
 use crate::text;
-use ladder_instructions::{Op, by_op};
+use ladder_format::program::{Block, Expression, Operand, Path};
+use ladder_instructions::Op;
 use ladder_notation::{Turn, Unread};
 
 /// The relay that the fork sets when the result of a calculation does not fit.
 const OVERFLOW: &str = "ROverflowFlagV";
 
+/// Why an element of the fork is no block here.
+const NOT_READ: &str = "it is not read";
+
 /// A block and what there is to say about it.
 pub(super) struct Translation {
-    pub(super) text: String,
+    pub(super) block: Block,
     /// Why it is not quite the same.
     pub(super) remark: Option<String>,
 }
 
 impl Translation {
-    const fn with(text: String, remark: Option<String>) -> Translation {
-        Translation { text, remark }
+    const fn with(block: Block, remark: Option<String>) -> Translation {
+        Translation { block, remark }
     }
 }
 
-impl From<String> for Translation {
-    fn from(text: String) -> Translation {
-        Translation::with(text, None)
+impl From<Block> for Translation {
+    fn from(block: Block) -> Translation {
+        Translation::with(block, None)
     }
 }
 
 impl<'f> Importer<'f> {
     /// Whether export makes the same line of a block.
-    pub(super) fn comes_back(&self, leaf: &Leaf, block: &str) -> bool {
+    pub(super) fn comes_back(&self, leaf: &Leaf, block: &Block) -> bool {
         if self.jumps.block(leaf).is_some() {
             let label = leaf.text.split(' ').nth(1);
-            return label
-                .is_none_or(|label| !field::is_literal(label) && block.split(' ').nth(1) == Some(label));
+            let own = block.only().and_then(Expression::path).and_then(Path::whole);
+            return label.is_none_or(|label| !field::is_literal(label) && own == Some(label));
         }
-        if block.starts_with("[$RES") {
+        if block.user_name().is_some_and(|name| name.starts_with("RES")) {
             return true;
         }
         // RES of a variable is a MOV here.
@@ -71,35 +75,39 @@ impl<'f> Importer<'f> {
         let name = fields.first().copied().unwrap_or_default();
         Ok(match row.form {
             Form::Contact => {
-                let head = if fields[1] == "0" { "[ ]" } else { "[/]" };
+                let tag = self.tags.bit(name);
+                let block = if fields[1] == "0" {
+                    Block::contact(tag)
+                } else {
+                    Block::negated_contact(tag)
+                };
                 let overflow =
                     "LDmicro's fork makes it high when a sum or difference does not fit; here nothing does";
                 let is_overflow = name == OVERFLOW && dialect.version == Version::V02;
-                let text = format!("{head}( {} )", self.tags.bit(name));
-                Translation::with(text, is_overflow.then(|| overflow.to_owned()))
+                Translation::with(block, is_overflow.then(|| overflow.to_owned()))
             }
-            Form::Constant(on) => format!("[ ]( SYS.{} )", if on { "ON" } else { "OFF" }).into(),
+            Form::Constant(on) => Block::contact(Path::system(if on { "ON" } else { "OFF" })).into(),
             Form::Coil => {
-                let head = match Coil::of(&fields) {
-                    Coil::Plain => "( )",
-                    Coil::Negated => "(/)",
-                    Coil::Set => "(S)",
-                    Coil::Reset => "(R)",
+                let op = match Coil::of(&fields) {
+                    Coil::Plain => Op::Coil,
+                    Coil::Negated => Op::NegatedCoil,
+                    Coil::Set => Op::SetCoil,
+                    Coil::Reset => Op::ResetCoil,
                 };
-                format!("{head}( {} )", self.tags.bit(name)).into()
+                Block::of(op, [self.tags.bit(name)])?.into()
             }
             Form::Timer(op) => {
                 let tag = self.state(op, name)?;
                 let delay = element::preset(&fields, dialect).ok_or("its delay is not a number")?;
-                format!("{}( {tag}, {} )", by_op(op).block(), duration(delay)).into()
+                Block::of(op, [tag.into(), duration(delay)?])?.into()
             }
             Form::Counter(op) => {
                 let tag = self.state(op, name)?;
                 let most = field::literal(fields[1]).unwrap_or(0);
-                format!("{}( {tag}, {most} )", by_op(op).block()).into()
+                Block::of(op, [Expression::from(tag), most.into()])?.into()
             }
             Form::Reset => match self.tags.any_state(name) {
-                Some(tag) => format!("(RES)( {tag} )").into(),
+                Some(tag) => Block::of(Op::Res, [tag])?.into(),
                 None if self.tags.is_pulses(name) => match fork::outside(&leaf.text) {
                     Some(read) => self.forks(&read?)?,
                     None => return Err("no block here ends pulses".to_owned()),
@@ -107,8 +115,8 @@ impl<'f> Importer<'f> {
                 None => {
                     let mut remark = None;
                     let value = self.operand(self.tags.reset(name), &mut remark)?;
-                    let text = format!("[MOV]( {}, {value} )", self.tags.variable(name));
-                    Translation::with(text, remark)
+                    let block = Block::of(Op::Mov, [self.tags.variable(name).into(), value])?;
+                    Translation::with(block, remark)
                 }
             },
             Form::Adc => {
@@ -116,14 +124,17 @@ impl<'f> Importer<'f> {
                     .channels
                     .get(name)
                     .ok_or("there are no more analog inputs here")?;
-                format!("[ADC]( {}, {channel} )", self.tags.variable(name)).into()
+                let operands = [self.tags.variable(name).into(), Expression::from(*channel)];
+                Block::of(Op::Adc, operands)?.into()
             }
             Form::Shift => {
                 let stages: u32 = fields[1].parse().unwrap_or(0);
                 let register = self.tags.registers.get(name);
                 match register {
                     Some((tag, _)) if stages > 0 && stages <= MOST_STAGES => {
-                        format!("[SHIFT]( {tag}[0..{}], {tag}[0] )", stages - 1).into()
+                        let register = Path::tag(tag);
+                        let all = register.clone().range(0, i64::from(stages) - 1);
+                        Block::of(Op::Shift, [all, register.index([0])])?.into()
                     }
                     _ => return Err(format!("a shift register has 1 to {MOST_STAGES} stages")),
                 }
@@ -141,28 +152,24 @@ impl<'f> Importer<'f> {
     }
 
     /// The tag of a timer or counter.
-    fn state(&self, op: Op, name: &str) -> Result<&'f str, String> {
+    fn state(&self, op: Op, name: &str) -> Result<Path, String> {
         let other = || format!("`{name}` is a timer and a counter at once");
         self.tags.state(name, op).ok_or_else(other)
     }
 
-    fn operand(&self, text: &str, remark: &mut Option<String>) -> Result<String, String> {
+    fn operand(&self, text: &str, remark: &mut Option<String>) -> Result<Expression, String> {
         if !field::is_literal(text) {
-            return Ok(self.tags.variable(text));
+            return Ok(self.tags.variable(text).into());
         }
         let value = field::literal(text).ok_or("its literal is not a number")?;
         let wrapped = field::wrapped(value);
         if wrapped != value {
             *remark = Some(format!("{text} is {wrapped} in 16 bits"));
         }
-        Ok(wrapped.to_string())
+        Ok(wrapped.into())
     }
 
     fn values(&self, op: Op, fields: &[&str], slots: &[Slot]) -> Result<Translation, String> {
-        let head = by_op(op).block();
-        if slots.is_empty() {
-            return Ok(head.into());
-        }
         let mut remark = None;
         let mut operands = Vec::new();
         for (field, slot) in fields.iter().zip(slots) {
@@ -170,13 +177,12 @@ impl<'f> Importer<'f> {
                 Slot::Place if field::is_literal(field) => {
                     return Err(format!("{field} is a number and cannot be written"));
                 }
-                Slot::Place => self.tags.variable(field),
+                Slot::Place => self.tags.variable(field).into(),
                 Slot::Value => self.operand(field, &mut remark)?,
-                Slot::Number => field::literal(field).unwrap_or(0).to_string(),
+                Slot::Number => field::literal(field).unwrap_or(0).into(),
             });
         }
-        let text = format!("{head}( {} )", operands.join(", "));
-        Ok(Translation::with(text, remark))
+        Ok(Translation::with(Block::of(op, operands)?, remark))
     }
 
     /// An element of the fork.
@@ -185,19 +191,20 @@ impl<'f> Importer<'f> {
             return Ok(self.outside(outside, fields));
         }
         let mut remark = read.remark.map(str::to_owned);
-        let mut operands = Vec::with_capacity(read.given.len());
+        let mut operands: Vec<Operand> = Vec::with_capacity(read.given.len());
         for given in &read.given {
             operands.push(match given {
-                Given::Place(name) => self.tags.variable(name),
-                Given::Value(field) => self.operand(field, &mut remark)?,
-                Given::Scans(scans) => scans.to_string(),
-                Given::Relay(name) => self.tags.bit(name).to_owned(),
-                Given::Bit(name, bit) => format!("{}.{bit}", self.tags.variable(name)),
+                Given::Place(name) => self.tags.variable(name).into(),
+                Given::Value(field) => self.operand(field, &mut remark)?.into(),
+                Given::Scans(scans) => (*scans).into(),
+                Given::Relay(name) => self.tags.bit(name).into(),
+                Given::Bit(name, bit) => self.tags.variable(name).bit((*bit).into()).into(),
                 Given::Pulses(name) => {
                     let number = self.tags.pulses.get(*name);
-                    format!("CH := {}", number.ok_or("there are no more pulse outputs here")?)
+                    let number = number.ok_or("there are no more pulse outputs here")?;
+                    Operand::Given("CH".to_owned(), i64::from(*number).into())
                 }
-                Given::Fields(fields) => text::quoted(fields),
+                Given::Fields(_) => return Err(NOT_READ.to_owned()),
             });
         }
         let mut what = read.what;
@@ -221,20 +228,15 @@ impl<'f> Importer<'f> {
         if read.given.iter().enumerate().any(counts) {
             return Err("what it changes is a timer or counter of another kind".to_owned());
         }
-        let head = match what {
-            What::Instruction(op) => by_op(op).block(),
+        let block = match what {
+            What::Instruction(op) => Block::of(op, operands)?,
             What::Made(made) => {
                 self.made.insert(made);
-                made.head()
+                made.block(operands)?
             }
-            What::Outside(_) => return Err("it is not read".to_owned()),
+            What::Outside(_) => return Err(NOT_READ.to_owned()),
         };
-        let text = if operands.is_empty() {
-            head
-        } else {
-            format!("{head}( {} )", operands.join(", "))
-        };
-        Ok(Translation::with(text, remark))
+        Ok(Translation::with(block, remark))
     }
 
     /// An element that is not read.
@@ -254,17 +256,17 @@ impl<'f> Importer<'f> {
             power: outside.power(),
             turn: Turn::Here,
         };
-        let text = self.unread.block(part, |name| Made::named(name).is_some());
-        Translation::with(text.to_string(), Some(remark))
+        let block = self.unread.block(part, |name| Made::named(name).is_some());
+        Translation::with(block, Some(remark))
     }
 
     fn listed_values(&self, form: Form, fields: &[&str]) -> Result<Translation, String> {
         let mut remark = None;
-        let to = self.tags.variable(fields[0]);
+        let to = self.tags.variable(fields[0]).into();
         let index = self.operand(fields[1], &mut remark)?;
-        let (head, each) = match form {
-            Form::Table => ("[LUT]", 1),
-            _ => ("[PWL]", 2),
+        let (op, each) = match form {
+            Form::Table => (Op::Lut, 1),
+            _ => (Op::Pwl, 2),
         };
         let values = element::numbers(element::values(fields, form)).unwrap_or_default();
         if fields[2].parse() != Ok(values.len() / each) || !values.len().is_multiple_of(each) {
@@ -273,29 +275,27 @@ impl<'f> Importer<'f> {
         if values.is_empty() {
             return Err("it has no entries".to_owned());
         }
-        let values: Vec<String> = values
+        let values = values
             .iter()
-            .map(|value| field::wrapped(*value).to_string())
-            .collect();
-        let text = format!("{head}( {to}, {index}, {} )", values.join(", "));
-        Ok(Translation::with(text, remark))
+            .map(|value| Expression::from(field::wrapped(*value)));
+        let block = Block::of(op, [to, index].into_iter().chain(values))?;
+        Ok(Translation::with(block, remark))
     }
 
     fn text(&self, fields: &[&str]) -> Result<Translation, String> {
         let version = self.file.version;
         let text = text::read(fields).ok_or("its text is not what LDmicro writes")?;
-        let mut operands = vec![text::literal(&text)];
+        let mut operands = vec![Expression::literal(text::literal(&text))?];
         match (fields[0], text::numbers(&text)) {
             ("(none)", 0) => {}
             ("(none)", _) => return Err("its text wants a number, and it has no variable".to_owned()),
             (_, 0) => return Err("it has a variable, and its text has no place for it".to_owned()),
-            (name, 1) => operands.push(self.tags.variable(name)),
+            (name, 1) => operands.push(self.tags.variable(name).into()),
             (_, _) => return Err("LDmicro sends one number in a text".to_owned()),
         }
         let once = "here it is also sent once at the start; the fork waits until power comes";
-        let text = format!("[FMT]( {} )", operands.join(", "));
         Ok(Translation::with(
-            text,
+            Block::of(Op::Fmt, operands)?,
             (version == Version::V02).then(|| once.to_owned()),
         ))
     }
@@ -310,6 +310,9 @@ fn register(fields: &[&str]) -> Option<String> {
 }
 
 /// A delay in microseconds.
-fn duration(microseconds: u64) -> String {
-    format!("T#{}", plain_duration(microseconds))
+fn duration(microseconds: u64) -> Result<Expression, String> {
+    Ok(Expression::literal(format!(
+        "T#{}",
+        plain_duration(microseconds)
+    ))?)
 }

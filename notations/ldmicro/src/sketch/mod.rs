@@ -11,7 +11,7 @@ use super::tags::Tags;
 use block::Translation;
 use ladder_analysis::Severity;
 use ladder_format::Circuit;
-use ladder_format::program::{Drawing, Element, Item, Network, comment_text};
+use ladder_format::program::{Block, Drawing, Element, Item, Network, comment_text};
 use ladder_notation::{Finding, LineColumn, Reading, UnreadParts};
 use std::collections::hash_map::Entry;
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -43,19 +43,21 @@ pub(super) fn sketch(file: &File) -> Reading {
 }
 
 /// How many analog inputs there are here, counted from 0.
-const CHANNELS: u64 = 64;
+const CHANNELS: i64 = 64;
 
 /// The channel of each analog input: its pin, if that is a channel and no other input's, else the first that is free.
-fn channels<'f>(file: &'f File, pins: &HashMap<&str, (u32, &str)>) -> HashMap<&'f str, u64> {
+fn channels<'f>(file: &'f File, pins: &HashMap<&str, (u32, &str)>) -> HashMap<&'f str, i64> {
     let all = file.rungs.iter().flat_map(|rung| leaves(&rung.parts));
     let inputs: Vec<&str> = all
         .filter_map(|leaf| leaf.text.strip_prefix("READ_ADC "))
         .map(name_of)
         .collect();
-    let mut channels: HashMap<&str, u64> = HashMap::new();
+    let mut channels: HashMap<&str, i64> = HashMap::new();
     let mut taken = HashSet::new();
     for name in &inputs {
-        let pin = pins.get(name).and_then(|(_, pin)| number(pin));
+        let pin = pins
+            .get(name)
+            .and_then(|(_, pin)| i64::try_from(number(pin)?).ok());
         let pin = pin.filter(|pin| (1..CHANNELS).contains(pin) && !channels.contains_key(name));
         if let Some(pin) = pin.filter(|pin| taken.insert(*pin)) {
             channels.insert(name, pin);
@@ -76,7 +78,7 @@ struct Importer<'f> {
     file: &'f File,
     tags: &'f Tags,
     /// The port of each analog input.
-    channels: HashMap<&'f str, u64>,
+    channels: HashMap<&'f str, i64>,
     /// The line and the pin of each name in the I/O list.
     pins: HashMap<&'f str, (u32, &'f str)>,
     jumps: Jumps,
@@ -114,7 +116,7 @@ impl<'f> Importer<'f> {
     fn function(&mut self, at: usize) {
         let file = self.file;
         let sub = &self.jumps.subprograms[at];
-        let (function, rungs) = (format!("<FUN>( {} )", sub.function), sub.rungs.clone());
+        let (function, rungs) = (Block::function(&sub.function), sub.rungs.clone());
         let inside = rungs.start + 1..rungs.end - 1;
         let relay = |rung: &Rung| leaves(&rung.parts).iter().any(|leaf| leaf.text == "MASTER_RELAY");
         for (border, is_first) in [(rungs.start, true), (rungs.end - 1, false)] {
@@ -131,7 +133,7 @@ impl<'f> Importer<'f> {
             }
             if is_first {
                 let origin = Some(self.reading.origin(place));
-                let block = Circuit::Element(Element::block(function.clone(), origin));
+                let block = Circuit::Element(Element::of(function.clone(), origin));
                 self.network(Vec::new(), vec![block]);
             }
         }
@@ -170,7 +172,7 @@ impl<'f> Importer<'f> {
             let mut parts = self.nodes(&rung.parts);
             if let Some(label) = self.jumps.numbered.get(&index) {
                 let number = format!("was: RUNG {}", index + 1);
-                let label = Element::block(format!("<LBL>( {label} )"), None);
+                let label = Element::of(Block::label(label), None);
                 let label = [label, Element::comment(&number, None)];
                 parts.splice(0..0, label.map(Circuit::Element));
             }
@@ -234,13 +236,14 @@ impl<'f> Importer<'f> {
         let place = LineColumn::line(leaf.line);
         let origin = Some(self.reading.origin(place));
         match self.translated(leaf) {
-            Ok(Translation { text, remark }) => {
+            Ok(Translation { block, remark }) => {
                 match remark {
                     Some(why) => self.reading.report.approximated(place, &leaf.text, why),
                     None => self.reading.report.translated(place, &leaf.text),
                 }
-                let mut out = vec![Element::block(text, origin)];
-                if !self.comes_back(leaf, &out[0].to_string()) {
+                let comes_back = self.comes_back(leaf, &block);
+                let mut out = vec![Element::of(block, origin)];
+                if !comes_back {
                     out.push(Element::comment(&format!("was: {}", leaf.text), origin));
                 }
                 out

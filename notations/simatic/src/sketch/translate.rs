@@ -29,8 +29,8 @@ pub(super) struct Translator<'s, 'l> {
 
 type Result<T> = std::result::Result<T, String>;
 
-fn one(block: Block) -> Translated {
-    series([block])
+fn one<O: Into<Given>>(op: Op, operands: impl IntoIterator<Item = O>) -> Result<Translated> {
+    Ok(series([Block::of(op, operands)?]))
 }
 
 fn series<const N: usize>(blocks: [Block; N]) -> Translated {
@@ -54,20 +54,20 @@ impl Translator<'_, '_> {
                     Expression::Literal(literal) => always(literal).into(),
                     _ => bit,
                 };
-                Ok(one(Block::of(op, [bit])?))
+                one(op, [bit])
             }
             Form::EdgeContact(op) | Form::Coil(op) | Form::EdgeCoil(op) => {
-                Ok(one(Block::of(op, [self.bit(part, "operand")?.value])?))
+                one(op, [self.bit(part, "operand")?.value])
             }
-            Form::Edge(op) => Ok(one(Block::of(op, Given::NONE)?)),
-            Form::Not => Ok(one(inverter()?)),
-            Form::Compare(op) => Ok(one(Block::of(op, self.values(part, ["in1", "in2"])?)?)),
+            Form::Edge(op) => one(op, Given::NONE),
+            Form::Not => one(Op::Inverter, Given::NONE),
+            Form::Compare(op) => one(op, self.values(part, ["in1", "in2"])?),
             Form::CompareBox(sign) => {
                 let [a, b] = self.values(part, ["in1", "in2"])?;
                 let out = self.out(part, "out", "BOOL")?;
-                Ok(one(Block::of(Op::Calc, [out.value, a.with(sign, b)])?))
+                one(Op::Calc, [out.value, a.with(sign, b)])
             }
-            Form::InRange => Ok(one(Block::of(Op::Le, self.values(part, ["min", "in", "max"])?)?)),
+            Form::InRange => one(Op::Le, self.values(part, ["min", "in", "max"])?),
             Form::OutRange => {
                 let [min, value, max] = self.values(part, ["min", "in", "max"])?;
                 let about = "whether a value is outside of its range";
@@ -79,26 +79,25 @@ impl Translator<'_, '_> {
                     Block::contact(helper),
                 ]))
             }
-            Form::Valid | Form::Invalid => {
+            Form::Valid(op) => {
                 let value = self.only(part, "operand", "REAL")?.value;
-                let op = if row.form == Form::Valid { Op::Eq } else { Op::Ne };
-                Ok(one(Block::of(op, [value.clone(), value])?))
+                one(op, [value.clone(), value])
             }
             Form::Bits(op) => {
                 let first = self.bit(part, "operand")?.value;
                 let [count] = self.values(part, ["n"])?;
                 let range = bits(&first, &count)
                     .ok_or("only bits of an array, from a constant index on, can be set together here")?;
-                Ok(one(Block::of(op, [range])?))
+                one(op, [range])
             }
             Form::Bistable { reset_wins } => self.bistable(part, reset_wins),
             Form::State(op, pins) => self.state(part, op, pins),
             Form::TimerCoil(op) => {
                 let timer = self.only(part, "timer", by_op(op).mnemonic)?;
                 let time = self.pin(part, "pt", "TIME")?;
-                Ok(one(Block::of(op, [timer.value, time.value])?))
+                one(op, [timer.value, time.value])
             }
-            Form::ResetTimer => Ok(one(Block::of(Op::Res, [self.only(part, "timer", "TON")?.value])?)),
+            Form::ResetTimer => one(Op::Res, [self.only(part, "timer", "TON")?.value]),
             Form::Move => self.moves(part),
             Form::Value(op, pins) => self.computed(part, op, pins),
             Form::Square => {
@@ -108,14 +107,14 @@ impl Translator<'_, '_> {
             }
             Form::Step(op) => {
                 let it = self.only(part, "operand", works_in(part))?.value;
-                Ok(one(Block::of(op, [it.clone(), it, 1.into()])?))
+                one(op, [it.clone(), it, 1.into()])
             }
             Form::Convert => {
                 let from = part.template("SrcType").and_then(elementary).unwrap_or("INT");
                 let to = part.template("DestType").and_then(elementary).unwrap_or("INT");
                 let value = self.pin(part, "in", from)?;
                 let out = self.out(part, "out", to)?;
-                Ok(one(Block::of(Op::Typ, [out.value, value.value])?))
+                one(Op::Typ, [out.value, value.value])
             }
             Form::Calculate => self.calculated(part),
             Form::Jump { negated } => {
@@ -125,12 +124,12 @@ impl Translator<'_, '_> {
                 };
                 let jump = Block::jump(&self.label(label));
                 if negated {
-                    return Ok(series([inverter()?, jump]));
+                    return Ok(series([Block::of(Op::Inverter, Given::NONE)?, jump]));
                 }
-                Ok(one(jump))
+                Ok(series([jump]))
             }
-            Form::Return { .. } => {
-                let mut done = one(Block::ret());
+            Form::Return => {
+                let mut done = series([Block::ret()]);
                 if !part.arguments.is_empty() || part.name != "Return" {
                     done.note = Some("the power that the block leaves is not set".to_owned());
                 }
@@ -191,7 +190,7 @@ impl Translator<'_, '_> {
                 let result = computed(&helper)?;
                 Ok(series([result, Block::of(Op::Typ, [out.value, helper])?]))
             }
-            _ => Ok(one(computed(&out.value)?)),
+            _ => Ok(series([computed(&out.value)?])),
         }
     }
 
@@ -247,7 +246,7 @@ impl Translator<'_, '_> {
         if op == Op::Trunc {
             let to = part.template("DestType").and_then(elementary).unwrap_or("INT");
             values.insert(0, self.out(part, "out", to)?.value);
-            return Ok(one(Block::of(op, values)?));
+            return one(op, values);
         }
         self.result(part, ty, op, &values)
     }
@@ -330,7 +329,7 @@ impl Translator<'_, '_> {
                 None => {}
             }
         }
-        let mut done = one(Block::of(op, operands)?);
+        let mut done = one(op, operands)?;
         for argument in part.arguments.iter().filter(|argument| argument.is_output) {
             let Some(pin) = &argument.pin else { continue };
             let pin = pin.to_ascii_uppercase();
@@ -356,10 +355,6 @@ impl Translator<'_, '_> {
         }
         Ok(done)
     }
-}
-
-fn inverter() -> Result<Block> {
-    Ok(Block::of(Op::Inverter, Given::NONE)?)
 }
 
 /// The type that an instruction works in.

@@ -39,8 +39,7 @@ impl Sketcher<'_> {
                     | standard::Form::Compare(_)
                     | standard::Form::InRange
                     | standard::Form::OutRange
-                    | standard::Form::Valid
-                    | standard::Form::Invalid
+                    | standard::Form::Valid(_)
                     | standard::Form::Edge(_)
                     | standard::Form::Not
                     | standard::Form::Bistable { .. }
@@ -208,10 +207,7 @@ pub(super) fn jumps(network: &Network) -> bool {
     let mut parts = net.wires.iter().flat_map(|wire| &wire.parts);
     parts.any(|part| {
         let form = of_document(&part.name).map(|row| row.form);
-        matches!(
-            form,
-            Some(standard::Form::Jump { .. } | standard::Form::Return { .. })
-        )
+        matches!(form, Some(standard::Form::Jump { .. } | standard::Form::Return))
     })
 }
 

@@ -5,9 +5,9 @@ mod definition;
 
 use crate::field::Slot;
 use crate::model::Dialect;
-use ladder_format::Circuit;
-use ladder_format::program::{Declaration, Drawing, Element, Item, Network, Section, SectionKind};
-use ladder_instructions::Op;
+pub(crate) use definition::definition_in;
+use ladder_format::program::{Block, Invalid, Item, Operand};
+use ladder_instructions::{Op, Shape};
 
 /// An element of the fork that becomes a block of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -222,12 +222,13 @@ impl Made {
         })
     }
 
-    /// The block with this name, whatever its case.
+    /// The block with this name, which begins with `$`, whatever its case.
     pub(crate) fn named(name: &str) -> Option<Made> {
+        let name = name.strip_prefix('$')?;
         Made::all().find(|made| made.name().eq_ignore_ascii_case(name))
     }
 
-    /// `$CTUfall`
+    /// `CTUfall`
     fn name(self) -> String {
         let word = match self {
             Made::Toggle => "T",
@@ -248,54 +249,37 @@ impl Made {
             Made::Segments(segments) => {
                 let common = if segments.anode { "anode" } else { "" };
                 let fixed = if segments.fixed { "of" } else { "" };
-                return format!("$SEGMENTS7{common}{fixed}");
+                return format!("SEGMENTS7{common}{fixed}");
             }
             Made::Counter(counter) => {
                 let from = if counter.from_variable { "from" } else { "" };
-                return format!("${}{}{from}", counter.count.word(), counter.kind.suffix());
+                return format!("{}{}{from}", counter.count.word(), counter.kind.suffix());
             }
         };
-        format!("${word}")
+        word.to_owned()
+    }
+
+    const fn shape(self) -> Shape {
+        match self {
+            Made::Toggle => Shape::Coil,
+            _ => Shape::Logical,
+        }
     }
 
     /// As it is on a rung, without its operands.
     pub(crate) fn head(self) -> String {
-        match self {
-            Made::Toggle => format!("({})", self.name()),
-            _ => format!("[{}]", self.name()),
-        }
+        let (open, close) = self.shape().brackets();
+        format!("{open}${}{close}", self.name())
+    }
+
+    /// As it is on a rung.
+    pub(crate) fn block(self, operands: Vec<Operand>) -> Result<Block, Invalid> {
+        Block::user_in(self.shape(), self.name(), operands)
     }
 
     /// The definition that the program brings along.
     pub(crate) fn item(self) -> Item {
-        let definition = self.definition();
-        let mut items = vec![Item::Comment(definition.says)];
-        let mut section = |kind, declared: &[&str]| {
-            let mut section = Section::new(kind);
-            for declared in declared {
-                let (name, ty) = declared.split_once(" : ").unwrap_or((declared, "INT"));
-                section.declarations.push(Declaration::new(name, ty));
-            }
-            items.push(Item::Section(section));
-        };
-        let changed = [definition.changed];
-        let changed: &[&str] = if definition.changed.is_empty() {
-            &[]
-        } else {
-            &changed
-        };
-        section(SectionKind::VarInOut, changed);
-        section(SectionKind::VarInput, definition.inputs);
-        section(SectionKind::Var, definition.own);
-        items.extend(definition.networks.iter().map(|network| {
-            let elements = network.split("--").map(|block| Element::block(block, None));
-            Item::Network(Network {
-                comments: Vec::new(),
-                drawing: Drawing::Circuit(Circuit::Series(elements.map(Circuit::Element).collect())),
-            })
-        }));
-        let header = self.head();
-        Item::Block { header, items }
+        Item::Text(self.definition())
     }
 
     /// The line of the element. `given` are its operands in LDmicro's spelling, `initial` the first value of what it
@@ -349,23 +333,18 @@ impl Made {
 
     /// Whether a text that defines a block of this name is this definition.
     pub(crate) fn is_defined_by(self, text: &str) -> bool {
-        let program = ladder_format::program::ProgramSketch {
-            items: vec![self.item()],
-        };
-        let own = program.write(&ladder_format::Options::default()).text;
-        essence(&own) == essence(text)
+        essence(&self.definition()) == essence(text)
     }
 }
 
 /// A text without its layout and its comments.
 fn essence(text: &str) -> String {
     let said: String = text.split('#').step_by(2).collect();
-    let lines = said
-        .lines()
-        .map(|line| line.trim().trim_matches(['+', '|', '-']).replace("--", ""));
-    let lines: String = lines.collect();
-    lines
-        .chars()
+    let lines = said.lines().map(|line| line.trim().trim_matches(['+', '|']));
+    // A wire is two dashes or more.
+    let pieces = lines.flat_map(|line| line.split("--").map(|piece| piece.trim_matches('-')));
+    pieces
+        .flat_map(str::chars)
         .filter(|c| !c.is_whitespace())
         .flat_map(char::to_uppercase)
         .collect()
