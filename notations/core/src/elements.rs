@@ -39,7 +39,7 @@ fn in_series<'c>(circuit: &'c Circuit<Element>, found: &mut Vec<&'c Element>) ->
 }
 
 /// Calls something with each block on a rung, those in the definitions of blocks among them.
-pub(crate) fn blocks<'i>(items: &'i [Item], found: &mut impl FnMut(&'i Block)) {
+pub fn blocks<'i>(items: &'i [Item], found: &mut impl FnMut(&'i Block)) {
     for item in items {
         match item {
             Item::Block { items, .. } => blocks(items, found),
@@ -60,7 +60,9 @@ fn in_circuit<'c>(circuit: &'c Circuit<Element>, found: &mut impl FnMut(&'c Bloc
     match circuit {
         Circuit::Element(element) => element.as_block().into_iter().for_each(found),
         Circuit::Series(parts) | Circuit::Parallel(parts) => {
-            parts.iter().for_each(|part| in_circuit(part, found));
+            for part in parts {
+                in_circuit(part, found);
+            }
         }
     }
 }

@@ -48,6 +48,7 @@ pub mod xml;
 pub use arrays::with_arrays_as_elements;
 pub use blocks_alone::with_blocks_alone;
 pub use convert::{Converted, convert};
+pub use elements::blocks;
 pub use encoding::in_utf8;
 pub use error::{ReadError, WriteError};
 pub use finding::Finding;

@@ -306,10 +306,7 @@ impl<'f> Importer<'f> {
     /// What an element writes.
     fn written(&self, operand: &Operand) -> Result<Expression, String> {
         match operand {
-            Operand::Variable(variable) => Ok(tag(variable).into()),
-            Operand::Member(variable, member @ (Member::Pre | Member::Ac)) => {
-                Ok(self.member(variable, *member))
-            }
+            Operand::Variable(_) | Operand::Member(_, Member::Pre | Member::Ac) => self.value(operand, true),
             _ => Err(format!("only its own block and RESET write {operand} here")),
         }
     }

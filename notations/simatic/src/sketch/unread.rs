@@ -7,7 +7,7 @@ use crate::scope::{Scope, block_name};
 use crate::standard::{self, of_document};
 use ladder_format::program::{self, Block, Drawing, Element, Item, SectionKind};
 use ladder_format::{Circuit, Options};
-use ladder_notation::{LineColumn, Power, Turn, Unread, unread_body};
+use ladder_notation::{LineColumn, Power, Turn, Unread, blocks, unread_body};
 use std::collections::HashSet;
 
 /// What becomes of something that is not read.
@@ -140,9 +140,7 @@ impl Sketcher<'_> {
         for other in others {
             let program = super::sketch(other, library, Form::Event).program;
             let text = program.write(&Options::default()).text;
-            // Addresses are everywhere.
-            let is_known = !text.contains("# ladder: unread") && !text.contains('%');
-            let writes = is_known.then(|| globals_of_both(own, &program.items));
+            let writes = is_read(&program.items).then(|| globals_of_both(own, &program.items));
             if writes.as_ref().is_some_and(Vec::is_empty) {
                 continue;
             }
@@ -214,6 +212,23 @@ pub(super) fn jumps(network: &Network) -> bool {
 fn is_taken(library: &crate::scope::Library<'_>, word: &str) -> bool {
     let mut units = library.values().filter_map(|unit| unit.as_ref().ok());
     units.any(|unit| block_name(&unit.name).eq_ignore_ascii_case(word))
+}
+
+/// Whether it is known what a program may write: no part of it is unread, and it has no addresses, which are everywhere.
+fn is_read(items: &[Item]) -> bool {
+    let mut is_read = !is_unread(items);
+    blocks(items, &mut |block| {
+        block.paths(|path| is_read &= !path.root.starts_with('%'));
+    });
+    is_read
+}
+
+fn is_unread(items: &[Item]) -> bool {
+    items.iter().any(|item| match item {
+        Item::Directive(said) => said.starts_with("unread"),
+        Item::Block { items, .. } => is_unread(items),
+        _ => false,
+    })
 }
 
 /// The globals of a program that another one names, too.

@@ -1,6 +1,7 @@
 //! The definitions of the blocks as ladder text. They compute what the fork's own code does, in the same order.
 
 use super::{Count, Kind, Made, MadeCounter, Segments};
+use ladder_syntax::{NodeOrToken, SyntaxKind, parse};
 
 /// Those of blocks that have one form.
 const FIXED: &str = include_str!("made.clad");
@@ -15,6 +16,23 @@ impl Made {
             _ => definition_in(FIXED, &head).unwrap_or_default().to_owned(),
         }
     }
+
+    /// Whether a text that defines a block of this name is this definition.
+    pub(crate) fn is_defined_by(self, text: &str) -> bool {
+        essence(&self.definition()) == essence(text)
+    }
+}
+
+/// A text without its layout and its comments.
+fn essence(text: &str) -> Vec<String> {
+    let tokens = parse(text).syntax().descendants_with_tokens();
+    let tokens = tokens.filter_map(NodeOrToken::into_token);
+    let is_layout =
+        |kind: SyntaxKind| kind.is_trivia() || matches!(kind, SyntaxKind::WIRE | SyntaxKind::RAIL);
+    tokens
+        .filter(|token| !is_layout(token.kind()))
+        .map(|token| token.text().to_uppercase())
+        .collect()
 }
 
 /// The definition of the block with this head in a text.
@@ -149,10 +167,14 @@ mod tests {
                 "{}",
                 made.head()
             );
-            assert!(
-                ladder_syntax::parse(&definition).errors().is_empty(),
-                "{definition}"
-            );
+            assert!(parse(&definition).errors().is_empty(), "{definition}");
         }
+    }
+    #[test]
+    fn layout_makes_no_other_definition_and_a_number_does() {
+        let own = Made::Opposite.definition();
+        let written = own.replace("--[", "----# it #---[").replace("(y AND", "( y  and");
+        assert!(Made::Opposite.is_defined_by(&written));
+        assert!(!Made::Opposite.is_defined_by(&own.replace("* 4", "* 8")));
     }
 }

@@ -330,22 +330,4 @@ impl Made {
             }
         }
     }
-
-    /// Whether a text that defines a block of this name is this definition.
-    pub(crate) fn is_defined_by(self, text: &str) -> bool {
-        essence(&self.definition()) == essence(text)
-    }
-}
-
-/// A text without its layout and its comments.
-fn essence(text: &str) -> String {
-    let said: String = text.split('#').step_by(2).collect();
-    let lines = said.lines().map(|line| line.trim().trim_matches(['+', '|']));
-    // A wire is two dashes or more.
-    let pieces = lines.flat_map(|line| line.split("--").map(|piece| piece.trim_matches('-')));
-    pieces
-        .flat_map(str::chars)
-        .filter(|c| !c.is_whitespace())
-        .flat_map(char::to_uppercase)
-        .collect()
 }
