@@ -103,13 +103,10 @@ export class TypedAhead implements vscode.Disposable {
             for (let next = waiting.late(); next && !document.isClosed; next = waiting.late()) {
                 const { version } = document;
                 const line = document.lineAt(Math.min(next.line, document.lineCount - 1));
-                // Nothing was written on it: after Enter the next one was pressed.
-                if (line.isEmptyOrWhitespace) {
-                    waiting.remove(next);
-                    continue;
-                }
                 const asked = await ask(line.range.end, next.typed, new vscode.CancellationTokenSource().token);
-                const edits = besideCursor(document, asked);
+                // Nothing was written on it: after Enter the next one was pressed. Then only what is above is drawn, as an END_VAR is.
+                const isLeft = line.isEmptyOrWhitespace;
+                const edits = besideCursor(document, isLeft ? asked.filter(({ range }) => range.end.line < line.lineNumber) : asked);
                 // The typist's step of undo, not one of its own.
                 if (document.version === version && (edits.length === 0 || (await make(document, version, edits, false)))) {
                     waiting.remove(next);

@@ -12,7 +12,7 @@ import { comparedProgram, comparing } from './comparing.mjs';
 import { debug, PROGRAM, TEXT } from './debug.mjs';
 import { diagram, programs } from './diagram.mjs';
 import { drawing, NAME as DRAWN, TEXT as DRAWN_TEXT } from './drawing.mjs';
-import { dying } from './dying.mjs';
+import { dying, SLOW } from './dying.mjs';
 import { foreign, FOREIGN, FOREIGN_TEXT } from './foreign.mjs';
 import { heldTest } from './heldTest.mjs';
 import { HOVERED, HOVERED_TEXT, hovering } from './hovering.mjs';
@@ -48,6 +48,7 @@ function prepare() {
     writeFileSync(join(scratch, 'project', CHANGING), CHANGING_TEXT);
     writeFileSync(join(scratch, 'project', HOVERED), HOVERED_TEXT);
     writeFileSync(join(scratch, 'project', FOREIGN), FOREIGN_TEXT);
+    writeFileSync(join(scratch, 'project', SLOW), '');
     writeFileSync(join(scratch, 'project', SEEN), SEEN_TEXT);
     writeFileSync(join(scratch, 'project', NAME), `${RUNG}\n`);
     writeFileSync(join(scratch, 'project', SAVED), `${CROOKED}\n`);
@@ -369,7 +370,7 @@ const parts = (page) => ({
     typing: () => typing(page, { step, until, screenshot, project: join(scratch, 'project') }),
     drawing: () => drawing(page, { step, until }),
     foreign: () => foreign(page, { step, until, screenshot }),
-    dying: () => dying(page, { step, screenshot, scratch, answer }),
+    dying: () => dying(page, { step, until, screenshot, scratch, answer }),
     book: () => book(page, { step, until, project: join(scratch, 'project') }),
     debug: () => debug(page, { step, until, weights, screenshot }),
     scenarios: () => scenarios(page, { step, until, screenshot, holdTest }),

@@ -198,11 +198,11 @@ export async function typing(page, { step, until, screenshot, project }) {
         await page.keyboard.press('End');
         await page.keyboard.press('Enter');
         await until('the beginning of a rung', async () => (await lines(page))[1] === '+--');
-        await page.keyboard.type('[TON]( s', { delay: 50 });
+        await page.keyboard.type('[ ]( ', { delay: 50 });
         // Several fit: an editor may have Tab lead from one to the next.
         await page.locator('.suggest-widget.visible .monaco-list-row').nth(1).waitFor();
         await page.keyboard.press('Tab');
-        await until('the tag', async () => /^\+--\[TON\]\( \w+ \)$/.test((await lines(page))[1]));
+        await until('the tag', async () => /^\+--\[ \]\( \w+ \)$/.test((await lines(page))[1]));
         const [, taken] = await lines(page);
         await page.keyboard.press('Tab');
         await place(page, 2, taken.length + 1);
