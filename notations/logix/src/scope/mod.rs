@@ -306,20 +306,7 @@ impl Tags {
 
     /// The tags here that change if what a path leads to is written. None: it is not known which.
     pub(crate) fn written(&mut self, scope: usize, path: &Path) -> Option<Vec<String>> {
-        let (mut scope, mut path) = (scope, path.clone());
-        if let Some(program) = path.root.strip_prefix('\\') {
-            let title = format!("program {program}");
-            let mut scopes = self.scopes.iter();
-            let other = scopes.position(|scope| scope.title.eq_ignore_ascii_case(&title))?;
-            let Some(Step::Member(tag)) = path.steps.first().cloned() else {
-                return None;
-            };
-            if let Some(Entry::Symbol(symbol)) = self.scopes[other].entries.get(&tag.to_ascii_uppercase()) {
-                self.symbols[*symbol].shared |= other != scope;
-            }
-            scope = other;
-            path.root = tag;
-        }
+        let (mut scope, mut path) = self.in_its_scope(scope, path).ok()?;
         for _ in 0..16 {
             match self.entry(scope, &path.root.to_ascii_uppercase()) {
                 Some((_, Entry::Symbol(symbol))) => {

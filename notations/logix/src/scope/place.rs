@@ -49,25 +49,7 @@ impl Tags {
     ///
     /// If it leads nowhere: a sentence.
     pub(crate) fn place(&mut self, scope: usize, path: &Path, role: Role) -> Result<Place, String> {
-        let mut scope = scope;
-        let mut path = path.clone();
-        if let Some(program) = path.root.strip_prefix('\\') {
-            let title = format!("program {program}");
-            let other = self
-                .scopes
-                .iter()
-                .position(|scope| scope.title.eq_ignore_ascii_case(&title));
-            let (Some(other), Some(Step::Member(tag))) = (other, path.steps.first().cloned()) else {
-                return Err(format!("there is no program `{program}` in the file"));
-            };
-            let key = tag.to_ascii_uppercase();
-            if let Some(Entry::Symbol(symbol)) = self.scopes[other].entries.get(&key) {
-                self.symbols[*symbol].shared |= other != scope;
-            }
-            scope = other;
-            path.root = tag;
-            path.steps.remove(0);
-        }
+        let (mut scope, mut path) = self.in_its_scope(scope, path)?;
         for _ in 0..16 {
             let key = path.root.to_ascii_uppercase();
             if let Some(system) = self.system(scope, &key, &path) {
@@ -92,6 +74,28 @@ impl Tags {
             }
         }
         Err(format!("`{}` is an alias of itself", path.root))
+    }
+
+    /// A path without the name of another program, and the scope that it is in. A tag that another program uses is noted as shared.
+    pub(super) fn in_its_scope(&mut self, scope: usize, path: &Path) -> Result<(usize, Path), String> {
+        let Some(program) = path.root.strip_prefix('\\') else {
+            return Ok((scope, path.clone()));
+        };
+        let title = format!("program {program}");
+        let mut scopes = self.scopes.iter();
+        let other = scopes.position(|scope| scope.title.eq_ignore_ascii_case(&title));
+        let (Some(other), Some((Step::Member(tag), steps))) = (other, path.steps.split_first()) else {
+            return Err(format!("there is no program `{program}` in the file"));
+        };
+        let key = tag.to_ascii_uppercase();
+        if let Some(Entry::Symbol(symbol)) = self.scopes[other].entries.get(&key) {
+            self.symbols[*symbol].shared |= other != scope;
+        }
+        let path = Path {
+            root: tag.clone(),
+            steps: steps.to_vec(),
+        };
+        Ok((other, path))
     }
 
     /// What the controller itself keeps.

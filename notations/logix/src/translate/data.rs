@@ -7,7 +7,7 @@ use crate::scope::Place;
 use crate::types::{Elem, Ty};
 use ladder_format::Circuit;
 use ladder_format::program::Operator::{self, And, Divide, Equal, Minus, Or, Plus, Shl, Shr, Times};
-use ladder_format::program::{Block, Element, Expression, Sign};
+use ladder_format::program::{Element, Expression, Sign};
 use ladder_instructions::Op;
 
 /// Whether a formula divides by something that may be 0.
@@ -188,12 +188,7 @@ impl Translator<'_> {
     /// Power that a formula decides about.
     fn condition(&mut self, formula: &Expr, like: &str) -> Result<Circuit<Element>> {
         let formula = self.tags.formula(self.scope, formula)?;
-        let helper = self.helper(like, Elem::Bool, like);
-        let computed = self.put(Op::Calc, &helper, formula)?;
-        Ok(Circuit::Series(vec![
-            computed,
-            self.block(Block::contact(helper)),
-        ]))
+        self.computed(Op::Contact, formula, like, like)
     }
 
     pub(super) fn binary(&mut self, operator: Operator, operands: &[&str]) -> Result<Circuit<Element>> {

@@ -1,13 +1,14 @@
 //! Instructions as elements of a rung.
 
 mod aoi;
+mod bits;
 mod data;
 mod files;
 mod flow;
 mod loops;
 mod states;
 
-use crate::blocks::{Blocks, OTE_BIT};
+use crate::blocks::Blocks;
 use crate::mnemonic::{Op, Role, instruction, is_known};
 use crate::model::{Family, Project};
 use crate::operand::{Expr, Path, Step};
@@ -19,7 +20,7 @@ use crate::words;
 pub(crate) use flow::Routines;
 use ladder_drawings::neutral::Instruction;
 use ladder_format::Circuit;
-use ladder_format::program::{self, Block, Element, Expression, Operand, Operator, Sign};
+use ladder_format::program::{self, Block, Element, Expression, Operand, Sign};
 use ladder_instructions::Op as Own;
 use ladder_notation::UnreadParts;
 use std::collections::{HashMap, HashSet};
@@ -301,77 +302,26 @@ impl<'p> Translator<'p> {
         }
     }
 
-    fn bit(&mut self, text: &str) -> Result<Place> {
-        let place = self.place(text, Role::Bit)?;
-        match place.elem() {
-            Some(Elem::Bool) => Ok(place),
-            _ => Err(format!("`{text}` is no bit")),
-        }
-    }
-
-    fn contact(&mut self, own: Own, text: &str) -> Result<Circuit<Element>> {
-        if let Some((word, index)) = self.computed_bit(text)? {
-            let helper = self.helper("bit", Elem::Bool, text);
-            let shifted = Expression::from(word.path).with(Operator::Shr, index);
-            let is_on = shifted.with(Operator::And, 1).with(Operator::NotEqual, 0);
-            let blocks = vec![self.put(Own::Calc, &helper, is_on)?, self.op(own, [helper])?];
-            return Ok(Circuit::Series(blocks));
-        }
-        let place = self.bit(text)?;
-        self.op(own, [place.path])
-    }
-
-    /// The word and the number of a bit that is computed, `w.[i]`.
-    fn computed_bit(&mut self, text: &str) -> Result<Option<(Place, Expression)>> {
-        let Expr::Path(mut word) = operand(self.project.family, text)? else {
-            return Ok(None);
-        };
-        let Some(Step::ComputedBit(index)) = word.steps.pop() else {
-            return Ok(None);
-        };
-        let word = self.tags.place(self.scope, &word, Role::Value)?;
-        if !word.elem().is_some_and(Elem::is_integer) {
-            return Err(format!("`{}` has no bits", word.path));
-        }
-        let index = self.tags.formula(self.scope, &index)?;
-        Ok(Some((word, index)))
-    }
-
-    /// A coil on a bit that is computed. One that also clears is a block, which runs without power too.
-    fn coil_on_computed(&mut self, own: Own, word: &Place, index: Expression) -> Result<Circuit<Element>> {
-        let path = &word.path;
-        if word.parameter.is_some() || word.is_system() {
-            return Err(format!("`{path}` cannot be written here"));
-        }
-        let bit = |index: Expression| Expression::from(1).with(Operator::Shl, index);
-        let whole = Expression::from(path);
-        match (own, &index) {
-            (Own::SetCoil, _) => self.put(Own::Calc, path, whole.with(Operator::Or, bit(index))),
-            (Own::ResetCoil, _) => self.put(Own::Calc, path, whole.with(Operator::And, bit(index).negated())),
-            (_, Expression::Path(_) | Expression::Literal(_)) => {
-                let elem = word.elem().unwrap_or(Elem::Dint);
-                let block = self.blocks.on_word(OTE_BIT, elem);
-                self.user(&block, [whole, index])
-            }
-            _ => Err(format!("the number of a bit of `{path}` is a formula")),
-        }
-    }
-
-    fn coil(&mut self, own: Own, text: &str) -> Result<Circuit<Element>> {
-        if let Some((word, index)) = self.computed_bit(text)? {
-            return self.coil_on_computed(own, &word, index);
-        }
-        let place = self.target(text, Role::Bit)?;
-        match place.elem() {
-            Some(Elem::Bool) => self.op(own, [place.path]),
-            _ => Err(format!("`{text}` is no bit")),
-        }
-    }
-
     /// A tag that an instruction needs for a value on its way.
     fn helper(&mut self, like: &str, elem: Elem, what: &str) -> program::Path {
         self.tags
             .helper(self.scope, like, elem, &format!("helper: {what}"))
+    }
+
+    /// A contact on what a formula computes, by way of a tag.
+    fn computed(
+        &mut self,
+        contact: Own,
+        formula: Expression,
+        like: &str,
+        what: &str,
+    ) -> Result<Circuit<Element>> {
+        let helper = self.helper(like, Elem::Bool, what);
+        let blocks = vec![
+            self.put(Own::Calc, &helper, formula)?,
+            self.op(contact, [helper])?,
+        ];
+        Ok(Circuit::Series(blocks))
     }
 
     /// A value as an operand where a type is asked for, and its own type if it is a tag.

@@ -399,11 +399,12 @@ fn structures_aliases_and_arrays() {
             ("go", "= Local:1:I.Data.3", ""),
             ("grid", "INT[2 3]", ""),
             ("shown", "INT", ""),
+            ("PumpSYS", "Motor", ""),
         ],
         &[(
             "Main",
             &[
-                "XIC(go)OTE(first)MOV(20,m[2].Delay.PRE);",
+                "XIC(go)OTE(first)OTE(PumpSYS.Run)MOV(20,m[2].Delay.PRE);",
                 "XIC(m[0].Run)TON(m[i].Delay,?,?)OTE(m[i].Run);",
                 "MOV(2.5,m[1].Speeds[i])MOV(m[1],m[3])MOV(m[3].Speeds[2],grid[1,i])MOV(grid[1,2],shown);",
             ],
@@ -411,14 +412,14 @@ fn structures_aliases_and_arrays() {
     );
     let text = converted(&L5x, source.as_bytes()).written.text;
     expect![[r#"
-        m[0].Run,m[2].Run,m[2].Delay.ACC,m[3].Speeds[2],shown
-        1,1,0,2.5,2
-        1,1,10,2.5,2"#]]
+        m[0].Run,m[2].Run,m[2].Delay.ACC,m[3].Speeds[2],shown,PumpSYS.Run
+        1,1,0,2.5,2,1
+        1,1,10,2.5,2,1"#]]
     .assert_eq(&trace(
         &text,
         "go\n1\n",
         2,
-        "m[0].Run,m[2].Run,m[2].Delay.ACC,m[3].Speeds[2],shown",
+        "m[0].Run,m[2].Run,m[2].Delay.ACC,m[3].Speeds[2],shown,PumpSYS.Run",
     ));
 }
 
