@@ -191,28 +191,6 @@ export async function typing(page, { step, until, screenshot, project }) {
         }
         await selectSecond();
     });
-    await step('Tab after a tag that was taken from the list goes on, and puts nothing in', async () => {
-        const before = await lines(page);
-        await page.keyboard.press('Control+Home');
-        await page.keyboard.press('End');
-        await page.keyboard.press('Enter');
-        await until('the beginning of a rung', async () => (await lines(page))[1] === '+--');
-        await page.keyboard.type('[ ]( ', { delay: 50 });
-        // Several fit: an editor may have Tab lead from one to the next.
-        await page.locator('.suggest-widget.visible .monaco-list-row').nth(1).waitFor();
-        await page.keyboard.press('Tab');
-        await until('the tag', async () => /^\+--\[ \]\( \w+ \)$/.test((await lines(page))[1]));
-        const [, taken] = await lines(page);
-        await page.keyboard.press('Tab');
-        await place(page, 2, taken.length + 1);
-        assert.equal((await lines(page))[1], taken);
-        await until('the program as it was', async () => {
-            await page.keyboard.press('Control+Z');
-            await page.waitForTimeout(200);
-            return (await lines(page)).join('\n') === before.join('\n');
-        });
-        await selectSecond();
-    });
     await step('a key draws a contact, and one undo takes it back', async () => {
         const before = await lines(page);
         await page.keyboard.press('Alt+L');
