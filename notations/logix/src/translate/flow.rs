@@ -89,12 +89,16 @@ impl Routines {
         }
         routines
     }
+
+    fn named(&self, scope: usize, routine: &str) -> Option<&Subroutine> {
+        self.known.get(&(scope, routine.to_ascii_uppercase()))
+    }
 }
 
 impl Translator<'_> {
     /// The tags in which a routine leaves something for what calls it.
     pub(crate) fn left_by(&self, scope: usize, routine: &str) -> Vec<String> {
-        let known = self.routines.known.get(&(scope, routine.to_ascii_uppercase()));
+        let known = self.routines.named(scope, routine);
         known.map_or_else(Vec::new, |known| {
             let returned = known.returned.iter().map(|(helper, _)| helper);
             returned.chain(&known.leaves).map(ToString::to_string).collect()
@@ -118,8 +122,7 @@ impl Translator<'_> {
             .split_first()
             .ok_or("the name of the routine is missing")?;
         let routine = routine.trim_start_matches("U:");
-        let key = (self.scope, routine.to_ascii_uppercase());
-        let Some(subroutine) = self.routines.known.get(&key) else {
+        let Some(subroutine) = self.routines.named(self.scope, routine) else {
             return Err(format!("there is no routine `{routine}` in the program"));
         };
         let (function, targets) = (subroutine.function.clone(), subroutine.inputs.clone());
@@ -160,8 +163,7 @@ impl Translator<'_> {
 
     /// The function that a routine is, and the bit with which it ends the loop that calls it.
     pub(super) fn called(&self, routine: &str) -> Result<(String, Option<Path>)> {
-        let key = (self.scope, routine.to_ascii_uppercase());
-        match self.routines.known.get(&key) {
+        match self.routines.named(self.scope, routine) {
             Some(found) => Ok((found.function.clone(), found.leaves.clone())),
             None => Err(format!("there is no routine `{routine}` in the program")),
         }
@@ -179,7 +181,8 @@ impl Translator<'_> {
     /// `RET( values .. )`
     pub(super) fn ret(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
         let mut circuit = Vec::new();
-        let of_this: Vec<(Path, Elem)> = self.returned_here();
+        let known = self.routines.named(self.scope, &self.routine);
+        let of_this = known.map_or_else(Vec::new, |known| known.returned.clone());
         for (text, (helper, elem)) in operands.iter().zip(of_this) {
             let from = self.expr(text)?;
             let to = Place::of(helper, Ty::Elem(elem));
@@ -187,11 +190,5 @@ impl Translator<'_> {
         }
         circuit.push(self.block(Block::ret()));
         Ok(Circuit::Series(circuit))
-    }
-
-    fn returned_here(&self) -> Vec<(Path, Elem)> {
-        let key = (self.scope, self.routine.to_ascii_uppercase());
-        let found = self.routines.known.get(&key);
-        found.map(|found| found.returned.clone()).unwrap_or_default()
     }
 }
