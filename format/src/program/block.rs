@@ -194,6 +194,16 @@ impl Block {
         Block::on(Op::Ret, Vec::new())
     }
 
+    /// `[NOT]`
+    pub const fn inverter() -> Block {
+        Block::on(Op::Inverter, Vec::new())
+    }
+
+    /// `[OSR]`
+    pub const fn one_shot() -> Block {
+        Block::on(Op::OneShotRising, Vec::new())
+    }
+
     /// An unread part (LANGUAGE §5.9) by a name that is one, without `$`, and what the other system writes for it.
     pub fn unread(name: &str, text: Option<String>) -> Block {
         let text = text.map(|text| Operand::from(Literal::text(&text)));

@@ -88,6 +88,16 @@ impl Operator {
         all.find(|(_, own, _)| *own == written).map(|row| row.0)
     }
 
+    /// How tightly it binds, compared with the others. What is of one sort is computed from left to right.
+    pub const fn binding(self) -> u8 {
+        self.row().1
+    }
+
+    /// Whether it compares: `=`, `<`
+    pub const fn compares(self) -> bool {
+        matches!(self.binding(), 4 | 5)
+    }
+
     /// As it is written, and how tightly it binds.
     const fn row(self) -> (&'static str, u8) {
         let (_, written, binding) = OPERATORS[self as usize];
@@ -96,10 +106,10 @@ impl Operator {
 
     /// How tightly its left and its right operand must hold together. What is of one sort is computed from left to right.
     const fn asked(self) -> (u8, u8) {
-        match self.row().1 {
+        match self.binding() {
             // It groups to the right here, and to the left elsewhere.
             POWER => (SIGNED, SIGNED),
-            4 | 5 => (IN_RELATION, IN_RELATION),
+            _ if self.compares() => (IN_RELATION, IN_RELATION),
             binding => (binding, binding + 1),
         }
     }
@@ -183,7 +193,7 @@ impl Expression {
     const fn binding(&self) -> u8 {
         match self {
             Expression::Unary(..) => SIGNED,
-            Expression::Binary(operator, ..) => operator.row().1,
+            Expression::Binary(operator, ..) => operator.binding(),
             _ => TIGHTEST,
         }
     }
@@ -193,7 +203,13 @@ impl Expression {
         self.binding() < asked || matches!(self, Expression::Literal(literal) if literal.is_negative())
     }
 
-    pub(super) fn check(&self) -> Result<(), Invalid> {
+    /// Whether it can be written. [`Block::of`](super::Block::of) asks this of its operands; contacts and coils take what is
+    /// known to be so.
+    ///
+    /// # Errors
+    ///
+    /// If it is too long, nests too deep, or has a name that a tag or a member cannot have.
+    pub fn check(&self) -> Result<(), Invalid> {
         if self.terms(0).is_none_or(|terms| terms >= MAX_TERMS) {
             return Err(Invalid::new("the formula is too long, or nests too deep"));
         }

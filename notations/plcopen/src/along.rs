@@ -120,7 +120,7 @@ pub(crate) fn take_out(project: &mut Project) {
     let globals: Vec<(SystemTag, String)> = project
         .globals
         .iter()
-        .filter_map(|global| Some((SystemTag::from_name(&system(global)?[4..])?, global.name.clone())))
+        .filter_map(|global| Some((system(global)?, global.name.clone())))
         .collect();
     let (mut is_set, mut called, mut moves) = (false, Vec::new(), Vec::new());
     let units = std::mem::take(&mut project.units);
@@ -217,10 +217,10 @@ pub(crate) fn system_variable(tag: SystemTag, name: &str, role: Role) -> Variabl
     }
 }
 
-/// The tag of `SYS` that a global stands for, as it is written.
-pub(crate) fn system(variable: &Variable) -> Option<&str> {
+/// The tag of `SYS` that a global stands for.
+pub(crate) fn system(variable: &Variable) -> Option<SystemTag> {
     let said = variable.comment.as_deref()?.strip_suffix(SYSTEM)?;
-    SystemTag::from_name(said.strip_prefix("SYS.")?).map(|_| said)
+    SystemTag::from_name(said.strip_prefix("SYS.")?)
 }
 
 /// The block that sets the globals of these tags.

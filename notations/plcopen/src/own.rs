@@ -51,8 +51,8 @@ pub(crate) fn bit(number: &str, ty: Scalar, bit: u8) -> String {
     format!("({number} AND {}) <> 0", 1u64 << bit)
 }
 
-/// The bit that an expression is, as ladder text names it.
-pub(crate) fn as_bit(text: &str) -> Option<String> {
+/// The bit that an expression is: of which number, and which one.
+pub(crate) fn as_bit(text: &str) -> Option<(&str, u32)> {
     let inside = text.trim().strip_prefix('(')?.strip_suffix(") <> 0")?;
     let (number, mask) = inside.split_once(" AND ")?;
     let mask: u64 = mask.parse().ok().filter(|mask: &u64| mask.is_power_of_two())?;
@@ -63,7 +63,7 @@ pub(crate) fn as_bit(text: &str) -> Option<String> {
     let is_path = number
         .chars()
         .all(|c| c.is_alphanumeric() || "_.[], ".contains(c));
-    is_path.then(|| format!("{number}.{}", mask.trailing_zeros()))
+    is_path.then(|| (number, mask.trailing_zeros()))
 }
 
 /// The expression that is true where a bit is low, of the expression for that bit.
@@ -75,7 +75,7 @@ pub(crate) fn low(bit: &str) -> Option<String> {
 /// The bit that is low where an expression is true.
 fn is_low(text: &str) -> Option<String> {
     let bit = format!("{} <> 0", text.strip_suffix(" = 0")?);
-    as_bit(&bit).map(|_| bit)
+    as_bit(&bit).is_some().then_some(bit)
 }
 
 /// Makes blocks again of comparisons of names, which are expressions in a project, and bits of their comparisons: see the writer.

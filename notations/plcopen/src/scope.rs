@@ -5,13 +5,15 @@ use super::brought;
 use super::model::{Body, Evaluation, Project, Role, Type, Unit, UnitKind, Variable};
 use super::own;
 use super::standard::{self, StandardBlock};
+use ladder_format::program::Path;
 use ladder_notation::Names;
 use std::collections::{HashMap, HashSet};
 
 /// A variable as it is called here.
 #[derive(Debug, Clone)]
 pub(crate) struct Known {
-    pub(crate) spelled: String,
+    /// Its tag; of a variable that stands for one of `SYS`, that.
+    pub(crate) path: Path,
     pub(crate) ty: Type,
 }
 
@@ -86,8 +88,7 @@ impl Scope {
 
     /// Takes a variable in; where its name is another's already, its owner is put before it.
     pub(crate) fn declare(&mut self, name: &str, ty: &Type, owner: &str) {
-        let key = name.to_lowercase();
-        if self.known.contains_key(&key) {
+        if self.get(name).is_some() {
             return;
         }
         let like = match trigger(ty) {
@@ -99,14 +100,13 @@ impl Scope {
         } else {
             self.fresh(&like)
         };
-        let ty = ty.clone();
         self.has_odd |= !is_plain(name);
-        self.known.insert(key, Known { spelled, ty });
+        self.alias(name, Path::tag(spelled), ty);
     }
 
-    fn alias(&mut self, name: &str, spelled: &str, ty: &Type) {
-        let (spelled, ty) = (spelled.to_owned(), ty.clone());
-        self.known.insert(name.to_lowercase(), Known { spelled, ty });
+    fn alias(&mut self, name: &str, path: Path, ty: &Type) {
+        let ty = ty.clone();
+        self.known.insert(name.to_lowercase(), Known { path, ty });
     }
 }
 
@@ -129,7 +129,7 @@ impl<'p> Shared<'p> {
         let mut globals = Scope::default();
         for variable in &project.globals {
             match along::system(variable) {
-                Some(tag) => globals.alias(&variable.name, tag, &variable.ty),
+                Some(tag) => globals.alias(&variable.name, Path::system(tag.name()), &variable.ty),
                 None => globals.declare(&variable.name, &variable.ty, ""),
             }
         }
@@ -146,11 +146,11 @@ impl<'p> Shared<'p> {
             let name = block_name(name, &mut taken);
             let mut scope = Scope::next_to(&globals);
             let power = Type::Named("BOOL".to_owned());
-            scope.alias("EN", "EN", &power);
-            scope.alias("ENO", "ENO", &power);
+            scope.alias("EN", Path::tag("EN"), &power);
+            scope.alias("ENO", Path::tag("ENO"), &power);
             for variable in local(unit) {
                 match own::power(variable) {
-                    Some(name) => scope.alias(&variable.name, name, &power),
+                    Some(name) => scope.alias(&variable.name, Path::tag(name), &power),
                     None => scope.declare(&variable.name, &variable.ty, ""),
                 }
             }

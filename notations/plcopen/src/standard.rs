@@ -1,5 +1,7 @@
 //! The functions and function blocks of IEC 61131-3, each next to the instruction that says the same.
 
+use ladder_format::program::Operator;
+
 /// A function block of the standard.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum StandardBlock {
@@ -94,7 +96,7 @@ pub(crate) enum Function {
     /// AND, OR, XOR, NOT: of powers they are wires, of words an instruction.
     Gate(Gate),
     /// Of two values or more, power.
-    Compare(&'static str, &'static str),
+    Compare(&'static str, Operator),
     /// A value, by the mnemonic of the instruction.
     Value(&'static str),
     /// A value in another type.
@@ -113,18 +115,18 @@ pub(crate) enum Gate {
 /// The function of a name.
 pub(crate) fn function(name: &str) -> Option<Function> {
     let upper = name.to_ascii_uppercase();
-    let compare = |mnemonic, sign| Some(Function::Compare(mnemonic, sign));
+    let compare = |mnemonic, operator| Some(Function::Compare(mnemonic, operator));
     match upper.as_str() {
         "AND" => return Some(Function::Gate(Gate::And)),
         "OR" => return Some(Function::Gate(Gate::Or)),
         "XOR" => return Some(Function::Gate(Gate::Xor)),
         "NOT" => return Some(Function::Gate(Gate::Not)),
-        "EQ" => return compare("EQ", "="),
-        "NE" => return compare("NE", "<>"),
-        "GT" => return compare("GT", ">"),
-        "GE" => return compare("GE", ">="),
-        "LT" => return compare("LT", "<"),
-        "LE" => return compare("LE", "<="),
+        "EQ" => return compare("EQ", Operator::Equal),
+        "NE" => return compare("NE", Operator::NotEqual),
+        "GT" => return compare("GT", Operator::Greater),
+        "GE" => return compare("GE", Operator::GreaterEqual),
+        "LT" => return compare("LT", Operator::Less),
+        "LE" => return compare("LE", Operator::LessEqual),
         "TRUNC" => return Some(Function::Value("TRUNC")),
         _ => {}
     }

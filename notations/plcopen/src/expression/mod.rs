@@ -1,42 +1,83 @@
-//! Expressions of IEC 61131-3 as operands of ladder text.
+//! Expressions of IEC 61131-3 as those of ladder text, with their types.
 
 mod tokens;
 
 use super::model::Type;
 use super::own;
-use super::scope::{Scope, Shared, member, trigger};
+use super::scope::{Known, Scope, Shared, member, trigger};
 use super::standard;
 use ladder_analysis::values::types::{Scalar, passes};
+use ladder_format::program::{Expression, Literal, Operator, Path, Sign};
 use tokens::{Token, tokens};
 
-/// An operand.
+/// An expression and its type.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Operand {
-    /// As it is written here.
-    pub(crate) text: String,
-    pub(crate) form: Form,
-    /// Its type, where that is known.
+pub(crate) struct Typed {
+    pub(crate) value: Expression,
+    /// Where it is known.
     pub(crate) ty: Option<Type>,
-    /// The tags that it reads, each without members and indices, in small letters.
-    pub(crate) reads: Vec<String>,
+    /// The value is a TIME, and the number of its milliseconds is meant.
+    pub(crate) in_milliseconds: bool,
 }
 
-/// What an operand is.
+/// What an expression is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Form {
-    Literal,
+pub(crate) enum Form<'e> {
+    Literal(&'e Literal),
     /// A tag, or a part of one.
-    Path,
+    Path(&'e Path),
     /// `NOT` of a tag.
-    NotPath,
-    /// A TIME of which the number of milliseconds is meant; the text is the TIME.
+    NotPath(&'e Path),
+    /// The number of milliseconds of a TIME.
     Milliseconds,
     /// Anything else.
-    Expression,
+    Formula,
 }
 
-/// Parentheses nest no deeper.
+impl Typed {
+    pub(crate) fn of(value: impl Into<Expression>, ty: Option<Type>) -> Typed {
+        Typed {
+            value: value.into(),
+            ty,
+            in_milliseconds: false,
+        }
+    }
+
+    pub(crate) fn form(&self) -> Form<'_> {
+        match &self.value {
+            _ if self.in_milliseconds => Form::Milliseconds,
+            Expression::Literal(literal) => Form::Literal(literal),
+            Expression::Path(path) => Form::Path(path),
+            Expression::Unary(Sign::Not, inner) => inner.path().map_or(Form::Formula, Form::NotPath),
+            _ => Form::Formula,
+        }
+    }
+
+    /// Whether it is TRUE or FALSE, if it is one of them.
+    pub(crate) fn truth(&self) -> Option<bool> {
+        match &self.value {
+            Expression::Literal(literal) => match literal.as_str() {
+                "TRUE" | "BOOL#TRUE" | "BOOL#1" => Some(true),
+                "FALSE" | "BOOL#FALSE" | "BOOL#0" => Some(false),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+}
+
+/// The tags that an expression reads, each without members and indices, in small letters.
+pub(crate) fn reads(value: &Expression) -> Vec<String> {
+    let mut reads = Vec::new();
+    value.paths(&mut |path| reads.push(path.root.to_lowercase()));
+    reads
+}
+
+/// Parentheses and signs nest no deeper.
 const DEEPEST: usize = 40;
+
+/// An operand is no longer: it is drawn wherever it is used.
+const LONGEST: usize = 500;
 
 /// What names mean in a unit.
 #[derive(Clone, Copy)]
@@ -45,110 +86,59 @@ pub(crate) struct Meaning<'m> {
     pub(crate) scope: &'m Scope,
 }
 
-/// The operand that an expression is.
+/// The operand that a text is.
 ///
 /// # Errors
 ///
 /// Why it has no counterpart.
-pub(crate) fn operand(text: &str, meaning: Meaning<'_>) -> Result<Operand, String> {
-    if let Some((call, inner)) = text
-        .trim()
-        .strip_suffix(')')
-        .and_then(|text| text.split_once('('))
-        && let Some(standard::Function::Convert(to)) = standard::function(call.trim())
-        && let Ok(inner) = operand(inner, meaning)
-        && inner
-            .ty
-            .as_ref()
-            .is_some_and(|from| passes_to(meaning.shared.real(from), to))
+pub(crate) fn operand(text: &str, meaning: Meaning<'_>) -> Result<Typed, String> {
+    if let Some((number, bit)) = own::as_bit(text)
+        && let Ok(Expression::Path(path)) = operand(number, meaning).map(|number| number.value)
     {
-        return Ok(Operand {
-            ty: Some(named(to)),
-            ..inner
-        });
-    }
-    if let Some(bit) = own::as_bit(text)
-        && let Ok(bit) = operand(&bit, meaning)
-    {
-        return Ok(Operand {
-            ty: Some(named("BOOL")),
-            ..bit
-        });
+        return Ok(Typed::of(path.bit(bit), Some(named("BOOL"))));
     }
     if let Some(time) = own::in_milliseconds(text) {
         let time = operand(time, meaning)?;
-        let is_time = time.form != Form::Expression && time.ty == Some(named("TIME"));
+        let is_time = time.form() != Form::Formula && time.ty == Some(named("TIME"));
         return is_time
-            .then_some(Operand {
-                form: Form::Milliseconds,
+            .then_some(Typed {
+                in_milliseconds: true,
                 ty: Some(named("LREAL")),
                 ..time
             })
             .ok_or_else(|| "a number of milliseconds is that of a TIME".to_owned());
     }
     let tokens = tokens(text, meaning)?;
+    if tokens.is_empty() {
+        return Err("there is no variable".to_owned());
+    }
     let mut parser = Parser {
         tokens: &tokens,
         at: 0,
         meaning,
         depth: 0,
-        reads: Vec::new(),
-        compares: false,
         has_real: false,
-        pieces: 0,
     };
-    if tokens.is_empty() {
-        return Err("there is no variable".to_owned());
+    let (value, ty) = parser.expression(0)?;
+    match parser.token() {
+        None => {}
+        Some(Token::Sign(")" | "]" | ",")) => return Err("its parentheses do not match".to_owned()),
+        Some(_) => return Err("it is no expression".to_owned()),
     }
-    let (out, ty) = parser.sequence()?;
-    if parser.at < tokens.len() {
-        return Err("its parentheses do not match".to_owned());
-    }
-    let form = match (&tokens[..], parser.pieces) {
-        ([Token::Literal(..)] | [Token::Sign("-"), Token::Literal(..)], _) => Form::Literal,
-        ([Token::Word(word)], _) if is_truth(word) => Form::Literal,
-        ([Token::Word(_) | Token::Enumerator(_), ..], 1) if tokens.get(1) != Some(&Token::Sign("(")) => {
-            Form::Path
-        }
-        ([Token::Word(_), ..], 2)
-            if out
-                .strip_prefix("NOT ")
-                .is_some_and(|rest| !rest.contains([' ', '('])) =>
-        {
-            Form::NotPath
-        }
-        _ => Form::Expression,
-    };
-    if out.len() > LONGEST {
+    value.check()?;
+    if value.to_string().len() > LONGEST {
         return Err(format!("it is longer than {LONGEST} characters"));
     }
-    if !is_well_formed(&out) {
-        return Err("it is no expression".to_owned());
+    let ty = ty.or_else(|| parser.has_real.then(|| named("LREAL")));
+    // A number with its sign is one literal where nothing else is.
+    if let Expression::Unary(Sign::Minus, inner) = &value
+        && let Expression::Literal(number) = &**inner
+        && let Ok(negative) = Literal::read(format!("-{}", number.as_str()))
+    {
+        return Ok(Typed::of(negative, ty));
     }
-    let ty = match ty {
-        _ if parser.compares => Some(named("BOOL")),
-        None if parser.has_real => Some(named("LREAL")),
-        ty => ty,
-    };
-    Ok(Operand {
-        text: out,
-        form,
-        ty,
-        reads: parser.reads,
-    })
+    Ok(Typed::of(value, ty))
 }
-
-/// Whether ladder text can have it as an operand.
-fn is_well_formed(text: &str) -> bool {
-    let is_name = |c: char| c.is_alphanumeric() || c == '_';
-    (text.chars().all(is_name) && !ladder_syntax::is_reserved(text))
-        || ladder_syntax::parse(&format!("+--[CALC]( y, {text} )--+\n"))
-            .errors()
-            .is_empty()
-}
-
-/// An operand is no longer: it is drawn wherever it is used.
-const LONGEST: usize = 500;
 
 fn named(name: &str) -> Type {
     Type::Named(name.to_owned())
@@ -164,87 +154,105 @@ fn passes_to(from: &Type, to: &str) -> bool {
     from.zip(scalar(to)).is_some_and(|(from, to)| passes(from, to))
 }
 
-fn is_truth(word: &str) -> bool {
-    word.eq_ignore_ascii_case("TRUE") || word.eq_ignore_ascii_case("FALSE")
-}
+/// An expression, and its type where that is known.
+type Found<E> = Result<(E, Option<Type>), String>;
 
 struct Parser<'t, 'm> {
     tokens: &'t [Token],
     at: usize,
     meaning: Meaning<'m>,
     depth: usize,
-    reads: Vec<String>,
-    compares: bool,
     /// A number with a point is in it.
     has_real: bool,
-    /// How many things stand next to each other outside parentheses; one in parentheses is what it is without.
-    pieces: usize,
 }
 
-impl Parser<'_, '_> {
-    /// Everything up to a closing parenthesis, or the end.
-    fn sequence(&mut self) -> Result<(String, Option<Type>), String> {
+impl<'t, 'm> Parser<'t, 'm> {
+    fn token(&self) -> Option<&'t Token> {
+        self.tokens.get(self.at)
+    }
+
+    fn next_is(&self, sign: &str) -> bool {
+        matches!(self.token(), Some(Token::Sign(next)) if *next == sign)
+    }
+
+    /// An expression whose operators all bind more tightly than `floor`.
+    fn expression(&mut self, floor: u8) -> Found<Expression> {
+        let (mut left, mut ty) = self.signed()?;
+        while let Some(operator) = self.operator().filter(|operator| operator.binding() > floor) {
+            self.at += 1;
+            let (right, other) = self.expression(operator.binding())?;
+            left = left.with(operator, right);
+            ty = if operator.compares() {
+                Some(named("BOOL"))
+            } else {
+                ty.or(other)
+            };
+        }
+        Ok((left, ty))
+    }
+
+    fn operator(&self) -> Option<Operator> {
+        match self.token()? {
+            Token::Sign(sign) => Operator::of(sign),
+            Token::Word(word) => Operator::of(&word.to_ascii_uppercase()),
+            _ => None,
+        }
+    }
+
+    /// A value with the signs before it.
+    fn signed(&mut self) -> Found<Expression> {
         if self.depth > DEEPEST {
             return Err(format!("its parentheses nest deeper than {DEEPEST}"));
         }
-        let mut out = String::new();
-        let mut found: Option<Type> = None;
-        while let Some(token) = self.tokens.get(self.at) {
-            let (piece, ty) = match token {
-                Token::Sign(")" | "]" | ",") => break,
-                Token::Sign("(") => {
-                    self.at += 1;
-                    let (inner, ty) = self.nested(")")?;
-                    // NOT( a ) is NOT a.
-                    let alone = out == "NOT" && !inner.contains(' ');
-                    (if alone { inner } else { format!("({inner})") }, ty)
-                }
-                Token::Sign(sign @ ("[" | ".")) => return Err(format!("a `{sign}` has nothing before it")),
-                Token::Enumerator(text) => {
-                    self.at += 1;
-                    (text.clone(), None)
-                }
-                Token::Sign(sign) => {
-                    self.at += 1;
-                    self.compares |= matches!(*sign, "=" | "<>" | "<" | "<=" | ">" | ">=");
-                    ((*sign).to_owned(), None)
-                }
-                // A number takes the type of what is next to it.
-                Token::Literal(text, Some("LREAL")) if !text.contains('#') => {
-                    self.at += 1;
-                    self.has_real = true;
-                    (text.clone(), None)
-                }
-                Token::Literal(text, ty) => {
-                    self.at += 1;
-                    (text.clone(), ty.map(named))
-                }
-                Token::Word(word) => self.word(word)?,
-            };
-            found = found.or(ty);
-            self.pieces += usize::from(self.depth == 0);
-            let sign = out.is_empty() || out.ends_with('(') || (out.len() == 1 && out.starts_with('-'));
-            if !sign {
-                out.push(' ');
-            }
-            out.push_str(&piece);
-        }
-        if out.is_empty() {
-            return Err("something is missing in it".to_owned());
-        }
-        Ok((out, found))
+        let sign = match self.token() {
+            Some(Token::Sign("-")) => Sign::Minus,
+            Some(Token::Word(word)) if word.eq_ignore_ascii_case("NOT") => Sign::Not,
+            _ => return self.value(),
+        };
+        self.at += 1;
+        self.depth += 1;
+        let (inner, ty) = self.signed()?;
+        self.depth -= 1;
+        let inner = match inner {
+            // NOT( a ) is NOT a.
+            Expression::Group(alone) if alone.path().is_some() => alone,
+            inner => Box::new(inner),
+        };
+        Ok((Expression::Unary(sign, inner), ty))
     }
 
-    /// What is in parentheses, with what closes them.
-    fn nested(&mut self, close: &'static str) -> Result<(String, Option<Type>), String> {
+    fn value(&mut self) -> Found<Expression> {
+        let (value, ty) = match self.token() {
+            Some(Token::Sign("(")) => {
+                let (inner, ty) = self.nested(")")?;
+                return Ok((Expression::Group(Box::new(single(inner)?)), ty));
+            }
+            Some(Token::Sign(sign @ ("[" | "."))) => return Err(format!("a `{sign}` has nothing before it")),
+            Some(Token::Word(word)) if self.operator().is_none() => return self.word(word),
+            Some(Token::Enumerator(path)) => (path.into(), None),
+            // A number takes the type of what is next to it.
+            Some(Token::Literal(literal, Some("LREAL"))) if !literal.as_str().contains('#') => {
+                self.has_real = true;
+                (literal.clone().into(), None)
+            }
+            Some(Token::Literal(literal, ty)) => (literal.clone().into(), ty.map(named)),
+            _ => return Err("something is missing in it".to_owned()),
+        };
+        self.at += 1;
+        Ok((value, ty))
+    }
+
+    /// What is in parentheses, from the sign that opens them to the one that closes them.
+    fn nested(&mut self, close: &'static str) -> Found<Vec<Expression>> {
+        self.at += 1;
         self.depth += 1;
         let mut parts = Vec::new();
         let mut found = None;
         loop {
-            let (part, ty) = self.sequence()?;
+            let (part, ty) = self.expression(0)?;
             found = found.or(ty);
             parts.push(part);
-            match self.tokens.get(self.at) {
+            match self.token() {
                 Some(Token::Sign(",")) => self.at += 1,
                 Some(Token::Sign(sign)) if *sign == close => break,
                 _ => return Err("its parentheses do not match".to_owned()),
@@ -252,53 +260,44 @@ impl Parser<'_, '_> {
         }
         self.at += 1;
         self.depth -= 1;
-        Ok((parts.join(", "), found))
+        Ok((parts, found))
     }
 
-    fn word(&mut self, word: &str) -> Result<(String, Option<Type>), String> {
+    fn word(&mut self, word: &str) -> Found<Expression> {
         self.at += 1;
-        let upper = word.to_ascii_uppercase();
-        if matches!(upper.as_str(), "AND" | "OR" | "XOR" | "NOT" | "MOD") {
-            return Ok((upper, None));
-        }
-        if is_truth(word) {
-            return Ok((upper, Some(named("BOOL"))));
+        for truth in [true, false] {
+            let literal = Literal::from(truth);
+            if literal.as_str().eq_ignore_ascii_case(word) {
+                return Ok((literal.into(), Some(named("BOOL"))));
+            }
         }
         if self.next_is("(") {
             return self.call(word);
         }
-        self.path(word)
+        self.path(word).map(|(path, ty)| (path.into(), ty))
     }
 
-    fn next_is(&self, sign: &str) -> bool {
-        matches!(self.tokens.get(self.at), Some(Token::Sign(next)) if *next == sign)
-    }
-
-    fn call(&mut self, word: &str) -> Result<(String, Option<Type>), String> {
+    fn call(&mut self, word: &str) -> Found<Expression> {
         let unknown = || format!("`{word}` is no function that an expression can have here");
         let function = standard::function(word).ok_or_else(unknown)?;
-        self.at += 1;
         let (inner, ty) = self.nested(")")?;
         match function {
-            standard::Function::Value(mnemonic) => Ok((format!("{mnemonic}({inner})"), ty)),
+            standard::Function::Value(mnemonic) => Ok((Expression::call(mnemonic, inner), ty)),
             standard::Function::Convert(to)
                 if ty
                     .as_ref()
                     .is_some_and(|from| passes_to(self.meaning.shared.real(from), to)) =>
             {
-                let is_single = !inner.contains([' ', ',']);
-                let text = if is_single { inner } else { format!("({inner})") };
-                Ok((text, Some(named(to))))
+                Ok((single(inner)?, Some(named(to))))
             }
             _ => Err(unknown()),
         }
     }
 
     /// A variable, with members and indices.
-    fn path(&mut self, word: &str) -> Result<(String, Option<Type>), String> {
+    fn path(&mut self, word: &str) -> Found<Path> {
         if let Some(address) = word.strip_prefix('%') {
             let text = address_of(word).ok_or_else(|| format!("`%{address}` is no address here"))?;
-            self.reads.push(text.to_lowercase());
             let ty = match text.as_bytes()[2] {
                 b'X' => "BOOL",
                 b'B' => "BYTE",
@@ -306,24 +305,20 @@ impl Parser<'_, '_> {
                 b'D' => "DWORD",
                 _ => "LWORD",
             };
-            return Ok((text, Some(named(ty))));
+            return Ok((Path::tag(text), Some(named(ty))));
         }
         let Meaning { shared, scope } = self.meaning;
         let known = scope.get(word).or_else(|| shared.globals.get(word));
-        let (mut out, mut ty) = match known {
-            Some(known) => (known.spelled.clone(), Some(known.ty.clone())),
-            // A list of globals in CODESYS: GVL.name.
-            None => match self.global_in_list() {
-                Some(found) => found,
-                None => (member(word), None),
-            },
+        // A list of globals in CODESYS: GVL.name.
+        let known = known.or_else(|| self.global_in_list());
+        let (mut path, mut ty) = match known {
+            Some(known) => (known.path.clone(), Some(known.ty.clone())),
+            None => (Path::tag(member(word)), None),
         };
-        self.reads.push(out.to_lowercase());
         loop {
             if self.next_is("[") {
-                self.at += 1;
-                let (inner, _) = self.nested("]")?;
-                out.push_str(&format!("[{inner}]"));
+                let (indices, _) = self.nested("]")?;
+                path = path.index(indices);
                 ty = ty.and_then(|ty| match shared.real(&ty) {
                     Type::Array(_, of) => Some((**of).clone()),
                     _ => None,
@@ -333,64 +328,68 @@ impl Parser<'_, '_> {
             if !self.next_is(".") {
                 break;
             }
-            self.at += 1;
-            match self.tokens.get(self.at) {
-                Some(Token::Word(name)) => {
-                    self.at += 1;
-                    if ty.as_ref().and_then(trigger).is_some() {
-                        ty = Some(named("BOOL"));
-                        continue;
-                    }
-                    (out, ty) = self.member(out, ty, name);
+            let next = self.tokens.get(self.at + 1);
+            self.at += 2;
+            match next {
+                Some(Token::Word(_)) if ty.as_ref().and_then(trigger).is_some() => {
+                    ty = Some(named("BOOL"));
                 }
-                Some(Token::Literal(bit, None)) if bit.bytes().all(|c| c.is_ascii_digit()) => {
-                    self.at += 1;
-                    out.push_str(&format!(".{bit}"));
+                Some(Token::Word(name)) => {
+                    let (member, of) = self.member(ty, name);
+                    path = path.member(member);
+                    ty = of;
+                }
+                Some(Token::Literal(bit, None)) => {
+                    let bit = bit.as_str().parse();
+                    path = path.bit(bit.map_err(|_| "there is no bit of such a number")?);
                     ty = Some(named("BOOL"));
                 }
                 _ => return Err("a point stands where nothing follows".to_owned()),
             }
         }
-        Ok((out, ty))
+        Ok((path, ty))
     }
 
-    fn global_in_list(&mut self) -> Option<(String, Option<Type>)> {
-        let (Some(Token::Sign(".")), Some(Token::Word(name))) =
-            (self.tokens.get(self.at), self.tokens.get(self.at + 1))
+    fn global_in_list(&mut self) -> Option<&'m Known> {
+        let (Some(Token::Sign(".")), Some(Token::Word(name))) = (self.token(), self.tokens.get(self.at + 1))
         else {
             return None;
         };
         let known = self.meaning.shared.globals.get(name)?;
         self.at += 2;
-        Some((known.spelled.clone(), Some(known.ty.clone())))
+        Some(known)
     }
 
-    fn member(&self, of: String, ty: Option<Type>, name: &str) -> (String, Option<Type>) {
+    /// A member of something, and its type.
+    fn member(&self, of: Option<Type>, name: &str) -> (String, Option<Type>) {
         let shared = self.meaning.shared;
-        let Some(ty) = ty else {
-            return (format!("{of}.{}", member(name)), None);
+        let Some(of) = of else {
+            return (member(name), None);
         };
-        if let Some(block) = shared.block_of(&ty)
+        if let Some(block) = shared.block_of(&of)
             && let Some(known) = block.scope.get(name)
         {
-            return (format!("{of}.{}", known.spelled), Some(known.ty.clone()));
+            return (known.path.root.clone(), Some(known.ty.clone()));
         }
-        if let Type::Named(block) = &ty
+        if let Type::Named(block) = &of
             && standard::block(block).is_some()
         {
             let name = name.to_ascii_uppercase();
             let ty = standard::output_type(&name);
-            return (format!("{of}.{name}"), Some(named(ty)));
+            return (name, Some(named(ty)));
         }
-        let found = shared.members(&ty).and_then(|members| {
-            let found = members.iter().find(|one| one.name.eq_ignore_ascii_case(name));
-            found.map(|found| (member(&found.name), found.ty.clone()))
-        });
-        match found {
-            Some((name, ty)) => (format!("{of}.{name}"), Some(ty)),
-            None => (format!("{of}.{}", member(name)), None),
+        let mut members = shared.members(&of).into_iter().flatten();
+        match members.find(|one| one.name.eq_ignore_ascii_case(name)) {
+            Some(found) => (member(&found.name), Some(found.ty.clone())),
+            None => (member(name), None),
         }
     }
+}
+
+/// The one expression that parentheses hold.
+fn single(parts: Vec<Expression>) -> Result<Expression, String> {
+    let [one] = <[Expression; 1]>::try_from(parts).map_err(|_| "it is no expression")?;
+    Ok(one)
 }
 
 /// An address as ladder text has it: `%IX0.3`. None: it has more levels than there are here, or none.

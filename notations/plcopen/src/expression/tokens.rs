@@ -3,6 +3,7 @@
 use super::Meaning;
 use crate::scope::{LONGEST as LONGEST_NAME, is_plain, member};
 use crate::standard;
+use ladder_format::program::{Literal, Path};
 
 /// A longer expression is not read.
 const LONGEST: usize = 2_000;
@@ -12,8 +13,8 @@ const LONGEST: usize = 2_000;
 pub(super) enum Token {
     Word(String),
     /// `Phase.IDLE`
-    Enumerator(String),
-    Literal(String, Option<&'static str>),
+    Enumerator(Path),
+    Literal(Literal, Option<&'static str>),
     Sign(&'static str),
 }
 
@@ -50,11 +51,11 @@ pub(super) fn tokens(text: &str, meaning: Meaning<'_>) -> Result<Vec<Token>, Str
             let is_bit = tokens.last() == Some(&Token::Sign("."));
             let length = if is_bit { digits(rest) } else { number_length(rest) };
             let ty = rest[..length].contains('.').then_some("LREAL");
-            tokens.push(Token::Literal(rest[..length].to_owned(), ty));
+            tokens.push(Token::Literal(Literal::read(&rest[..length])?, ty));
             length
         } else if c == '\'' || c == '"' {
             let (string, length) = quoted(rest, c)?;
-            tokens.push(Token::Literal(string, Some("STRING")));
+            tokens.push(Token::Literal(Literal::read(string)?, Some("STRING")));
             length
         } else {
             let sign = SIGNS.iter().find(|sign| rest.starts_with(**sign));
@@ -130,8 +131,8 @@ fn prefixed(text: &str, word: usize) -> Result<(Token, usize), String> {
     };
     let Some(ty) = ty else {
         let value = &after[..length];
-        let text = format!("{}.{}", member(&text[..word]), member(value));
-        return Ok((Token::Enumerator(text), word + 1 + length));
+        let path = Path::tag(member(&text[..word])).member(member(value));
+        return Ok((Token::Enumerator(path), word + 1 + length));
     };
     // Dates have signs between their numbers.
     if matches!(ty, "DATE" | "DT") {
@@ -159,7 +160,7 @@ fn prefixed(text: &str, word: usize) -> Result<(Token, usize), String> {
     } else {
         format!("{prefix}#{value}")
     };
-    Ok((Token::Literal(text, Some(ty)), word + 1 + length))
+    Ok((Token::Literal(Literal::read(text)?, Some(ty)), word + 1 + length))
 }
 
 /// `16#FF`, `1_000`, `1.5e-3`.

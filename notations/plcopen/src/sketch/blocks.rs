@@ -123,7 +123,7 @@ pub(super) fn named_in_unit<'b>(body: &'b Body<'_>, node: usize, pin: &str) -> O
         return None;
     };
     let unit = body.shared.blocks.get(&name.to_lowercase())?;
-    unit.scope.get(pin).map(|known| known.spelled.as_str())
+    unit.scope.get(pin).map(|known| known.path.root.as_str())
 }
 
 /// The pins that power enters, in series: EN, and what starts a timer.

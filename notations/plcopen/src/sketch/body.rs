@@ -3,12 +3,12 @@
 
 use super::blocks::{self, Class};
 use super::draw::{Drawn, Target};
-use crate::expression::{self, Form, Meaning, Operand};
+use crate::expression::{self, Meaning, Typed};
 use crate::graph::{End, Graph, Kind};
 use crate::model::{Evaluation, Type};
 use crate::scope::{Scope, Shared};
 use ladder_format::Circuit;
-use ladder_format::program::{Drawing, Element, Item, Network};
+use ladder_format::program::{Block, Drawing, Element, Expression, Item, Network, Path};
 use ladder_notation::{Outcome, Reading, UnreadParts};
 use std::collections::{HashMap, HashSet};
 
@@ -60,13 +60,13 @@ pub(super) struct Body<'b> {
     /// Variables that are written together with the block before them.
     pub(super) merged: Vec<bool>,
     /// The tags that hold results, and power at points of the drawing.
-    pub(super) results: HashMap<End, String>,
+    pub(super) results: HashMap<End, Path>,
     /// The tags that are high while a contact sees its edge, for the next network.
-    pub(super) edges: HashMap<usize, String>,
+    pub(super) edges: HashMap<usize, Path>,
     /// The tags for power after blocks.
-    pub(super) holders: HashMap<End, String>,
+    pub(super) holders: HashMap<End, Path>,
     /// What else is written where a block has power: the variables that take its result.
-    pub(super) moves: HashMap<usize, Vec<String>>,
+    pub(super) moves: HashMap<usize, Vec<Block>>,
     /// The power with which variables take a result that was made above.
     pub(super) guards: HashMap<usize, End>,
     /// All elements in the order of execution, the place of each in it, and how many of them had their turn.
@@ -74,9 +74,9 @@ pub(super) struct Body<'b> {
     pub(super) places: Vec<usize>,
     pub(super) turn: usize,
     /// The operands at pins.
-    pub(super) operands: HashMap<(usize, usize), Operand>,
-    /// The instances of blocks, as they are written here.
-    pub(super) instances: HashMap<usize, Operand>,
+    pub(super) operands: HashMap<(usize, usize), Typed>,
+    /// The tags that are the instances of blocks.
+    pub(super) instances: HashMap<usize, Path>,
     /// What is done in the next network, and what feeds it.
     group: Vec<usize>,
     shown: HashSet<usize>,
@@ -175,68 +175,25 @@ impl<'b> Body<'b> {
     }
 
     /// The operand that an expression is.
-    pub(super) fn operand(&self, text: &str) -> Result<Operand, String> {
+    pub(super) fn operand(&self, text: &str) -> Result<Typed, String> {
         expression::operand(text, self.meaning())
     }
 
-    /// Instances, and which tags are read by name.
-    fn names(&mut self) {
-        for node in 0..self.graph.nodes.len() {
-            let (Kind::Contact(text, _)
-            | Kind::Coil(text, ..)
-            | Kind::Value(text, _)
-            | Kind::Variable(text, _)) = &self.graph.nodes[node].kind
-            else {
-                continue;
-            };
-            if let Ok(operand) = self.operand(text) {
-                self.made.needed.extend(operand.reads);
-            }
+    /// The tag that an expression is, or the part of one.
+    pub(super) fn variable(&self, text: &str) -> Result<Path, String> {
+        match self.operand(text)?.value {
+            Expression::Path(path) => Ok(path),
+            _ => Err("it is no variable".to_owned()),
         }
-        for node in 0..self.graph.nodes.len() {
-            let Kind::Block { name, instance, .. } = &self.graph.nodes[node].kind else {
-                continue;
-            };
-            if let Some(ty) = blocks::state(self.shared, name) {
-                let is_named = |name: &&String| {
-                    let is_plain = name.chars().all(|c| c.is_alphanumeric() || c == '_');
-                    *name != "???" && (!is_plain || self.knows(name))
-                };
-                let operand = if let Some(instance) = instance.as_ref().filter(is_named) {
-                    self.operand(instance)
-                } else {
-                    let like = instance
-                        .as_deref()
-                        .filter(|name| *name != "???")
-                        .map(str::to_owned);
-                    let like = like.unwrap_or_else(|| name.to_lowercase());
-                    let text = self.helper(&like, &ty, "a block that the project does not declare");
-                    Ok(Operand {
-                        text,
-                        form: Form::Path,
-                        ty: None,
-                        reads: Vec::new(),
-                    })
-                };
-                match operand {
-                    Ok(operand) => drop(self.instances.insert(node, operand)),
-                    Err(why) => self.refuse(node, why),
-                }
-            }
-        }
-    }
-
-    fn knows(&self, name: &str) -> bool {
-        self.made.scope.get(name).is_some() || self.shared.globals.get(name).is_some()
     }
 
     /// A tag that the source does not have.
-    pub(super) fn helper(&mut self, like: &str, ty: &str, comment: &str) -> String {
+    pub(super) fn helper(&mut self, like: &str, ty: &str, comment: &str) -> Path {
         let name = self.made.scope.fresh(like);
         self.made
             .helpers
             .push((name.clone(), ty.to_owned(), comment.to_owned()));
-        name
+        Path::tag(name)
     }
 
     /// One element, in the order of execution.
@@ -257,8 +214,8 @@ impl<'b> Body<'b> {
             Kind::Label(name) => {
                 self.flush();
                 let origin = self.reading.origin(drawn.place);
-                let block = Element::block(format!("<LBL>( {} )", crate::scope::member(name)), Some(origin));
-                self.push(Circuit::Element(block));
+                let block = Block::label(&crate::scope::member(name));
+                self.push(Circuit::Element(Element::of(block, Some(origin))));
             }
             Kind::Coil(..) | Kind::Variable(..) | Kind::Jump(..) | Kind::Return(_) => self.root(node),
             Kind::Contact(..) => {
@@ -355,30 +312,6 @@ impl<'b> Body<'b> {
             };
             let ends = pins.into_iter().flat_map(|pin| &inputs[pin].from);
             waiting.extend(ends.map(|end| end.node).filter(|node| !self.executed[*node]));
-        }
-    }
-
-    pub(super) fn reads(&self, node: usize) -> Vec<String> {
-        match &self.graph.nodes[node].kind {
-            Kind::Contact(text, _) | Kind::Value(text, _) => {
-                self.operand(text).map(|it| it.reads).unwrap_or_default()
-            }
-            _ => Vec::new(),
-        }
-    }
-
-    pub(super) fn writes(&self, node: usize) -> Vec<String> {
-        match &self.graph.nodes[node].kind {
-            Kind::Coil(text, ..) | Kind::Variable(text, _) => {
-                self.operand(text).map(|it| it.reads).unwrap_or_default()
-            }
-            Kind::Block { .. } => {
-                let instance = self.instances.get(&node);
-                instance
-                    .map(|instance| instance.reads.clone())
-                    .unwrap_or_default()
-            }
-            _ => Vec::new(),
         }
     }
 

@@ -1,64 +1,93 @@
-//! Blocks as they are written: `[TON]( T1, T#5s )`, `[ADD]( y, a, b )`, `[$Motor]( m1, start := a )`.
+//! Blocks as they are here: `[TON]( T1, T#5s )`, `[ADD]( y, a, b )`, `[$Motor]( m1, start := a )`.
 
-use super::blocks::{Class, is_enable, named_in_unit, operand_pins, result_output};
+use super::blocks::{Class, is_enable, named_in_unit, operand_pins, result_output, state};
 use super::body::Body;
-use crate::expression::{Form, Operand};
+use crate::expression::{Form, Typed};
 use crate::graph::{End, Kind};
 use crate::model::{Role, Type, UnitKind};
 use crate::scope::local;
 use crate::standard::{self, Function, Gate, StandardBlock};
+use ladder_format::program::{Block, Expression, Literal, Operand, Operator, Path, Step};
+use ladder_instructions::{Op, Shape};
 
 impl Body<'_> {
-    /// A block, and what is in the wire with it.
-    pub(super) fn block_texts(&mut self, node: usize) -> Result<Vec<String>, String> {
-        let Some(class) = self.class(node) else {
-            return Ok(Vec::new());
-        };
-        let one = |text: String| Ok(vec![text]);
-        match class {
-            Class::Standard(StandardBlock::Rising) => one("[OSR]".to_owned()),
-            Class::Standard(StandardBlock::Falling) => Ok(vec!["[NOT]".to_owned(), "[OSR]".to_owned()]),
-            Class::Standard(StandardBlock::Stateful(mnemonic, _, pins)) => {
-                one(self.state_text(node, mnemonic, pins)?)
-            }
-            Class::Unit(kind) => one(self.unit_text(node, kind)?),
-            Class::Value(mnemonic) => {
-                let result = self.result(node)?;
-                let operands = self.values(node)?;
-                if operands.is_empty() {
-                    return Err("nothing is wired to its inputs".to_owned());
+    /// Instances, and which tags are read by name.
+    pub(super) fn names(&mut self) {
+        for node in 0..self.graph.nodes.len() {
+            let (read, written) = (self.reads(node), self.writes(node));
+            self.made.needed.extend(read.into_iter().chain(written));
+        }
+        for node in 0..self.graph.nodes.len() {
+            let Kind::Block { name, instance, .. } = &self.graph.nodes[node].kind else {
+                continue;
+            };
+            if let Some(ty) = state(self.shared, name) {
+                let is_named = |name: &&String| {
+                    let is_plain = name.chars().all(|c| c.is_alphanumeric() || c == '_');
+                    *name != "???" && (!is_plain || self.knows(name))
+                };
+                let instance = if let Some(instance) = instance.as_ref().filter(is_named) {
+                    self.variable(instance)
+                } else {
+                    let like = instance
+                        .as_deref()
+                        .filter(|name| *name != "???")
+                        .map(str::to_owned);
+                    let like = like.unwrap_or_else(|| name.to_lowercase());
+                    Ok(self.helper(&like, &ty, "a block that the project does not declare"))
+                };
+                match instance {
+                    Ok(instance) => drop(self.instances.insert(node, instance)),
+                    Err(why) => self.refuse(node, why),
                 }
-                let has = |form: Form| {
-                    let mut given = operand_pins(self, node).into_iter();
-                    given.any(|pin| {
-                        self.operands
-                            .get(&(node, pin))
-                            .is_some_and(|operand| operand.form == form)
-                    })
-                };
-                let mnemonic = match mnemonic {
-                    _ if has(Form::Expression) => "CALC",
-                    _ if has(Form::Milliseconds) => "TYP",
-                    mnemonic => mnemonic,
-                };
-                one(format!("[{}]( {result}, {} )", mnemonic, operands.join(", ")))
             }
-            Class::Convert => {
-                let result = self.result(node)?;
-                one(format!("[TYP]( {result}, {} )", self.values(node)?.join(", ")))
-            }
-            Class::Logic(function) => {
-                let result = self.result(node)?;
-                let operands = self.values(node)?;
-                one(format!("[CALC]( {result}, {} )", formula(function, &operands)?))
-            }
-            Class::Unknown => one(self.unread_text(node)),
-            Class::Gate(_) | Class::Compare(_) => Err("it has no counterpart".to_owned()),
         }
     }
 
+    fn knows(&self, name: &str) -> bool {
+        self.made.scope.get(name).is_some() || self.shared.globals.get(name).is_some()
+    }
+
+    /// A block, and what is in the wire with it.
+    pub(super) fn blocks(&mut self, node: usize) -> Result<Vec<Block>, String> {
+        let Some(class) = self.class(node) else {
+            return Ok(Vec::new());
+        };
+        let block = match class {
+            Class::Standard(StandardBlock::Rising) => Block::one_shot(),
+            Class::Standard(StandardBlock::Falling) => {
+                return Ok(vec![Block::inverter(), Block::one_shot()]);
+            }
+            Class::Standard(StandardBlock::Stateful(mnemonic, _, pins)) => {
+                self.with_state(node, mnemonic, pins)?
+            }
+            Class::Unit(kind) => self.unit(node, kind)?,
+            Class::Value(mnemonic) => {
+                let mut given = operand_pins(self, node).into_iter();
+                let given = given.find_map(|pin| {
+                    let form = self.operands.get(&(node, pin))?.form();
+                    matches!(form, Form::Formula | Form::Milliseconds).then_some(form)
+                });
+                let mnemonic = match given {
+                    Some(Form::Formula) => "CALC",
+                    Some(_) => "TYP",
+                    None => mnemonic,
+                };
+                self.computing(node, mnemonic)?
+            }
+            Class::Convert => self.computing(node, "TYP")?,
+            Class::Logic(function) => {
+                let result = self.result(node)?.into();
+                Block::of(Op::Calc, [result, formula(function, self.values(node)?)?])?
+            }
+            Class::Unknown => self.unread(node)?,
+            Class::Gate(_) | Class::Compare(_) => return Err("it has no counterpart".to_owned()),
+        };
+        Ok(vec![block])
+    }
+
     /// A comparison in a wire.
-    pub(super) fn condition_text(&self, node: usize, class: Class) -> Result<String, String> {
+    pub(super) fn comparison(&self, node: usize, class: Class) -> Result<Block, String> {
         let Class::Compare(mnemonic) = class else {
             return Err("it has no counterpart".to_owned());
         };
@@ -66,61 +95,70 @@ impl Body<'_> {
         if values.len() < 2 {
             return Err("a comparison has two inputs".to_owned());
         }
-        Ok(format!("[{mnemonic}]( {} )", values.join(", ")))
+        Ok(Block::spelled(Shape::Logical, mnemonic, values)?)
+    }
+
+    /// What makes a value of values: `[ADD]( y, a, b )`
+    fn computing(&self, node: usize, mnemonic: &str) -> Result<Block, String> {
+        let mut operands = vec![Expression::from(self.result(node)?)];
+        operands.extend(self.values(node)?);
+        if operands.len() < 2 {
+            return Err("nothing is wired to its inputs".to_owned());
+        }
+        Ok(Block::spelled(Shape::Logical, mnemonic, operands)?)
     }
 
     /// The operands at the pins that something is wired to.
-    fn values(&self, node: usize) -> Result<Vec<String>, String> {
+    fn values(&self, node: usize) -> Result<Vec<Expression>, String> {
         let pins = operand_pins(self, node).into_iter();
         let pins = pins.filter(|pin| !self.graph.nodes[node].inputs[*pin].from.is_empty());
         pins.map(|pin| {
             let operand = self.operands.get(&(node, pin));
             let operand = operand.ok_or_else(|| "one of its inputs is not known".to_owned())?;
-            Ok(operand.text.clone())
+            Ok(operand.value.clone())
         })
         .collect()
     }
 
-    fn result(&self, node: usize) -> Result<String, String> {
+    fn result(&self, node: usize) -> Result<&Path, String> {
         let output = result_output(&self.graph.nodes[node]).ok_or("it has no output")?;
         let tag = self.results.get(&End { node, output });
-        tag.cloned().ok_or_else(|| "nothing takes its result".to_owned())
+        tag.ok_or_else(|| "nothing takes its result".to_owned())
     }
 
-    fn instance(&self, node: usize) -> Result<String, String> {
+    fn instance(&self, node: usize) -> Result<&Path, String> {
         let instance = self.instances.get(&node);
-        Ok(instance.ok_or("it has no name")?.text.clone())
+        instance.ok_or_else(|| "it has no name".to_owned())
     }
 
     /// A timer, a counter or a bistable.
-    fn state_text(
+    fn with_state(
         &mut self,
         node: usize,
         mnemonic: &str,
         pins: &[(&str, Option<&str>)],
-    ) -> Result<String, String> {
-        let mut operands = vec![self.instance(node)?];
+    ) -> Result<Block, String> {
+        let mut operands = vec![Operand::from(self.instance(node)?)];
         for (pin, name) in pins {
-            let inputs = self.graph.nodes[node].inputs.iter();
-            let index = inputs
-                .clone()
-                .position(|input| standard::is_pin(&input.name, pin));
+            let mut inputs = self.graph.nodes[node].inputs.iter();
+            let index = inputs.position(|input| standard::is_pin(&input.name, pin));
             let operand = index.and_then(|index| self.operands.get(&(node, index)));
-            match (operand, name) {
-                (Some(operand), Some(name)) => operands.push(format!("{name} := {}", operand.text)),
-                (Some(operand), None) => operands.push(operand.text.clone()),
+            let value = operand.map(|operand| operand.value.clone());
+            match (value, name) {
+                (Some(value), Some(name)) => operands.push(Operand::Given((*name).to_owned(), value)),
+                (Some(value), None) => operands.push(value.into()),
                 (None, Some(_)) => {}
                 (None, None) => {
                     self.note(node, "nothing is wired to its limit: it is nothing here");
-                    operands.push(if *pin == "PT" { "T#0s" } else { "0" }.to_owned());
+                    operands.push(Literal::read(if *pin == "PT" { "T#0s" } else { "0" })?.into());
                 }
             }
         }
-        Ok(format!("[{mnemonic}]( {} )", operands.join(", ")))
+        Ok(Block::spelled(Shape::Logical, mnemonic, operands)?)
     }
 
     /// A unit of the project.
-    fn unit_text(&mut self, node: usize, kind: UnitKind) -> Result<String, String> {
+    fn unit(&self, node: usize, kind: UnitKind) -> Result<Block, String> {
         let Kind::Block { name, .. } = &self.graph.nodes[node].kind else {
             return Err("it is no block".to_owned());
         };
@@ -131,7 +169,7 @@ impl Body<'_> {
             .ok_or("it is not known")?;
         let mut operands = Vec::new();
         if kind == UnitKind::FunctionBlock {
-            operands.push(self.instance(node)?);
+            operands.push(Operand::from(self.instance(node)?));
         }
         for (index, pin) in self.graph.nodes[node].inputs.iter().enumerate() {
             if is_enable(&pin.name) || named_in_unit(self, node, &pin.name) == Some("EN") {
@@ -144,7 +182,7 @@ impl Body<'_> {
                 .scope
                 .get(&pin.name)
                 .ok_or_else(|| format!("`{name}` has no input `{}`", pin.name))?;
-            operands.push(format!("{} := {}", known.spelled, operand.text));
+            operands.push(Operand::Given(known.path.root.clone(), operand.value.clone()));
         }
         let missing = local(block.unit).find(|variable| {
             let is_given = |pin: &str| pin.eq_ignore_ascii_case(&variable.name);
@@ -168,40 +206,36 @@ impl Body<'_> {
                 let known = block.scope.get(&pin.name).filter(|_| !pin.name.is_empty());
                 let known = known.or_else(|| block.scope.get(name).filter(|_| first == Some(output)));
                 let known = known.ok_or_else(|| format!("`{name}` has no output `{}`", pin.name))?;
-                operands.push(format!("{} => {tag}", known.spelled));
+                operands.push(Operand::Taken(known.path.root.clone(), tag.into()));
             }
         }
-        if operands.is_empty() {
-            return Ok(format!("[{}]( )", block.name));
-        }
-        Ok(format!("[{}]( {} )", block.name, operands.join(", ")))
+        Ok(Block::user(block.name.trim_start_matches('$'), operands)?)
     }
 
     /// A value that a variable takes.
-    pub(super) fn moved(&mut self, node: usize, tag: &Operand, value: &Operand) -> String {
+    pub(super) fn moved(&self, variable: &str, is_negated: bool, value: Typed) -> Result<Block, String> {
         // The count of a counter is a DINT here, and an INT there.
-        let is_count = value
-            .text
-            .rsplit_once('.')
-            .is_some_and(|(_, member)| member == "CV");
-        let fits = matches!(&tag.ty, Some(Type::Named(name)) if matches!(standard::elementary(name), Some("DINT" | "LINT")));
-        let mnemonic = if is_count && !fits { "TYP" } else { "MOV" };
-        if let Kind::Variable(_, true) = self.graph.nodes[node].kind {
-            return format!("[NOT]( {}, {} )", tag.text, value.text);
-        }
-        format!("[{mnemonic}]( {}, {} )", tag.text, value.text)
+        let last = value.value.path().and_then(|path| path.steps.last());
+        let is_count = matches!(last, Some(Step::Member(member)) if member == "CV");
+        let fits = matches!(self.operand(variable)?.ty, Some(Type::Named(name)) if matches!(standard::elementary(&name), Some("DINT" | "LINT")));
+        let op = match is_count && !fits {
+            _ if is_negated => Op::Not,
+            true => Op::Typ,
+            false => Op::Mov,
+        };
+        Ok(Block::of(op, [self.variable(variable)?.into(), value.value])?)
     }
 
     /// The tag that holds the power after a block.
-    pub(super) fn holder(&mut self, end: End) -> String {
+    pub(super) fn holder(&mut self, end: End) -> Path {
         if let Some(tag) = self.holders.get(&end) {
             return tag.clone();
         }
         let tag = match (self.class(end.node), self.instances.get(&end.node)) {
             // The tag of the edge detector itself, which is declared where it is read.
             (Some(Class::Standard(_)), Some(instance)) => {
-                self.made.needed.insert(instance.text.to_lowercase());
-                instance.text.clone()
+                self.made.needed.insert(instance.root.to_lowercase());
+                instance.clone()
             }
             _ => self.helper("power", "BOOL", "the power after a block"),
         };
@@ -216,37 +250,28 @@ impl Body<'_> {
             Some(Class::Standard(StandardBlock::Rising | StandardBlock::Falling))
         );
         let instance = self.instances.get(&node).filter(|_| is_trigger);
-        instance.is_some_and(|instance| self.made.needed.contains(&instance.text.to_lowercase()))
+        instance.is_some_and(|instance| self.made.needed.contains(&instance.root.to_lowercase()))
     }
 }
 
 /// A comparison or a gate as a formula.
-fn formula(function: Function, operands: &[String]) -> Result<String, String> {
-    let enough = |count: usize| {
-        let why = || format!("it has {count} inputs or more");
-        (operands.len() >= count).then_some(()).ok_or_else(why)
-    };
-    Ok(match function {
-        Function::Gate(Gate::Not) => {
-            enough(1)?;
-            format!("NOT {}", operands[0])
-        }
-        Function::Gate(gate) => {
-            enough(1)?;
-            let word = [" AND ", " OR ", " XOR "][(gate as usize).min(2)];
-            operands.join(word)
-        }
-        Function::Compare(_, sign) => {
-            enough(2)?;
-            let pairs: Vec<String> = operands
-                .windows(2)
-                .map(|pair| format!("({} {sign} {})", pair[0], pair[1]))
-                .collect();
-            match &pairs[..] {
-                [one] => one.trim_matches(['(', ')']).to_owned(),
-                pairs => pairs.join(" AND "),
-            }
+fn formula(function: Function, operands: Vec<Expression>) -> Result<Expression, String> {
+    let (values, operator, least) = match function {
+        Function::Gate(Gate::Not) => (
+            operands.into_iter().map(Expression::negated).take(1).collect(),
+            Operator::And,
+            1,
+        ),
+        Function::Gate(Gate::And) => (operands, Operator::And, 1),
+        Function::Gate(Gate::Or) => (operands, Operator::Or, 1),
+        Function::Gate(Gate::Xor) => (operands, Operator::Xor, 1),
+        Function::Compare(_, operator) => {
+            let pairs = operands.windows(2);
+            let pairs = pairs.map(|pair| pair[0].clone().with(operator, pair[1].clone()));
+            (pairs.collect::<Vec<_>>(), Operator::And, 2)
         }
         _ => return Err("it has no counterpart".to_owned()),
-    })
+    };
+    let formula = values.into_iter().reduce(|all, next| all.with(operator, next));
+    formula.ok_or_else(|| format!("it has {least} inputs or more"))
 }

@@ -87,9 +87,10 @@ fn bound(shared: &Shared<'_>, text: &str) -> Result<String, String> {
     };
     let bound = operand(text, meaning).map_err(|why| format!("of the bound `{text}`: {why}"))?;
     // A number or the name of a constant; no address, no text.
+    let bound = bound.value.to_string();
     let is_known = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '+' | '#');
-    if bound.text.chars().all(is_known) {
-        Ok(bound.text)
+    if bound.chars().all(is_known) {
+        Ok(bound)
     } else {
         Err(format!("the bound `{text}` is no number"))
     }
@@ -261,7 +262,7 @@ pub(super) fn variables(
             reading.report.translated(variable.place, shown);
             continue;
         }
-        let spelled = scope.get(&variable.name).map_or("", |known| &known.spelled);
+        let spelled = scope.get(&variable.name).map_or("", |known| &known.path.root);
         if trigger(&variable.ty).is_some() {
             reading.report.translated(variable.place, shown);
             if is_needed(spelled) {
@@ -290,7 +291,7 @@ pub(super) fn variables(
     if let Some(returns) = &unit.returns {
         let spelled = scope
             .get(&unit.name)
-            .map_or(unit.name.as_str(), |known| &known.spelled);
+            .map_or(unit.name.as_str(), |known| &known.path.root);
         match type_text(shared, returns) {
             Ok(ty) => {
                 let mut declaration = Declaration::new(spelled, ty);
@@ -370,7 +371,7 @@ impl Sections {
                 return;
             }
         };
-        let mut declaration = Declaration::new(known.spelled.clone(), ty);
+        let mut declaration = Declaration::new(known.path.root.clone(), ty);
         let mut comment = variable.comment.clone();
         let mut note = |reading: &mut Reading, said: String, why: &str| {
             reading
@@ -403,15 +404,16 @@ impl Sections {
         }
         // An input of a block may be left out where it is called, if it has a value of its own.
         if kind == SectionKind::VarInput && is_block && declaration.initial.is_none() {
-            declaration.initial = zero(shared, &variable.ty);
+            let zero = zero(shared, &variable.ty);
+            declaration.initial = zero.map(|zero| zero.as_str().to_owned());
         }
-        declaration.comment = with_first_name(&variable.name, &known.spelled, comment.as_deref());
+        declaration.comment = with_first_name(&variable.name, &known.path.root, comment.as_deref());
         declaration.origin = Some(reading.origin(variable.place));
         renamed(
             reading,
             variable.place,
             shown.clone(),
-            &known.spelled,
+            &known.path.root,
             &variable.name,
         );
         let qualifier = variable.qualifier.filter(|_| kind != SectionKind::VarInOut);

@@ -2,11 +2,11 @@
 
 use super::blocks::{Class, power_output, power_pins};
 use super::body::Body;
-use crate::expression::{Form, Operand};
 use crate::graph::{Edge, End, Kind, Modifier};
 use crate::standard::StandardBlock;
 use ladder_format::Circuit;
-use ladder_format::program::Element;
+use ladder_format::program::{Block, Element, Expression, Path};
+use ladder_instructions::Op;
 use ladder_notation::circuit::{Wires, in_order};
 use std::collections::{HashMap, HashSet};
 
@@ -16,13 +16,13 @@ pub(super) enum Target {
     /// Something that is done.
     Root(usize),
     /// The power at a pin goes into a tag.
-    Pin(usize, usize, String),
+    Pin(usize, usize, Path),
     /// The power that leaves an element goes into a tag.
-    End(End, String),
+    End(End, Path),
     /// The value of an expression goes into a tag.
-    Value(End, String),
+    Value(End, Path),
     /// What a contact sees of its tag's edges goes into a tag.
-    Edge(usize, String),
+    Edge(usize, Path),
 }
 
 /// A network has no more elements.
@@ -43,6 +43,20 @@ pub(super) const RAIL: usize = Wires::SOURCE;
 /// Why something cannot be drawn: which element, and why.
 pub(super) type Refused = (usize, String);
 
+/// What was made for an element, or why it cannot be drawn.
+pub(super) fn at<T>(node: usize, made: Result<T, impl Into<String>>) -> Result<T, Refused> {
+    made.map_err(|why| (node, why.into()))
+}
+
+/// `[ ]( tag )`, negated `[/]( tag )`
+pub(super) fn contact_on(tag: impl Into<Expression>, is_negated: bool) -> Block {
+    if is_negated {
+        Block::negated_contact(tag)
+    } else {
+        Block::contact(tag)
+    }
+}
+
 /// A network that was drawn.
 pub(super) struct Drawn {
     /// None: nothing stands in it.
@@ -52,7 +66,7 @@ pub(super) struct Drawn {
     /// All elements in it.
     pub(super) shown: HashSet<usize>,
     /// The tags that hold what leaves them.
-    pub(super) results: Vec<(End, String)>,
+    pub(super) results: Vec<(End, Path)>,
 }
 
 /// A network on its way.
@@ -72,7 +86,7 @@ pub(super) struct Pencil<'d, 'b> {
     pub(super) shown: HashSet<usize>,
     /// What is done in it.
     done: HashSet<usize>,
-    held: Vec<(End, String)>,
+    held: Vec<(End, Path)>,
 }
 
 impl Drawn {
@@ -162,29 +176,28 @@ impl Pencil<'_, '_> {
             Target::Pin(node, pin, tag) => {
                 self.done.insert(*node);
                 let before = self.pin(*node, *pin, RAIL)?;
-                self.last(before, format!("( )( {tag} )"), *node);
+                self.series(before, [Block::coil(tag)], *node);
                 Ok(())
             }
             Target::End(end, tag) => {
                 let before = self.end(*end, RAIL)?;
-                self.last(before, format!("( )( {tag} )"), end.node);
+                self.series(before, [Block::coil(tag)], end.node);
                 self.held.push((*end, tag.clone()));
                 Ok(())
             }
             Target::Edge(node, tag) => {
                 if let Kind::Contact(text, modifier) = &self.body.graph.nodes[*node].kind {
-                    let read = self.tag(*node, text)?;
-                    let texts = self.contact(*node, &read, *modifier, true);
-                    let before = self.series(RAIL, texts, *node);
-                    self.last(before, format!("( )( {tag} )"), *node);
+                    let contacts = self.contact(*node, text, *modifier, true)?;
+                    self.series(RAIL, contacts.into_iter().chain([Block::coil(tag)]), *node);
                 }
                 Ok(())
             }
             Target::Value(end, tag) => {
                 self.shown.insert(end.node);
                 if let Kind::Value(text, _) = &self.body.graph.nodes[end.node].kind {
-                    let operand = self.body.operand(text).map_err(|why| (end.node, why))?;
-                    self.last(RAIL, format!("[CALC]( {tag}, {} )", operand.text), end.node);
+                    let operand = at(end.node, self.body.operand(text))?;
+                    let block = at(end.node, Block::of(Op::Calc, [tag.into(), operand.value]))?;
+                    self.series(RAIL, [block], end.node);
                 }
                 Ok(())
             }
@@ -202,19 +215,22 @@ impl Pencil<'_, '_> {
         Wires::point(self.points - 1)
     }
 
-    /// Elements one after the other, from a point on; comes back where they end.
+    /// Blocks one after the other, from a point on; comes back where they end.
     pub(super) fn series(
         &mut self,
         from: usize,
-        texts: impl IntoIterator<Item = String>,
+        blocks: impl IntoIterator<Item = Block>,
         node: usize,
     ) -> usize {
         let origin = self.body.reading.origin(self.body.graph.nodes[node].place);
-        let mut numbers = Vec::new();
-        for text in texts {
-            numbers.push(self.elements.len());
-            self.elements.push(Element::block(text, Some(origin)));
-        }
+        let elements = blocks.into_iter().map(|block| Element::of(block, Some(origin)));
+        self.elements_from(from, elements)
+    }
+
+    fn elements_from(&mut self, from: usize, elements: impl IntoIterator<Item = Element>) -> usize {
+        let first = self.elements.len();
+        self.elements.extend(elements);
+        let numbers: Vec<usize> = (first..self.elements.len()).collect();
         if numbers.is_empty() {
             return from;
         }
@@ -223,16 +239,13 @@ impl Pencil<'_, '_> {
         to
     }
 
-    fn last(&mut self, from: usize, text: String, node: usize) -> usize {
-        self.series(from, [text], node)
-    }
-
     /// A comment in the place of an element.
     pub(super) fn stand_in(&mut self, from: usize, node: usize) -> usize {
         let shown = super::blocks::shown(&self.body.graph.nodes[node]);
         let shown = crate::scope::short(&shown);
-        let comment = Element::comment(&format!("{shown}: not translated"), None);
-        self.series(from, [comment.to_string()], node)
+        let origin = self.body.reading.origin(self.body.graph.nodes[node].place);
+        let comment = Element::comment(&format!("{shown}: not translated"), Some(origin));
+        self.elements_from(from, [comment])
     }
 
     /// Something that is done.
@@ -248,40 +261,39 @@ impl Pencil<'_, '_> {
         match kind {
             Kind::Coil(text, modifier, storage) => {
                 let (modifier, storage) = (*modifier, *storage);
-                let tag = self.tag(node, text)?;
+                let tag = self.variable(node, text)?;
                 let before = self.pin(node, 0, RAIL)?;
-                let (texts, passes_on) = self.coil(node, &tag, modifier, storage);
-                let after = self.series(before, texts, node);
+                let (blocks, passes_on) = self.coil(node, &tag, modifier, storage)?;
+                let after = self.series(before, blocks, node);
                 if passes_on {
                     self.after.insert(node, after);
                 }
             }
             Kind::Variable(text, negated) => {
-                let negated = *negated;
-                let tag = self.tag(node, text)?;
                 if let Some(value) = self.body.operands.get(&(node, 0)).cloned() {
-                    let text = self.body.moved(node, &tag, &value);
+                    let block = at(node, self.body.moved(text, *negated, value))?;
                     let before = match self.body.guards.get(&node).copied() {
                         Some(end) => self.end(end, RAIL)?,
                         None => RAIL,
                     };
-                    self.series(before, [text], node);
+                    self.series(before, [block], node);
                 } else {
+                    let op = if *negated { Op::NegatedCoil } else { Op::Coil };
+                    let coil = at(node, Block::of(op, [self.variable(node, text)?]))?;
                     let before = self.pin(node, 0, RAIL)?;
-                    let coil = if negated { "(/)" } else { "( )" };
-                    self.series(before, [format!("{coil}( {} )", tag.text)], node);
+                    self.series(before, [coil], node);
                 }
             }
             Kind::Jump(label, negated) => {
-                let text = format!("<JMP>( {} )", crate::scope::member(label));
-                let negated = negated.then(|| "[NOT]".to_owned());
+                let jump = Block::jump(&crate::scope::member(label));
+                let negated = negated.then(Block::inverter);
                 let before = self.pin(node, 0, RAIL)?;
-                self.series(before, negated.into_iter().chain([text]), node);
+                self.series(before, negated.into_iter().chain([jump]), node);
             }
             Kind::Return(negated) => {
-                let negated = negated.then(|| "[NOT]".to_owned());
+                let negated = negated.then(Block::inverter);
                 let before = self.pin(node, 0, RAIL)?;
-                self.series(before, negated.into_iter().chain(["<RET>".to_owned()]), node);
+                self.series(before, negated.into_iter().chain([Block::ret()]), node);
             }
             Kind::Block { .. } if self.body.class(node).is_some_and(Class::acts) => {
                 self.block(node)?;
@@ -293,26 +305,9 @@ impl Pencil<'_, '_> {
         Ok(())
     }
 
-    /// The tag of a contact or coil.
-    pub(super) fn tag(&self, node: usize, text: &str) -> Result<Operand, Refused> {
-        let operand = self.body.operand(text).map_err(|why| (node, why))?;
-        match operand.form {
-            Form::Path | Form::NotPath => Ok(operand),
-            Form::Literal if matches!(self.body.graph.nodes[node].kind, Kind::Contact(..)) => {
-                let always = match operand.text.as_str() {
-                    "TRUE" => "SYS.ON",
-                    "FALSE" => "SYS.OFF",
-                    _ => return Err((node, "it is no variable".to_owned())),
-                };
-                Ok(Operand {
-                    text: always.to_owned(),
-                    ..operand
-                })
-            }
-            Form::Literal | Form::Expression | Form::Milliseconds => {
-                Err((node, "it is no variable".to_owned()))
-            }
-        }
+    /// The tag of a coil or variable.
+    fn variable(&self, node: usize, text: &str) -> Result<Path, Refused> {
+        at(node, self.body.variable(text))
     }
 
     /// The point that a pin is. `start` is where power comes from in the place of the rail.
@@ -338,14 +333,14 @@ impl Pencil<'_, '_> {
             && start != RAIL
             && let Some(operand) = self.body.operands.get(&(node, pin))
         {
-            let text = format!("[ ]( {} )", operand.text);
-            return Ok(self.series(start, [text], node));
+            let contact = Block::contact(operand.value.clone());
+            return Ok(self.series(start, [contact], node));
         }
         let mut point = match from {
             [] => {
                 self.body
                     .note(node, "nothing is wired to it: no power comes there");
-                self.series(start, ["[ ]( SYS.OFF )".to_owned()], node)
+                self.series(start, [Block::contact(Path::system("OFF"))], node)
             }
             [end] => self.source(node, *end, start)?,
             ends if ends.len() > MOST_BRANCHES => {
@@ -370,12 +365,12 @@ impl Pencil<'_, '_> {
             }
         };
         if modifier.negated {
-            point = self.series(point, ["[NOT]".to_owned()], node);
+            point = self.series(point, [Block::inverter()], node);
         }
         point = match modifier.edge {
             Edge::None => point,
-            Edge::Rising => self.series(point, ["[OSR]".to_owned()], node),
-            Edge::Falling => self.series(point, ["[NOT]".to_owned(), "[OSR]".to_owned()], node),
+            Edge::Rising => self.series(point, [Block::one_shot()], node),
+            Edge::Falling => self.series(point, [Block::inverter(), Block::one_shot()], node),
         };
         self.pins.insert((node, pin, start), point);
         Ok(point)
@@ -393,14 +388,10 @@ impl Pencil<'_, '_> {
         if self.body.is_refused(end.node) {
             return Ok(self.stand_in(start, end.node));
         }
-        let operand = self.body.reference(end).map_err(|why| (end.node, why))?;
+        let tag = at(end.node, self.body.reference(end))?;
         let output = &self.body.graph.nodes[end.node].outputs.get(end.output);
-        let contact = if output.is_some_and(|output| output.negated) {
-            "[/]"
-        } else {
-            "[ ]"
-        };
-        Ok(self.series(start, [format!("{contact}( {} )", operand.text)], end.node))
+        let is_negated = output.is_some_and(|output| output.negated);
+        Ok(self.series(start, [contact_on(tag, is_negated)], end.node))
     }
 
     /// Whether a tag holds what leaves an output. Tags that the source has count only where the drawing is taken apart.
@@ -437,21 +428,18 @@ impl Pencil<'_, '_> {
             }
             Kind::Contact(text, modifier) => {
                 if let Some(tag) = self.body.results.get(&end) {
-                    let text = format!("[ ]( {tag} )");
-                    return Ok(self.series(start, [text], node));
+                    let contact = Block::contact(tag);
+                    return Ok(self.series(start, [contact], node));
                 }
                 let before = self.pin(node, 0, start)?;
                 if self.body.is_refused(node) {
                     return Ok(self.stand_in(before, node));
                 }
-                let texts = match self.body.edges.get(&node) {
-                    Some(tag) => vec![format!("[ ]( {tag} )")],
-                    None => {
-                        let tag = self.tag(node, text)?;
-                        self.contact(node, &tag, *modifier, before == RAIL)
-                    }
+                let contacts = match self.body.edges.get(&node) {
+                    Some(tag) => vec![Block::contact(tag)],
+                    None => self.contact(node, text, *modifier, before == RAIL)?,
                 };
-                Ok(self.series(before, texts, node))
+                Ok(self.series(before, contacts, node))
             }
             Kind::Coil(..) => match self.after.get(&node) {
                 Some(point) if start == RAIL => Ok(*point),
@@ -459,16 +447,15 @@ impl Pencil<'_, '_> {
             },
             Kind::Joint | Kind::Jump(..) | Kind::Return(_) => match self.body.results.get(&end) {
                 Some(tag) => {
-                    let text = format!("[ ]( {tag} )");
-                    Ok(self.series(start, [text], node))
+                    let contact = Block::contact(tag);
+                    Ok(self.series(start, [contact], node))
                 }
                 None => self.pin(node, 0, start),
             },
             Kind::Value(text, negated) => self.value(end, text, *negated, start),
             Kind::Variable(text, negated) => {
-                let tag = self.tag(node, text)?;
-                let contact = if *negated { "[/]" } else { "[ ]" };
-                Ok(self.series(start, [format!("{contact}( {} )", tag.text)], node))
+                let contact = contact_on(self.variable(node, text)?, *negated);
+                Ok(self.series(start, [contact], node))
             }
             Kind::Block { .. } => self.block_end(end, start),
         }
@@ -485,12 +472,12 @@ impl Pencil<'_, '_> {
             .is_some_and(|output| output.negated);
         if !class.acts() {
             if let Some(tag) = self.body.results.get(&end) {
-                let text = format!("[ ]( {tag} )");
-                return Ok(self.series(start, [text], node));
+                let contact = Block::contact(tag);
+                return Ok(self.series(start, [contact], node));
             }
             let point = self.condition(node, class, start)?;
             return Ok(if is_negated {
-                self.series(point, ["[NOT]".to_owned()], node)
+                self.series(point, [Block::inverter()], node)
             } else {
                 point
             });
@@ -501,7 +488,7 @@ impl Pencil<'_, '_> {
         }
         let point = self.block(node)?;
         Ok(if is_negated {
-            self.series(point, ["[NOT]".to_owned()], node)
+            self.series(point, [Block::inverter()], node)
         } else {
             point
         })
@@ -527,9 +514,9 @@ impl Pencil<'_, '_> {
         let point = if self.body.is_refused(node) {
             self.stand_in(point, node)
         } else {
-            let mut texts = self.body.block_texts(node).map_err(|why| (node, why))?;
-            texts.extend(self.body.moves.get(&node).into_iter().flatten().cloned());
-            self.series(point, texts, node)
+            let mut blocks = at(node, self.body.blocks(node))?;
+            blocks.extend(self.body.moves.get(&node).into_iter().flatten().cloned());
+            self.series(point, blocks, node)
         };
         self.executed.push(node);
         self.done.insert(node);
@@ -558,7 +545,7 @@ impl Pencil<'_, '_> {
             return;
         }
         let tag = self.body.holder(end);
-        self.series(self.after[&end.node], [format!("( )( {tag} )")], end.node);
+        self.series(self.after[&end.node], [Block::coil(&tag)], end.node);
         self.held.push((end, tag));
     }
 
@@ -590,7 +577,7 @@ impl Pencil<'_, '_> {
             let has_tag = self.held.iter().any(|(held, _)| *held == end);
             if !has_tag && self.body.is_asked_again(end, &self.done) {
                 let tag = self.body.helper("decided", "BOOL", "what a condition decided");
-                self.series(point, [format!("( )( {tag} )")], node);
+                self.series(point, [Block::coil(&tag)], node);
                 self.held.push((end, tag));
             }
         }

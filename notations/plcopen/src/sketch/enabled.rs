@@ -7,18 +7,19 @@ use super::initial::zero;
 use crate::graph::{End, Kind};
 use crate::model::Type;
 use ladder_format::Circuit;
-use ladder_format::program::Element;
+use ladder_format::program::{Block, Element, Expression, Invalid, Path};
+use ladder_instructions::Op;
 
 impl Body<'_> {
     /// Puts 0 into the tag of a result that other blocks take, above the block that makes it.
-    pub(super) fn begin_with_nothing(&mut self, node: usize, end: End, tag: &str) {
+    pub(super) fn begin_with_nothing(&mut self, node: usize, end: End, tag: &Path) -> Result<(), Invalid> {
         let is_rail = |end: &End| self.graph.nodes[end.node].kind == Kind::LeftRail;
         let mut pins = self.graph.nodes[node].inputs.iter();
         let may_be_low = pins.any(|pin| is_enable(&pin.name) && !pin.from.iter().any(is_rail));
         let uses = self.uses.get(&end).map_or(&[][..], Vec::as_slice);
         let is_variable = |user: &usize| matches!(self.graph.nodes[*user].kind, Kind::Variable(..));
         if !self.shared.is_compiled || !may_be_low || uses.iter().all(is_variable) {
-            return;
+            return Ok(());
         }
         let ty = self.out_type(end).or_else(|| self.type_taken(end));
         let Some(zero) = ty.and_then(|ty| zero(self.shared, &ty)) else {
@@ -26,12 +27,13 @@ impl Body<'_> {
                 node,
                 "without power at EN its result is as it was here, and nothing there",
             );
-            return;
+            return Ok(());
         };
         self.flush();
         let origin = self.reading.origin(self.graph.nodes[node].place);
-        let block = Element::block(format!("[MOV]( {tag}, {zero} )"), Some(origin));
-        self.push(Circuit::Element(block));
+        let block = Block::of(Op::Mov, [Expression::from(tag), zero.into()])?;
+        self.push(Circuit::Element(Element::of(block, Some(origin))));
+        Ok(())
     }
 
     /// The type of the variable that takes a value in the end: what is made of numbers alone has that of its place.

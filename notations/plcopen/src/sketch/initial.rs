@@ -5,9 +5,10 @@ use crate::expression::{Meaning, operand};
 use crate::model::{Initial, Type};
 use crate::scope::{Scope, Shared, member};
 use crate::standard;
+use ladder_format::program::Literal;
 
 /// What an input has that nothing is wired to.
-pub(super) fn zero(shared: &Shared<'_>, ty: &Type) -> Option<String> {
+pub(super) fn zero(shared: &Shared<'_>, ty: &Type) -> Option<Literal> {
     let text = type_text(shared, shared.real(ty)).ok()?;
     let zero = match text.as_str() {
         "BOOL" => "FALSE",
@@ -18,7 +19,7 @@ pub(super) fn zero(shared: &Shared<'_>, ty: &Type) -> Option<String> {
         _ if standard::elementary(&text).is_some() => "0",
         _ => return None,
     };
-    Some(zero.to_owned())
+    Literal::read(zero).ok()
 }
 
 /// An initial value as it is written here.
@@ -85,15 +86,7 @@ fn simple(shared: &Shared<'_>, ty: &Type, text: &str) -> Result<String, String> 
         (Some("BOOL"), "0") => return Ok("FALSE".to_owned()),
         (Some("BOOL"), "1") => return Ok("TRUE".to_owned()),
         (Some("STRING"), text) if !text.starts_with(['\'', '"']) => {
-            let quoted = text.replace('$', "$$").replace('\'', "$'");
-            return operand(
-                &format!("'{quoted}'"),
-                Meaning {
-                    shared,
-                    scope: &Scope::default(),
-                },
-            )
-            .map(|it| it.text);
+            return Ok(Literal::text(text).as_str().to_owned());
         }
         _ => {}
     }
@@ -104,9 +97,10 @@ fn simple(shared: &Shared<'_>, ty: &Type, text: &str) -> Result<String, String> 
             scope: &Scope::default(),
         },
     )?;
-    let is_whole = value.text.bytes().all(|c| c.is_ascii_digit() || c == b'-');
-    match name {
-        Some("REAL" | "LREAL") if is_whole => Ok(format!("{}.0", value.text)),
-        _ => Ok(value.text),
-    }
+    let value = value.value.to_string();
+    let is_whole = value.bytes().all(|c| c.is_ascii_digit() || c == b'-');
+    Ok(match name {
+        Some("REAL" | "LREAL") if is_whole => value + ".0",
+        _ => value,
+    })
 }

@@ -19,11 +19,11 @@ use super::graph::{End, Kind};
 use super::model::{Body, Project, Unit, UnitKind};
 use super::scope::{Scope, Shared};
 use ladder_format::Circuit;
-use ladder_format::program::{Drawing, Element, Item, Network, ProgramSketch};
+use ladder_format::program::{Block, Drawing, Element, Item, Network, Path, ProgramSketch};
 use ladder_notation::{Content, Names, ProjectFile, Reading, UnreadParts, is_function};
 use std::collections::HashSet;
 use tasks::{Run, When, at_times, order, shortest};
-use units::{Inside, Place, unit_items};
+use units::{Inside, Place, network, unit_items};
 
 /// The whole project.
 pub fn reading(project: Project) -> Reading {
@@ -217,8 +217,9 @@ fn enabled(project: &Project) -> HashSet<String> {
 
 /// What keeps a block from running without power.
 fn guard(origin: u32) -> [Item; 2] {
-    let element = |text: &str| Circuit::Element(Element::block(text.to_owned(), Some(origin)));
-    let drawing = Drawing::Circuit(Circuit::Series(vec![element("[/]( EN )"), element("<RET>")]));
+    let blocks = [Block::negated_contact(Path::tag("EN")), Block::ret()];
+    let elements = blocks.map(|block| Circuit::Element(Element::of(block, Some(origin))));
+    let drawing = Drawing::Circuit(Circuit::Series(elements.into()));
     let network = Network {
         comments: Vec::new(),
         drawing,
@@ -235,23 +236,13 @@ fn together(
 ) {
     let mut names = Names::default();
     let names: Vec<String> = order.iter().map(|run| names.fresh(&run.unit.name)).collect();
-    let mut block = |keyword: &str, name: &str, unit: &Unit| {
-        let origin = reading.origin(unit.place);
-        Item::Network(Network {
-            comments: Vec::new(),
-            drawing: Drawing::Circuit(Circuit::Element(Element::block(
-                format!("<{keyword}>( {name} )"),
-                Some(origin),
-            ))),
-        })
-    };
     for (run, name) in order.iter().zip(&names) {
         if !matches!(run.when, When::Never) {
-            items.extend([Item::Blank, block("CALL", name, run.unit)]);
+            items.extend(network(Block::call(name), run.unit.place, reading));
         }
     }
     for ((unit, body), name) in programs.into_iter().zip(&names) {
-        items.extend([Item::Blank, block("FUN", name, unit)]);
+        items.extend(network(Block::function(name), unit.place, reading));
         items.extend(body);
     }
 }

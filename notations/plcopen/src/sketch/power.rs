@@ -1,10 +1,12 @@
 //! What power goes through: contacts, coils, values, gates and comparisons.
 
 use super::blocks::{Class, power_pins};
-use super::draw::{Pencil, RAIL, Refused};
-use crate::expression::{Form, Operand};
+use super::draw::{Pencil, RAIL, Refused, at, contact_on};
+use crate::expression::Form;
 use crate::graph::{Edge, End, Kind, Modifier, Storage};
 use crate::standard::Gate;
+use ladder_format::program::{Block, Path};
+use ladder_instructions::Op;
 
 impl Pencil<'_, '_> {
     /// A coil, and whether power goes on after it as it came. What comes after other coils in the source has the power
@@ -12,11 +14,10 @@ impl Pencil<'_, '_> {
     pub(super) fn coil(
         &mut self,
         node: usize,
-        tag: &Operand,
+        tag: &Path,
         modifier: Modifier,
         storage: Storage,
-    ) -> (Vec<String>, bool) {
-        let tag = &tag.text;
+    ) -> Result<(Vec<Block>, bool), Refused> {
         let dropped = (modifier.negated && (storage != Storage::None || modifier.edge != Edge::None))
             || (storage != Storage::None && modifier.edge != Edge::None);
         if dropped {
@@ -25,18 +26,19 @@ impl Pencil<'_, '_> {
                 "it is negated, latched or of an edge at once: only the first of these counts",
             );
         }
-        let one = |text: &str| (vec![format!("{text}( {tag} )")], false);
-        match (modifier.negated, storage, modifier.edge) {
-            (true, ..) => (vec![format!("(/)( {tag} )")], true),
-            (false, Storage::Set, _) => one("(S)"),
-            (false, Storage::Reset, _) => (vec![format!("(R)( {tag} )")], true),
-            (false, Storage::None, Edge::None) => (vec![format!("( )( {tag} )")], true),
-            (false, Storage::None, Edge::Rising) => (vec![format!("(P)( {tag} )")], true),
+        let (op, passes_on) = match (modifier.negated, storage, modifier.edge) {
+            (true, ..) => (Op::NegatedCoil, true),
+            (false, Storage::Set, _) => (Op::SetCoil, false),
+            (false, Storage::Reset, _) => (Op::ResetCoil, true),
+            (false, Storage::None, Edge::None) => (Op::Coil, true),
+            (false, Storage::None, Edge::Rising) => (Op::RisingCoil, true),
             // The first scan without power counts as a fall in the standard.
             (false, Storage::None, Edge::Falling) => {
-                (vec!["[NOT]".to_owned(), format!("(P)( {tag} )")], false)
+                let coil = at(node, Block::of(Op::RisingCoil, [tag]))?;
+                return Ok((vec![Block::inverter(), coil], false));
             }
-        }
+        };
+        Ok((vec![at(node, Block::of(op, [tag]))?], passes_on))
     }
 
     /// What comes to a pin, inverted, if that is one contact.
@@ -53,13 +55,12 @@ impl Pencil<'_, '_> {
         let graph = self.body.graph;
         let point = match &graph.nodes[end.node].kind {
             Kind::Contact(text, modifier) => {
-                let tag = self.tag(end.node, text)?;
                 let modifier = Modifier {
                     negated: !modifier.negated,
                     edge: Edge::None,
                 };
-                let texts = self.contact(end.node, &tag, modifier, false);
-                self.series(start, texts, end.node)
+                let contacts = self.contact(end.node, text, modifier, false)?;
+                self.series(start, contacts, end.node)
             }
             Kind::Value(text, negated) => self.value(end, text, !negated, start)?,
             _ => return Ok(None),
@@ -78,40 +79,38 @@ impl Pencil<'_, '_> {
         if self.body.is_refused(end.node) {
             return Ok(self.stand_in(start, end.node));
         }
-        let operand = self.body.operand(text).map_err(|why| (end.node, why))?;
-        let contact = |negated: bool| if negated { "[/]" } else { "[ ]" };
-        let text = match operand.form {
-            Form::Literal => match (operand.text.as_str(), negated) {
-                ("TRUE" | "BOOL#TRUE" | "BOOL#1", false) | ("FALSE" | "BOOL#FALSE" | "BOOL#0", true) => {
-                    return Ok(start);
-                }
-                ("TRUE" | "BOOL#TRUE" | "BOOL#1", true) | ("FALSE" | "BOOL#FALSE" | "BOOL#0", false) => {
-                    "[ ]( SYS.OFF )".to_owned()
-                }
-                _ => return Err((end.node, "it is no power".to_owned())),
+        let operand = at(end.node, self.body.operand(text))?;
+        let contact = match operand.form() {
+            Form::Literal(_) => match operand.truth() {
+                Some(truth) if truth != negated => return Ok(start),
+                Some(_) => Block::contact(Path::system("OFF")),
+                None => return Err((end.node, "it is no power".to_owned())),
             },
-            Form::Path => format!("{}( {} )", contact(negated), operand.text),
-            Form::NotPath => format!("{}( {} )", contact(!negated), &operand.text[4..]),
+            Form::Path(tag) => contact_on(tag, negated),
+            Form::NotPath(tag) => contact_on(tag, !negated),
             Form::Milliseconds => return Err((end.node, "it is no power".to_owned())),
-            Form::Expression => {
+            Form::Formula => {
                 let tag = self.body.results.get(&end);
                 let tag = tag.ok_or_else(|| (end.node, "its value is not known here".to_owned()))?;
-                format!("{}( {tag} )", contact(negated))
+                contact_on(tag, negated)
             }
         };
-        Ok(self.series(start, [text], end.node))
+        Ok(self.series(start, [contact], end.node))
     }
 
     pub(super) fn contact(
         &mut self,
         node: usize,
-        tag: &Operand,
+        text: &str,
         modifier: Modifier,
         is_at_rail: bool,
-    ) -> Vec<String> {
-        let (tag, is_not) = match tag.form {
-            Form::NotPath => (&tag.text[4..], true),
-            _ => (tag.text.as_str(), false),
+    ) -> Result<Vec<Block>, Refused> {
+        let operand = at(node, self.body.operand(text))?;
+        let (tag, is_not) = match (operand.form(), operand.truth()) {
+            (Form::Path(tag), _) => (tag.clone(), false),
+            (Form::NotPath(tag), _) => (tag.clone(), true),
+            (_, Some(truth)) => (Path::system(if truth { "ON" } else { "OFF" }), false),
+            _ => return Err((node, "it is no variable".to_owned())),
         };
         if modifier.negated && modifier.edge != Edge::None {
             self.body.note(
@@ -119,27 +118,25 @@ impl Pencil<'_, '_> {
                 "it is negated and of an edge at once: the edge does not count",
             );
         }
-        match (modifier.negated != is_not, modifier.edge) {
-            (true, Edge::Rising | Edge::Falling) if is_not && !modifier.negated => {
+        if modifier.negated || is_not || modifier.edge == Edge::None {
+            if is_not && !modifier.negated && modifier.edge != Edge::None {
                 self.body
                     .note(node, "the edge of what is inverted does not count");
-                vec![format!("[/]( {tag} )")]
             }
-            (true, _) => vec![format!("[/]( {tag} )")],
-            (false, Edge::Rising) if !modifier.negated => vec![format!("[P]( {tag} )")],
-            // The first scan with the tag low counts as a fall in the standard.
-            (false, Edge::Falling) if !modifier.negated && is_at_rail => {
-                vec![format!("[/]( {tag} )"), "[OSR]".to_owned()]
-            }
-            (false, Edge::Falling) if !modifier.negated => {
-                self.body.note(
-                    node,
-                    "the first scan with the tag low counts as a fall there, and not here",
-                );
-                vec![format!("[N]( {tag} )")]
-            }
-            (false, _) => vec![format!("[ ]( {tag} )")],
+            return Ok(vec![contact_on(tag, modifier.negated != is_not)]);
         }
+        if modifier.edge == Edge::Rising {
+            return Ok(vec![at(node, Block::of(Op::RisingContact, [tag]))?]);
+        }
+        // The first scan with the tag low counts as a fall in the standard.
+        if is_at_rail {
+            return Ok(vec![Block::negated_contact(tag), Block::one_shot()]);
+        }
+        self.body.note(
+            node,
+            "the first scan with the tag low counts as a fall there, and not here",
+        );
+        Ok(vec![at(node, Block::of(Op::FallingContact, [tag]))?])
     }
 
     /// A gate or a comparison.
@@ -172,19 +169,19 @@ impl Pencil<'_, '_> {
                     return Ok(point);
                 }
                 if let (true, Some(operand)) = (start != RAIL, self.body.operands.get(&(node, 0))) {
-                    let text = format!("[/]( {} )", operand.text);
-                    return Ok(self.series(start, [text], node));
+                    let contact = Block::negated_contact(operand.value.clone());
+                    return Ok(self.series(start, [contact], node));
                 }
                 let point = self.pin(node, 0, start)?;
-                Ok(self.series(point, ["[NOT]".to_owned()], node))
+                Ok(self.series(point, [Block::inverter()], node))
             }
             _ => {
-                let text = self.body.condition_text(node, class).map_err(|why| (node, why))?;
+                let block = at(node, self.body.comparison(node, class))?;
                 let mut point = start;
                 for pin in power_pins(self.body, node) {
                     point = self.pin(node, pin, point)?;
                 }
-                Ok(self.series(point, [text], node))
+                Ok(self.series(point, [block], node))
             }
         }
     }

@@ -3,10 +3,12 @@
 use super::blocks::{Class, is_enable, operand_pins, power_output, power_pins, result_output};
 use super::body::Body;
 use super::draw::Target;
-use crate::expression::{Form, Operand};
+use crate::expression::{Form, Typed};
 use crate::graph::{Edge, End, Kind, Modifier};
 use crate::model::{Type, UnitKind};
 use crate::standard::{self, Gate};
+use ladder_format::program::{Block, Path};
+use ladder_instructions::Op;
 use std::collections::HashSet;
 
 /// The outputs that were seen, and whether their blocks may stand in the network itself.
@@ -112,7 +114,7 @@ impl Body<'_> {
         let is_invertible = match &source.kind {
             Kind::Value(text, _) => self
                 .operand(text)
-                .is_ok_and(|operand| !matches!(operand.form, Form::Expression | Form::Milliseconds)),
+                .is_ok_and(|operand| !matches!(operand.form(), Form::Formula | Form::Milliseconds)),
             Kind::Contact(_, modifier) if modifier.edge == Edge::None => {
                 let before = source.inputs.first().map_or(&[][..], |pin| &pin.from);
                 matches!(before, [end] if self.graph.nodes[end.node].kind == Kind::LeftRail)
@@ -137,8 +139,8 @@ impl Body<'_> {
         let node = end.node;
         match &self.graph.nodes[node].kind {
             Kind::Value(text, _) => {
-                let form = self.operand(text).map(|operand| operand.form);
-                if form == Ok(Form::Expression)
+                if let Ok(operand) = self.operand(text)
+                    && operand.form() == Form::Formula
                     && let Err(why) = self.computed(end)
                 {
                     self.refuse(node, why);
@@ -234,32 +236,32 @@ impl Body<'_> {
                     .first()
                     .is_some_and(|pin| pin.from.len() == 1)
             };
-            let variables: Vec<(usize, Operand)> = uses
+            let variables: Vec<(usize, Path, Option<Type>)> = uses
                 .iter()
                 .filter_map(|user| match &self.graph.nodes[*user].kind {
                     Kind::Variable(text, false) if is_only(*user) && !is_negated => {
                         let operand = self.operand(text).ok()?;
-                        (operand.form == Form::Path).then_some((*user, operand))
+                        Some((*user, operand.value.path()?.clone(), operand.ty))
                     }
                     _ => None,
                 })
                 .collect();
             let (late, variables): (Vec<_>, Vec<_>) = variables
                 .into_iter()
-                .partition(|(user, operand)| self.is_written_later(node, *user, operand));
+                .partition(|(user, tag, _)| self.is_written_later(node, *user, tag));
             let taken = late.first().or(variables.first());
-            let taken = taken.and_then(|(_, operand)| operand.ty.clone());
+            let taken = taken.and_then(|(.., ty)| ty.clone());
             let is_enabled = self.graph.nodes[node]
                 .inputs
                 .iter()
                 .any(|pin| is_enable(&pin.name));
             if let (true, Some(output)) = (is_enabled, power_output(self, node)) {
                 let end = End { node, output };
-                self.guards.extend(late.into_iter().map(|(user, _)| (user, end)));
+                self.guards.extend(late.into_iter().map(|(user, ..)| (user, end)));
             }
-            let tag = if let ([(user, operand)], true) = (&variables[..], uses.len() == 1) {
+            let tag = if let ([(user, tag, _)], true) = (&variables[..], uses.len() == 1) {
                 self.merged[*user] = true;
-                operand.text.clone()
+                tag.clone()
             } else {
                 let ty = self.out_type(end).or(taken).or_else(|| self.type_taken(end));
                 let ty = ty.or_else(|| self.type_asked_of_unknown(end));
@@ -270,13 +272,13 @@ impl Body<'_> {
                 };
                 let comment = format!("the result of {name}");
                 let tag = self.helper(&name.to_lowercase(), &ty, &comment);
-                self.begin_with_nothing(node, end, &tag);
+                self.begin_with_nothing(node, end, &tag)?;
                 // Without power at EN nothing is written.
                 if is_enabled {
-                    for (user, operand) in variables {
+                    for (user, variable, _) in variables {
                         self.merged[user] = true;
-                        let text = format!("[MOV]( {}, {tag} )", operand.text);
-                        self.moves.entry(node).or_default().push(text);
+                        let block = Block::of(Op::Mov, [&variable, &tag])?;
+                        self.moves.entry(node).or_default().push(block);
                     }
                 }
                 tag
@@ -287,7 +289,7 @@ impl Body<'_> {
     }
 
     /// The operand at a pin: the variable or value that is wired to it, or a tag with what comes there.
-    fn direct(&mut self, node: usize, pin: usize, seen: &mut Seen) -> Result<Operand, String> {
+    fn direct(&mut self, node: usize, pin: usize, seen: &mut Seen) -> Result<Typed, String> {
         let operand = self.find_direct(node, pin, seen)?;
         self.operands.insert((node, pin), operand.clone());
         for end in &self.graph.nodes[node].inputs[pin].from {
@@ -296,7 +298,7 @@ impl Body<'_> {
         Ok(operand)
     }
 
-    fn find_direct(&mut self, node: usize, pin: usize, seen: &mut Seen) -> Result<Operand, String> {
+    fn find_direct(&mut self, node: usize, pin: usize, seen: &mut Seen) -> Result<Typed, String> {
         let (from, modifier) = {
             let pin = &self.graph.nodes[node].inputs[pin];
             (pin.from.clone(), pin.modifier)
@@ -306,12 +308,12 @@ impl Body<'_> {
             match &source.kind {
                 Kind::Value(text, negated) => {
                     let operand = self.operand(text)?;
-                    match (operand.form, negated) {
-                        (Form::Literal | Form::Path, false) => return Ok(operand),
-                        (Form::Expression, false) if self.takes_formula(node, &operand) => {
+                    match (operand.form(), negated) {
+                        (Form::Literal(_) | Form::Path(_), false) => return Ok(operand),
+                        (Form::Formula, false) if self.takes_formula(node, &operand) => {
                             return Ok(operand);
                         }
-                        (Form::Expression, false) => return self.computed(*end),
+                        (Form::Formula, false) => return self.computed(*end),
                         (Form::Milliseconds, false)
                             if matches!(self.class(node), Some(Class::Value("MOV") | Class::Convert)) =>
                         {
@@ -328,7 +330,7 @@ impl Body<'_> {
                     let is_at_rail =
                         matches!(before, [end] if self.graph.nodes[end.node].kind == Kind::LeftRail);
                     let operand = self.operand(text)?;
-                    if is_at_rail && operand.form == Form::Path {
+                    if is_at_rail && matches!(operand.form(), Form::Path(_)) {
                         return Ok(operand);
                     }
                 }
@@ -341,7 +343,7 @@ impl Body<'_> {
                         .get(end.output)
                         .is_some_and(|output| output.negated);
                     if !is_negated {
-                        return self.reference(*end);
+                        return Ok(Typed::of(self.reference(*end)?, None));
                     }
                 }
                 _ => {}
@@ -368,16 +370,11 @@ impl Body<'_> {
         if !self.network(&[Target::Pin(node, pin, tag.clone())]) {
             self.in_pieces(Target::Pin(node, pin, tag.clone()));
         }
-        Ok(Operand {
-            reads: vec![tag.to_lowercase()],
-            text: tag,
-            form: Form::Path,
-            ty: Some(Type::Named("BOOL".to_owned())),
-        })
+        Ok(Typed::of(tag, Some(Type::Named("BOOL".to_owned()))))
     }
 
     /// Whether an expression is all that a block computes, in the type of the one variable that takes it.
-    fn takes_formula(&self, node: usize, formula: &Operand) -> bool {
+    fn takes_formula(&self, node: usize, formula: &Typed) -> bool {
         let Some(output) = result_output(&self.graph.nodes[node]) else {
             return false;
         };
@@ -400,52 +397,34 @@ impl Body<'_> {
     }
 
     /// A tag with the value of an expression.
-    fn computed(&mut self, end: End) -> Result<Operand, String> {
+    fn computed(&mut self, end: End) -> Result<Typed, String> {
         let Kind::Value(text, _) = &self.graph.nodes[end.node].kind else {
             return Err("it is no value".to_owned());
         };
-        let operand = self.operand(text)?;
-        let ty = operand
-            .ty
-            .clone()
-            .ok_or_else(|| format!("the type of `{text}` is not known"))?;
+        let ty = self.operand(text)?.ty;
+        let ty = ty.ok_or_else(|| format!("the type of `{text}` is not known"))?;
         let written = self.type_text(&ty)?;
         let tag = self.helper("value", &written, "the value of an expression");
         self.flush();
         self.results.insert(end, tag.clone());
         self.network(&[Target::Value(end, tag.clone())]);
-        Ok(Operand {
-            reads: operand.reads,
-            text: tag,
-            form: Form::Path,
-            ty: Some(ty),
-        })
+        Ok(Typed::of(tag, Some(ty)))
     }
 
     /// The tag that holds what leaves an output of a block that stands above.
-    pub(super) fn reference(&self, end: End) -> Result<Operand, String> {
+    pub(super) fn reference(&self, end: End) -> Result<Path, String> {
         let node = &self.graph.nodes[end.node];
         let output = node
             .outputs
             .get(end.output)
             .map_or("", |output| output.name.as_str());
-        let path = |text: String| Operand {
-            reads: vec![text.split('.').next().unwrap_or_default().to_lowercase()],
-            text,
-            form: Form::Path,
-            ty: None,
-        };
         if let Some(tag) = self.results.get(&end) {
-            return Ok(path(tag.clone()));
+            return Ok(tag.clone());
         }
         let Kind::Block { name, .. } = &node.kind else {
             return Err("what feeds it has no result".to_owned());
         };
-        let instance = self
-            .instances
-            .get(&end.node)
-            .map(|instance| instance.text.as_str());
-        match (self.class(end.node), instance) {
+        match (self.class(end.node), self.instances.get(&end.node).cloned()) {
             (Some(Class::Standard(standard::StandardBlock::Stateful(mnemonic, ..))), Some(instance)) => {
                 let output = if output.is_empty() {
                     standard::power_output(standard::StandardBlock::Stateful(mnemonic, "", &[])).to_owned()
@@ -455,13 +434,13 @@ impl Body<'_> {
                 if !standard::OUTPUTS.contains(&output.as_str()) {
                     return Err(format!("`{name}` has no output `{output}`"));
                 }
-                Ok(path(format!("{instance}.{output}")))
+                Ok(instance.member(output))
             }
             (Some(Class::Unit(UnitKind::FunctionBlock)), Some(instance)) => {
                 let block = self.shared.blocks.get(&name.to_lowercase());
                 let known = block.and_then(|block| block.scope.get(output));
                 let known = known.ok_or_else(|| format!("`{name}` has no output `{output}`"))?;
-                Ok(path(format!("{instance}.{}", known.spelled)))
+                Ok(instance.member(&known.path.root))
             }
             _ => Err(format!("nothing holds what `{name}` has at `{output}`")),
         }

@@ -1,14 +1,13 @@
 //! Which programs run, in which order, and how often: once in a scan, or at times that a scan does not have.
 
 use super::duration;
-use super::units::Inside;
-use crate::expression::{Meaning, operand};
+use super::units::{Inside, network};
+use crate::expression::{Meaning, operand, reads};
 use crate::graph::Kind;
 use crate::model::{Body, Project, Role, Task, Unit, UnitKind};
 use crate::scope::{Scope, Shared};
 use crate::standard;
-use ladder_format::Circuit;
-use ladder_format::program::{Drawing, Element, Item, Network, Qualifier, SectionKind};
+use ladder_format::program::{Item, Qualifier, SectionKind};
 use ladder_notation::{Power, Reading, Report, Turn, Unread, UnreadParts};
 use std::collections::HashSet;
 
@@ -145,11 +144,8 @@ pub(super) fn at_times(
         turn: Turn::AnyTime,
     };
     let block = unread.body(part, |name| shared.has_block(name));
-    let origin = reading.origin(task.place);
-    Some(Item::Network(Network {
-        comments: Vec::new(),
-        drawing: Drawing::Circuit(Circuit::Element(Element::of(block, Some(origin)))),
-    }))
+    let [_, network] = network(block, task.place, reading);
+    Some(network)
 }
 
 /// The tags that a program writes, if that is known: its own, and globals that stand where something is written.
@@ -172,10 +168,10 @@ fn written(shared: &Shared<'_>, project: &Project, unit: &Unit, inside: &Inside)
     }
     for global in &project.globals {
         if let Some(known) = shared.globals.get(&global.name)
-            && names.contains(&known.spelled.to_lowercase())
+            && names.contains(&known.path.root.to_lowercase())
             && global.qualifier != Some(Qualifier::Constant)
         {
-            all.push(known.spelled.clone());
+            all.push(known.path.root.clone());
         }
     }
     Some(all)
@@ -192,7 +188,7 @@ fn globals(
     let meaning = Meaning { shared, scope };
     let mut note = |text: &str| {
         let operand = operand(text, meaning).ok()?;
-        names.extend(operand.reads);
+        names.extend(reads(&operand.value));
         Some(())
     };
     let bodies = unit.parts.iter().map(|part| &part.body).chain([&unit.body]);

@@ -5,10 +5,11 @@
 use super::blocks::{Class, power_output, power_pins};
 use super::body::Body;
 use super::draw::Target;
-use crate::expression::Operand;
+use crate::expression::reads;
 use crate::graph::{Edge, End, Kind, Pin};
 use crate::model::Evaluation;
 use crate::standard::Gate;
+use ladder_format::program::Path;
 use std::collections::HashSet;
 
 /// What feeds an element, by whatever pins.
@@ -45,6 +46,31 @@ impl Body<'_> {
         let is_block = |node: &usize| matches!(self.graph.nodes[*node].kind, Kind::Block { .. });
         let states = nodes.filter(is_block).flat_map(|node| self.writes(node));
         self.has_turns = states.into_iter().any(|tag| self.readers.contains_key(&tag));
+    }
+
+    /// The tags that an element reads by name, in small letters.
+    pub(super) fn reads(&self, node: usize) -> Vec<String> {
+        match &self.graph.nodes[node].kind {
+            Kind::Contact(text, _) | Kind::Value(text, _) => self.tags(text),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The tags that an element writes, and those that say which of them.
+    pub(super) fn writes(&self, node: usize) -> Vec<String> {
+        match &self.graph.nodes[node].kind {
+            Kind::Coil(text, ..) | Kind::Variable(text, _) => self.tags(text),
+            Kind::Block { .. } => {
+                let instance = self.instances.get(&node).into_iter();
+                instance.map(|tag| tag.root.to_lowercase()).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    fn tags(&self, text: &str) -> Vec<String> {
+        let operand = self.operand(text);
+        operand.map_or_else(|_| Vec::new(), |operand| reads(&operand.value))
     }
 
     /// What feeds an element and does not stand in a network above.
@@ -320,24 +346,17 @@ impl Body<'_> {
 
     /// Whether a variable takes the result of a block later than the block makes it: something that has its turn between the two
     /// reads or writes the same tag, and not only for the block.
-    pub(super) fn is_written_later(&self, block: usize, user: usize, tag: &Operand) -> bool {
+    pub(super) fn is_written_later(&self, block: usize, user: usize, tag: &Path) -> bool {
         let end = Some(self.places[user]).filter(|place| *place >= self.turn);
         let between = self.turn..end.unwrap_or(self.order.len());
         let is_between = |node: usize| between.contains(&self.places[node]);
-        let mut writers = tag
-            .reads
-            .iter()
-            .filter_map(|name| self.writers.get(name))
-            .flatten();
+        let tags = reads(&tag.into());
+        let mut writers = tags.iter().filter_map(|name| self.writers.get(name)).flatten();
         if writers.any(|node| is_between(*node)) {
             return true;
         }
         let mut met = HashSet::new();
-        let readers = tag
-            .reads
-            .iter()
-            .filter_map(|name| self.readers.get(name))
-            .flatten();
+        let readers = tags.iter().filter_map(|name| self.readers.get(name)).flatten();
         let mut waiting: Vec<usize> = readers.copied().collect();
         while let Some(node) = waiting.pop() {
             if node == block || node == user || !met.insert(node) {

@@ -113,7 +113,7 @@ pub(super) fn unit_items(
 }
 
 /// A network with a block alone.
-fn network(block: Block, place: ladder_notation::LineColumn, reading: &mut Reading) -> [Item; 2] {
+pub(super) fn network(block: Block, place: ladder_notation::LineColumn, reading: &mut Reading) -> [Item; 2] {
     let origin = reading.origin(place);
     let network = Network {
         comments: Vec::new(),

@@ -6,6 +6,7 @@ use super::units::{UNREAD, action_name};
 use crate::graph::{End, Kind};
 use crate::model::Type;
 use crate::standard::{self, StandardBlock};
+use ladder_format::program::Block;
 use ladder_notation::{Power, Turn, Unread};
 
 impl Body<'_> {
@@ -21,9 +22,9 @@ impl Body<'_> {
     }
 
     /// The block that says so: `[$MYSTERY]( 'a := start, q => MYSTERY_q' )`.
-    pub(super) fn unread_text(&mut self, node: usize) -> String {
+    pub(super) fn unread(&mut self, node: usize) -> Result<Block, String> {
         let Kind::Block { name, instance, code } = &self.graph.nodes[node].kind else {
-            return String::new();
+            return Err("it is not a block".to_owned());
         };
         let about = format!("{name} is not read: {UNREAD}.");
         let part = |text| Unread {
@@ -37,7 +38,7 @@ impl Body<'_> {
         let shared = self.shared;
         let is_taken = |name: &str| shared.has_block(name);
         if let Some(code) = code {
-            return self.made.unread.body(part(code), is_taken).to_string();
+            return Ok(self.made.unread.body(part(code), is_taken));
         }
         let power = power_pins(self, node);
         let inputs = self.graph.nodes[node].inputs.iter().enumerate();
@@ -45,7 +46,7 @@ impl Body<'_> {
             .filter(|(pin, _)| !power.contains(pin))
             .filter_map(|(number, pin)| {
                 let operand = self.operands.get(&(node, number))?;
-                Some(format!("{} := {}", pin.name, operand.text))
+                Some(format!("{} := {}", pin.name, operand.value))
             });
         let outputs = self.graph.nodes[node].outputs.iter().enumerate();
         let outputs = outputs.filter_map(|(output, pin)| {
@@ -57,7 +58,7 @@ impl Body<'_> {
         if let Some(action) = self.made.actions.get(&action_name(name)) {
             text.push_str(&format!("\n{action}"));
         }
-        self.made.unread.block(part(&text), is_taken).to_string()
+        Ok(self.made.unread.block(part(&text), is_taken))
     }
 
     /// The type that an output of a block that nothing knows must have for what takes it.
