@@ -33,7 +33,9 @@ impl<T> Circuit<T> {
         match self {
             Circuit::Element(element) => with(element),
             Circuit::Series(parts) | Circuit::Parallel(parts) => {
-                parts.iter_mut().for_each(|part| part.for_each_mut(with));
+                for part in parts {
+                    part.for_each_mut(with);
+                }
             }
         }
     }
