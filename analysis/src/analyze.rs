@@ -1,13 +1,13 @@
 //! A file, analysed.
 
 use crate::checking::{self, Memo, keep_nearest};
-use crate::context::Context;
 use crate::cplc_draft;
 use crate::findings::Finding;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::Severity;
 use crate::findings::rule_settings::RuleSettings;
-use crate::names::join::context_after;
+use crate::names::context::Context;
+use crate::names::join::{ContextOptions, context};
 use crate::other_files::others::Others;
 use crate::program::Program;
 use crate::resolve::{self, Resolved, numbers::Unit};
@@ -115,65 +115,85 @@ impl Analysis {
     }
 }
 
-/// Analyses a file that is alone. `name` is how messages of a running program call it.
-pub fn analyze(parse: &Arc<Parse>, name: &str) -> Analysis {
-    analyze_in(parse, name, &Others::alone())
+/// How a file is analysed.
+#[derive(Clone, Copy)]
+pub struct AnalyzeOptions<'a> {
+    name: &'a str,
+    others: Option<&'a Others>,
+    rules: Option<&'a RuleSettings>,
+    before: Option<&'a Analysis>,
 }
 
-/// Analyses a file among the others of its workspace, whose [`Exports`](crate::Exports) go by the same names.
-pub fn analyze_in(parse: &Arc<Parse>, name: &str, others: &Others) -> Analysis {
-    analyze_with(parse, name, others, &RuleSettings::default())
-}
+impl<'a> AnalyzeOptions<'a> {
+    /// Alone, with all rules at their defaults. `name` is how messages of a running program call it.
+    pub fn new(name: &'a str) -> AnalyzeOptions<'a> {
+        AnalyzeOptions {
+            name,
+            others: None,
+            rules: None,
+            before: None,
+        }
+    }
 
-/// As [`analyze_in()`], with settings of the rules.
-pub fn analyze_with(parse: &Arc<Parse>, name: &str, others: &Others, settings: &RuleSettings) -> Analysis {
-    analyze_after(None, parse, name, others, settings)
-}
+    /// Among the others of its workspace, whose [`Exports`](crate::Exports) go by the same names.
+    #[must_use]
+    pub fn among(self, others: &'a Others) -> AnalyzeOptions<'a> {
+        AnalyzeOptions {
+            others: Some(others),
+            ..self
+        }
+    }
 
-/// As [`analyze_with()`], for a text that came from another one by edits: what both have is taken over from the
-/// analysis of the earlier one. What comes out does not depend on it.
-pub fn analyze_after(
-    before: Option<&Analysis>,
-    parse: &Arc<Parse>,
-    name: &str,
-    others: &Others,
-    settings: &RuleSettings,
-) -> Analysis {
-    let known = before.map(|before| &*before.context);
-    let context = Arc::new(context_after(known, parse, name, others));
-    analyze_context(before, context, settings)
-}
+    /// With settings of the rules.
+    #[must_use]
+    pub fn with_rules(self, rules: &'a RuleSettings) -> AnalyzeOptions<'a> {
+        AnalyzeOptions {
+            rules: Some(rules),
+            ..self
+        }
+    }
 
-/// Analyses a file whose names, networks and blocks are known. `before` is the analysis of an earlier text of it.
-pub fn analyze_context(
-    before: Option<&Analysis>,
-    context: Arc<Context>,
-    settings: &RuleSettings,
-) -> Analysis {
-    match analyze_while(before, context, settings, &|| true) {
-        Some(analysis) => analysis,
-        None => unreachable!("it is always wanted"),
+    /// For a text that came from another one by edits: what both have is taken over from the analysis of the earlier one. What
+    /// comes out does not depend on it.
+    #[must_use]
+    pub fn after(self, before: Option<&'a Analysis>) -> AnalyzeOptions<'a> {
+        AnalyzeOptions { before, ..self }
+    }
+
+    /// Looks for what is wrong in a file whose names, networks and blocks are known, while `wanted` holds: that is asked between
+    /// each [`BETWEEN`](crate::BETWEEN) networks or tags. None once it does not.
+    pub fn check_while(self, context: Arc<Context>, wanted: &dyn Fn() -> bool) -> Option<Analysis> {
+        let (no_memo, defaults) = (Memo::default(), RuleSettings::default());
+        let memo = self.before.map_or(&no_memo, |before| &before.memo);
+        let rules = self.rules.unwrap_or(&defaults);
+        let found = checking::find(memo, &context, rules, &StillWanted::new(wanted))?;
+        Some(Analysis {
+            context,
+            findings: found.shown,
+            hidden_errors: found.hidden_errors,
+            diagnostics: OnceLock::new(),
+            program: OnceLock::new(),
+            others: None,
+            memo: found.memo,
+        })
     }
 }
 
-/// As [`analyze_context()`], while `wanted` holds: that is asked between each [`BETWEEN`](crate::BETWEEN) networks or tags. None
-/// once it does not.
-pub fn analyze_while(
-    before: Option<&Analysis>,
-    context: Arc<Context>,
-    settings: &RuleSettings,
-    wanted: &dyn Fn() -> bool,
-) -> Option<Analysis> {
-    let empty = Memo::default();
-    let memo = before.map_or(&empty, |before| &before.memo);
-    let found = checking::find(memo, &context, settings, &StillWanted::new(wanted))?;
-    Some(Analysis {
-        context,
-        findings: found.shown,
-        hidden_errors: found.hidden_errors,
-        diagnostics: OnceLock::new(),
-        program: OnceLock::new(),
-        others: None,
-        memo: found.memo,
-    })
+impl<'a, Name: AsRef<str> + ?Sized> From<&'a Name> for AnalyzeOptions<'a> {
+    fn from(name: &'a Name) -> AnalyzeOptions<'a> {
+        AnalyzeOptions::new(name.as_ref())
+    }
+}
+
+/// Analyses a file. With its name alone as the options it is one that is alone.
+pub fn analyze<'a>(parse: &Arc<Parse>, options: impl Into<AnalyzeOptions<'a>>) -> Analysis {
+    let options = options.into();
+    let alone = Others::alone();
+    let others = options.others.unwrap_or(&alone);
+    let known = options.before.map(|before| &*before.context);
+    let context = context(parse, ContextOptions::new(options.name, others).after(known));
+    match options.check_while(Arc::new(context), &|| true) {
+        Some(analysis) => analysis,
+        None => unreachable!("it is always wanted"),
+    }
 }

@@ -1,7 +1,7 @@
 //! The cross-reference of a file: each tag with its type and address, what its declaration says, and every place that
 //! reads, writes, sets or resets it. The command line, the editors and the printed pages show this and nothing of their own.
 
-use crate::context::Context;
+use crate::names::context::Context;
 use crate::names::scope::{Origin, TagFacts};
 use crate::networks::access_kind::AccessKind;
 use crate::program::Role;

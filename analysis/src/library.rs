@@ -1,8 +1,7 @@
 //! The blocks of the library (LANGUAGE §5.7), as files that every other file sees. They are read when a file first names a
 //! block that its workspace does not define.
 
-use crate::analyze::{Analysis, analyze_in};
-use crate::other_files::exporting::exports;
+use crate::exporting::exports;
 use crate::other_files::exports::Exports;
 use crate::other_files::others::{Exported, Others};
 pub use ladder_library::{SOURCES, Source};
@@ -36,7 +35,7 @@ fn file_of(source: &Source) -> String {
 }
 
 /// What the library offers.
-fn offered() -> &'static Arc<Exported> {
+pub(crate) fn offered() -> &'static Arc<Exported> {
     static OFFERED: OnceLock<Arc<Exported>> = OnceLock::new();
     OFFERED.get_or_init(|| {
         let files = SOURCES
@@ -52,25 +51,11 @@ pub fn source(file: &str) -> Option<&'static Source> {
     SOURCES.iter().find(|source| source.name[1..] == *name)
 }
 
-/// The analysis of a file of the library.
-pub fn analysis(file: &str) -> Option<Arc<Analysis>> {
-    static ANALYSES: [OnceLock<Arc<Analysis>>; SOURCES.len()] = [const { OnceLock::new() }; SOURCES.len()];
-    let source = source(file)?;
-    let number = SOURCES.iter().position(|other| other == source)?;
-    let analyse = || {
-        Arc::new(analyze_in(
-            &Arc::new(parse(source.text)),
-            file,
-            &offered().others_of(file),
-        ))
-    };
-    Some(Arc::clone(ANALYSES[number].get_or_init(analyse)))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analyze::analyze;
+    use crate::analyze::{Analysis, AnalyzeOptions, analyze};
+    use crate::link::library_analysis;
 
     /// The library must not be asked for.
     fn unread() -> &'static Arc<Exported> {
@@ -79,7 +64,10 @@ mod tests {
 
     fn analyze_unread(text: &str) -> Analysis {
         let others = Arc::new(Exported::with(Vec::new(), Some(unread))).others_of("");
-        analyze_in(&Arc::new(parse(text)), "program", &others)
+        analyze(
+            &Arc::new(parse(text)),
+            AnalyzeOptions::new("program").among(&others),
+        )
     }
 
     const OWN: &str =
@@ -99,18 +87,16 @@ mod tests {
     #[test]
     fn its_blocks_are_read_where_they_are_used() {
         for source in SOURCES {
-            let own = analysis(&file_of(source)).expect("it is one of them");
+            let own = library_analysis(&file_of(source)).expect("it is one of them");
             assert!(!own.has_errors(), "{}", source.name);
             // What one block defines another one sees.
             let user = format!(
                 "FUNCTION_BLOCK [$User]\n+--[{}]( )--+\nEND_FUNCTION_BLOCK\n",
                 source.name
             );
-            let user = analyze_in(
-                &Arc::new(parse(&user)),
-                "library://User.clad",
-                &offered().others_of("library://User.clad"),
-            );
+            let others = offered().others_of("library://User.clad");
+            let options = AnalyzeOptions::new("library://User.clad").among(&others);
+            let user = analyze(&Arc::new(parse(&user)), options);
             let used = user
                 .context
                 .user_blocks

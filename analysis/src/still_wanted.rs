@@ -35,8 +35,7 @@ impl<'a> StillWanted<'a> {
 #[cfg(test)]
 mod tests {
     use super::BETWEEN;
-    use crate::names::join::{context, context_after, context_while};
-    use crate::{Others, RuleSettings, analyze_context, analyze_while};
+    use crate::{AnalyzeOptions, ContextOptions, Others, analyze, context};
     use ladder_syntax::parse;
     use std::cell::Cell;
     use std::fmt::Write as _;
@@ -53,32 +52,31 @@ mod tests {
 
     /// What is found, and how often it was asked whether that is wanted: so often the answer is yes.
     fn asked(before: Option<&str>, text: &str, patience: usize) -> (Option<usize>, usize) {
-        let settings = RuleSettings::default();
         let read = |text: &str| Arc::new(parse(text));
         let others = Others::default();
-        let before = before.map(|before| {
-            let context = context(&read(before), "main.clad", &others);
-            analyze_context(None, Arc::new(context), &settings)
-        });
+        let alone = AnalyzeOptions::new("main.clad").among(&others);
+        let before = before.map(|before| analyze(&read(before), alone));
         let known = before.as_ref().map(|before| &*before.context);
         let parsed = match known {
             Some(known) => Arc::new(known.parse.updated(&known.parse.to_string(), text)),
             None => read(text),
         };
-        let context = Arc::new(context_after(known, &parsed, "main.clad", &others));
+        let options = ContextOptions::new("main.clad", &others).after(known);
+        let context = Arc::new(context(&parsed, options));
         let asked = Cell::new(0);
         let wanted = || {
             asked.set(asked.get() + 1);
             asked.get() <= patience
         };
-        let found = analyze_while(before.as_ref(), context, &settings, &wanted);
+        let found = alone.after(before.as_ref()).check_while(context, &wanted);
         (found.map(|found| found.findings().len()), asked.get())
     }
 
     /// Whether the names of a text are joined, and how often it was asked whether that is wanted: so often the answer is yes.
     fn joined(before: Option<&str>, text: &str, patience: usize) -> (bool, usize) {
         let others = Others::default();
-        let before = before.map(|before| context(&Arc::new(parse(before)), "main.clad", &others));
+        let options = ContextOptions::new("main.clad", &others);
+        let before = before.map(|before| context(&Arc::new(parse(before)), options));
         let parsed = Arc::new(match &before {
             Some(before) => before.parse.updated(&before.parse.to_string(), text),
             None => parse(text),
@@ -88,7 +86,7 @@ mod tests {
             asked.set(asked.get() + 1);
             asked.get() <= patience
         };
-        let context = context_while(before.as_ref(), &parsed, "main.clad", &others, &wanted);
+        let context = options.after(before.as_ref()).read_while(&parsed, &wanted);
         (context.is_some(), asked.get())
     }
 

@@ -5,7 +5,7 @@ use crate::markdown::escaped;
 use ladder_analysis::Analysis;
 use ladder_analysis::context::Context;
 use ladder_analysis::library::{self, Source};
-use ladder_analysis::networks::user_block::{Parameter, UserBlockFacts};
+use ladder_analysis::written::user_block::{Parameter, UserBlockFacts};
 use std::sync::Arc;
 
 /// A definition whose text is at hand.
@@ -25,7 +25,7 @@ impl<'c> Described<'c> {
     pub(crate) fn of(context: &'c Context, block: &UserBlockFacts) -> Option<Described<'c>> {
         let place = match block.file() {
             None => Place::Here(context),
-            Some(file) => Place::Library(library::analysis(file)?, library::source(file)?),
+            Some(file) => Place::Library(ladder_analysis::library_analysis(file)?, library::source(file)?),
         };
         let known = place.context();
         let own = &known.user_blocks[..known.own_blocks];

@@ -2,7 +2,7 @@
 
 use crate::neighbour::{ScenarioFile, Which, Workspace};
 use ladder_analysis::context::Context;
-use ladder_analysis::{Analysis, Exported, analyze, analyze_in, exports};
+use ladder_analysis::{Analysis, AnalyzeOptions, Exported, analyze, exports};
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{Watched, bind, run};
 use ladder_syntax::{TextRange, TextSize, parse};
@@ -59,7 +59,10 @@ impl Fixture {
             .into_iter()
             .zip(parses)
             .map(|((name, text), parse)| {
-                let analysis = analyze_in(&parse, &name, &exported.others_of(&name));
+                let analysis = analyze(
+                    &parse,
+                    AnalyzeOptions::new(&name).among(&exported.others_of(&name)),
+                );
                 (Arc::new(analysis), text)
             })
             .collect();

@@ -1,7 +1,7 @@
 //! The jumps on a network: which name each block names.
 
 use ladder_analysis::networks::NetworkAt;
-use ladder_analysis::networks::facts::NodeKind;
+use ladder_analysis::written::facts::NodeKind;
 use ladder_instructions::Op;
 use ladder_syntax::{Name, TextRange};
 

@@ -61,13 +61,14 @@ pub use on_type::{TRIGGERS, on_type};
 pub use outline::{OutlineKind, Outlined, outline};
 pub use refactor::{Action, ActionKind, fix_all, quick_fixes, refactorings};
 pub use refactor::{Redraw, Redrawn, redraw};
-pub use references::{Reference, references};
-pub use rename::{Renamable, RenameRefused, Renamed, prepare_rename, rename};
+pub use references::{Reference, references, scenario_references};
+pub use rename::{
+    Renamable, RenameRefused, Renamed, prepare_rename, prepare_scenario_rename, rename, rename_in_scenario,
+};
 pub use rule_page::rule_page;
 pub use scenario::{
-    ScenarioPart, Scenarios, prepare_scenario_rename, rename_in_scenario, scenario_completions,
-    scenario_definition, scenario_highlights, scenario_hover, scenario_layout, scenario_on_type,
-    scenario_outline, scenario_references,
+    ScenarioPart, Scenarios, scenario_completions, scenario_definition, scenario_highlights, scenario_hover,
+    scenario_layout, scenario_on_type, scenario_outline,
 };
 pub use selection::selections;
 pub use semantic_tokens::{Modifiers, Token, TokenKind, semantic_tokens, semantic_tokens_of};

@@ -2,7 +2,7 @@
 
 use ladder_analysis::context::Context;
 use ladder_analysis::networks::BlockAt;
-use ladder_analysis::networks::facts::{Node, NodeKind};
+use ladder_analysis::written::facts::{Node, NodeKind};
 use ladder_syntax::TextSize;
 use ladder_syntax::wiring::RungPart;
 

@@ -1,7 +1,7 @@
 //! The other files of a workspace, as features read them that look beyond one file: of each its names are enough.
 
 use ladder_analysis::context::Context;
-use ladder_analysis::library;
+use ladder_analysis::library_analysis;
 use ladder_simulator::scenario::Suite;
 use ladder_syntax::Name;
 use std::borrow::Cow;
@@ -46,7 +46,7 @@ impl Which<'_> {
 
 /// The file of a name: of the workspace, or of the library, which every workspace sees.
 pub(crate) fn named(workspace: &dyn Workspace, name: &str) -> Option<Arc<Context>> {
-    let of_library = library::analysis(name).map(|analysis| Arc::clone(&analysis.context));
+    let of_library = library_analysis(name).map(|analysis| Arc::clone(&analysis.context));
     of_library.or_else(|| workspace.file(name))
 }
 

@@ -1,6 +1,8 @@
 //! Every place of a thing in the workspace, with reads and writes distinguished.
 
 use crate::neighbour::Workspace;
+use crate::scenario::Scenarios;
+use crate::scenario::navigate::symbol_at;
 use crate::scenario::row::places;
 use crate::symbol::{Found, Symbol, Usage, everywhere, find};
 use ladder_analysis::context::Context;
@@ -52,6 +54,14 @@ pub(crate) fn in_programs(context: &Context, symbol: &Symbol, workspace: &dyn Wo
         }));
     }
     references
+}
+
+/// All places of what is named at an offset: in the program, the files next to it, and in scenarios.
+pub fn scenario_references(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Reference> {
+    match (scenarios.program, symbol_at(scenarios, offset)) {
+        (Some(program), Some((symbol, _))) => of_symbol(program, &symbol, scenarios.workspace),
+        _ => Vec::new(),
+    }
 }
 
 #[cfg(test)]

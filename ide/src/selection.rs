@@ -4,7 +4,7 @@ use crate::body::{self, without_line_end};
 use crate::comments;
 use crate::locate::{OnRung, on_rung};
 use ladder_analysis::context::Context;
-use ladder_analysis::networks::facts::{Node, NodeKind};
+use ladder_analysis::written::facts::{Node, NodeKind};
 use ladder_syntax::{LineKind, TextRange, TextSize};
 
 /// The ranges around an offset from the innermost to the whole file, each larger than the one before.

@@ -3,10 +3,10 @@
 use crate::typing::{Open, Operand, Typing};
 use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::type_by_form;
-use ladder_analysis::networks::user_block::{Parameter, UserBlockFacts};
 use ladder_analysis::program::{ParameterKind, SystemTag};
 use ladder_analysis::values::callable::is_callable;
 use ladder_analysis::values::types::{Scalar, Type, are_comparable, passes};
+use ladder_analysis::written::user_block::{Parameter, UserBlockFacts};
 use ladder_analysis::{in_class, state_member};
 use ladder_instructions::{
     Accepts, Direction, Instruction, Semantics, Shape, StateType, States, Truth, TypeClass, lookup,

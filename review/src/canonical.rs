@@ -1,9 +1,9 @@
 //! What an entry says, as a text that is equal where layout, spelling and comments alone differ.
 
-use ladder_analysis::networks::facts::{Head, Node, NodeKind, OperandFacts};
 use ladder_analysis::networks::network::{BoundBlock, Meaning};
 use ladder_analysis::networks::{BlockAt, NetworkAt};
 use ladder_analysis::program::Step;
+use ladder_analysis::written::facts::{Head, Node, NodeKind, OperandFacts};
 use ladder_syntax::SyntaxKind::{BOM, COMMENT, NEWLINE, RAIL, STRING, WHITESPACE, WIRE};
 use ladder_syntax::{Name, Parse};
 use std::fmt::Write;

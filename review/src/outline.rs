@@ -4,9 +4,9 @@
 use crate::canonical::Canonical;
 use crate::reader::entries;
 use ladder_analysis::context::Context;
-use ladder_analysis::names::join::context;
 use ladder_analysis::program::{Program, unread_name};
-use ladder_analysis::{NotWhole, Others, RuleSettings, analyze_context};
+use ladder_analysis::{AnalyzeOptions, NotWhole, Others};
+use ladder_analysis::{ContextOptions, context};
 use ladder_syntax::{Name, TextRange, TextSize};
 use std::cell::OnceCell;
 use std::collections::{BTreeMap, HashMap};
@@ -162,7 +162,10 @@ impl Outline {
     /// Reads the entries of a text that uses no other file.
     pub fn of_text(name: &str, text: &str) -> Outline {
         let parse = Arc::new(ladder_syntax::parse(text));
-        Outline::new(Arc::new(context(&parse, name, &Others::alone())))
+        Outline::new(Arc::new(context(
+            &parse,
+            ContextOptions::new(name, &Others::alone()),
+        )))
     }
 
     /// Reads the entries of a program among others: `program` is what runs, or why nothing does (`has errors`), and `files` are
@@ -188,8 +191,8 @@ impl Outline {
     /// What runs, or why nothing does.
     pub(crate) fn program(&self) -> &Result<Running, String> {
         self.program.get_or_init(|| {
-            let analysis = analyze_context(None, Arc::clone(&self.context), &RuleSettings::default());
-            let program = analysis.program().cloned().map(Running::new);
+            let analysis = AnalyzeOptions::new("").check_while(Arc::clone(&self.context), &|| true);
+            let program = analysis.and_then(|analysis| analysis.program().cloned().map(Running::new));
             program.ok_or_else(|| "has errors, or uses other files".into())
         })
     }

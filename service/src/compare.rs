@@ -16,7 +16,7 @@ use ladder_workspace::shown;
 use serde::{Deserialize, Serialize};
 
 use crate::document::Revision;
-use crate::simulation::messages::Lines;
+use crate::lines::Lines;
 
 /// How long may be asked what edited networks do.
 const TIME: Duration = Duration::from_secs(5);

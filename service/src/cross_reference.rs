@@ -70,7 +70,7 @@ pub struct ReferencedPlace {
 
 /// The tags of a program; none of one that is too large.
 pub(crate) fn list(revision: &Revision, asked: &CrossReference) -> Option<CrossReferenced> {
-    let entries = cross_reference(revision.names()?.context());
+    let entries = cross_reference(revision.context()?);
     let positions = revision.positions();
     Some(CrossReferenced {
         uri: asked.uri.clone(),

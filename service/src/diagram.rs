@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::document::Revision;
 use crate::document::position::Position;
-use crate::simulation::messages::Lines;
+use crate::lines::Lines;
 
 /// More lines than this are no page.
 const MOST_LINES: u32 = 1000;
@@ -86,8 +86,7 @@ pub enum PieceKind {
 
 /// Draws what is asked for; none if the text is too large. For a blocking thread.
 pub(crate) fn draw(revision: &Revision, asked: &Diagram) -> Option<Drawn> {
-    let names = revision.names()?;
-    let context = names.context();
+    let context = revision.context()?;
     let first = asked.lines.first.min(revision.last_line());
     let last = asked
         .lines

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::document::Revision;
 use crate::document::position::Range;
-use crate::simulation::messages::Lines;
+use crate::lines::Lines;
 
 /// More lines than this are no screen.
 const MOST_LINES: u32 = 1000;
@@ -163,8 +163,8 @@ pub(crate) fn pieces(
     rail: u32,
     live: Option<&Live>,
 ) -> Option<Vec<Piece>> {
-    let names = revision.names()?;
-    Some(letters::pieces(names.context(), stretch, rail, live))
+    let context = revision.context()?;
+    Some(letters::pieces(context, stretch, rail, live))
 }
 
 /// A diagram that is put together from pieces.

@@ -48,6 +48,7 @@ mod fence;
 mod host;
 mod language;
 mod library_block;
+mod lines;
 mod lsp;
 mod newest;
 mod notation;

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::document::position::{Position, Range};
-use crate::simulation::messages::Lines;
+use crate::lines::Lines;
 
 /// The argument of `ladder.cursor`: where a client's cursor is.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]

@@ -7,7 +7,7 @@ use crate::settings::Settings;
 use crate::settings::SettingsError;
 use crate::shown::from_here;
 use ladder_analysis::{
-    Analysis, Exported, Exports, Linked, NotWhole, Others, analyze_with, exports, link_files,
+    Analysis, AnalyzeOptions, Exported, Exports, Linked, NotWhole, Others, analyze, exports, link_files,
 };
 use ladder_syntax::Parse;
 use std::path::{Path, PathBuf};
@@ -141,7 +141,12 @@ impl Workspace {
                 _ => self.exported().others_of(&source.name),
             };
             let rules = self.settings.rules_for(&source.path);
-            Arc::new(analyze_with(source.parse(), &source.name, &others, &rules))
+            Arc::new(analyze(
+                source.parse(),
+                AnalyzeOptions::new(&source.name)
+                    .among(&others)
+                    .with_rules(&rules),
+            ))
         });
         Arc::clone(analysis)
     }
@@ -152,11 +157,11 @@ impl Workspace {
         let parse = Arc::new(ladder_syntax::parse(text));
         let path = self.program_named(name).map_or(Path::new(name), Source::path);
         let rules = self.settings.rules_for(path);
-        Arc::new(analyze_with(
+        Arc::new(analyze(
             &parse,
-            name,
-            &self.exported().others_of(name),
-            &rules,
+            AnalyzeOptions::new(name)
+                .among(&self.exported().others_of(name))
+                .with_rules(&rules),
         ))
     }
 

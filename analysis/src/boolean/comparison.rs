@@ -5,8 +5,8 @@ use super::value_space::{Bound, Regions};
 use super::variables::{Draft, Reader};
 use crate::names::operand_value::{Number, number, scalar};
 use crate::networks::BlockAt;
-use crate::networks::facts::Node;
 use crate::values::literal::Literal;
+use crate::written::facts::Node;
 use ladder_instructions::Op;
 
 /// A comparison before all numbers are known that its value is compared with.

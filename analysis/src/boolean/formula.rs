@@ -4,13 +4,13 @@
 //! share in front of them is written once.
 
 use super::written::{written, written_block};
-use crate::context::{Body, Context};
+use crate::names::context::{Body, Context};
 use crate::names::operand_value::tag;
-use crate::networks::facts::NodeKind;
 use crate::networks::network::Meaning;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::program::Step;
 use crate::values::types::Type;
+use crate::written::facts::NodeKind;
 use ladder_instructions::{
     Coil, Edge, Instruction, Op, Power, Semantics, SetPower, StatePower, StateType, Timing,
 };

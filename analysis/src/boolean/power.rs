@@ -3,7 +3,7 @@
 use super::gate::{Ask, CoilKind, Gate, Gates, Variable};
 use super::space::{Set, Space};
 use super::variables::gates;
-use crate::context::Context;
+use crate::names::context::Context;
 use crate::networks::NetworkAt;
 use crate::program::Step;
 

@@ -1,12 +1,12 @@
 //! Operands and blocks as sentences name them.
 
-use crate::context::Context;
 use crate::findings::excerpt::shortened;
+use crate::names::context::Context;
 use crate::names::operand_value::tag;
 use crate::networks::BlockAt;
-use crate::networks::facts::{Node, NodeKind, Operator};
 use crate::networks::network::Formal;
 use crate::values::literal::Literal;
+use crate::written::facts::{Node, NodeKind, Operator};
 use ladder_instructions::Accepts;
 
 /// A place, number or expression as it is written, laid out.

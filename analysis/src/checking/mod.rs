@@ -11,16 +11,17 @@ mod comments;
 mod memo;
 mod networks;
 mod shown;
+mod stamp;
 mod tags;
 
 pub(crate) use memo::Memo;
 pub use shown::keep_nearest;
 
-use crate::context::Context;
 use crate::findings::Finding;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Known, Severity};
 use crate::findings::rule_settings::RuleSettings;
+use crate::names::context::Context;
 use crate::networks::NetworkAt;
 use crate::networks::control_flow::ControlFlow;
 use crate::rules::survey::Survey;

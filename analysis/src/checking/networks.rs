@@ -1,12 +1,12 @@
 //! What is found in networks one by one.
 
 use super::memo::{FoundInNetwork, Group, Memo};
-use crate::context::Context;
+use crate::checking::stamp;
 use crate::findings::Finding;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::Severity;
 use crate::findings::rule_settings::RuleSettings;
-use crate::findings::stamp;
+use crate::names::context::Context;
 use crate::networks::NetworkAt;
 use crate::resolve;
 use crate::rules::survey::Survey;

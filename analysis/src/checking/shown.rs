@@ -2,12 +2,12 @@
 //! settings ask for, without what comments switch off, in the order of their places.
 
 use super::comments::Allows;
-use crate::context::Context;
 use crate::findings::Finding;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::Known;
 use crate::findings::rule::{Rule, Severity};
 use crate::findings::rule_settings::RuleSettings;
+use crate::names::context::Context;
 use crate::rules;
 use crate::rules::follow_ups::FollowUps;
 

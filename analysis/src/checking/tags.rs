@@ -1,7 +1,7 @@
 //! What is found at the places of tags.
 
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
+use crate::names::context::Context;
 use crate::networks::control_flow::ControlFlow;
 use crate::rules::Checks;
 use crate::rules::tag_view::{AroundTags, TagView};

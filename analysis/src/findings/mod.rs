@@ -3,12 +3,12 @@
 
 pub(crate) mod article;
 pub mod diagnostic;
+pub(crate) mod did_you_mean;
 pub(crate) mod excerpt;
 pub mod fix;
 pub(crate) mod foreign_comment;
 pub mod rule;
 pub mod rule_settings;
-pub(crate) mod stamp;
 
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, Severity};

@@ -3,8 +3,8 @@
 use super::scope::{Origin, Scope, SectionKind};
 use super::unread_body::unread;
 use crate::networks::unread_line::looks_like_declaration;
-use crate::networks::user_block::{Parameter, UserBlockFacts};
 use crate::program::ParameterKind;
+use crate::written::user_block::{Parameter, UserBlockFacts};
 use ladder_instructions::Shape;
 use ladder_syntax::ast::{AstNode, BlockHeader, BlockShape, HeadName};
 use ladder_syntax::{BlockDefinition, Line, LineKind, Name, Parse};

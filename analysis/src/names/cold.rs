@@ -4,8 +4,8 @@
 //! those the rest takes one word.
 
 use crate::names::scope::Entry;
-use crate::names::type_spec::Declared;
 use crate::values::value::Value;
+use crate::written::type_spec::Declared;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 

@@ -2,16 +2,16 @@
 
 use super::named_types::NamedTypes;
 use super::problem::NameProblem;
-use super::refused_name::{Place, refused_name};
-use super::type_spec::{self, Constants, Declared, Initial, TypeSpec};
 use crate::names::cold::{Cold, ColdFacts};
 use crate::names::scope::{Origin, Scope, SectionKind, TagFacts, type_by_form};
-use crate::networks::facts;
 use crate::networks::reading::TOGETHER;
 use crate::networks::use_place::Uses;
 use crate::program::Role;
 use crate::still_wanted::StillWanted;
-use crate::values::constant;
+use crate::written::constant;
+use crate::written::facts;
+use crate::written::refused_name::{Place, refused_name};
+use crate::written::type_spec::{self, Constants, Declared, Initial, TypeSpec};
 use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader};
 use ladder_syntax::rowan::GreenNode;
 use ladder_syntax::{Line, LineKind, Name, Parse, Section, TextRange, TextSize, Trees};

@@ -1,6 +1,6 @@
 //! The places where declarations of a file go, and the text that puts them there.
 
-use crate::context::Context;
+use crate::names::context::Context;
 use crate::names::scope::SectionKind;
 use ladder_format::Edit;
 use ladder_syntax::ast::{AstNode, SectionHeader};

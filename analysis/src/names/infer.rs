@@ -5,18 +5,18 @@
 //!    type (real: LREAL), as does being the result of a function on reals;
 //! 3. DINT.
 
-use crate::context::Context;
+use crate::names::context::Context;
 use crate::names::named_types::NamedTypes;
 use crate::names::path_type::path_type;
 use crate::names::scope::{Entry, Origin, Scope, TagFacts};
 use crate::networks::BlockAt;
-use crate::networks::facts::{Node, NodeKind, Operator};
 use crate::networks::network::{Formal, Meaning};
 use crate::networks::use_place::Use;
 use crate::program::{Member, Role, SystemTag};
 use crate::still_wanted::StillWanted;
-use crate::values::constant::{natural_type, signed_literal};
 use crate::values::types::{Scalar, Type};
+use crate::written::constant::{natural_type, signed_literal};
+use crate::written::facts::{Node, NodeKind, Operator};
 use ladder_instructions::{Accepts, Semantics, StateType, States, Timing, TypeClass};
 use ladder_syntax::{Name, TextRange};
 

@@ -3,11 +3,11 @@
 use super::named_types::NamedTypes;
 use super::path_type::path_type;
 use super::scope::{Origin, Scope, SectionKind};
-use super::type_spec::Declared;
-use crate::networks::facts::Node;
 use crate::networks::known_blocks::Declarations;
 use crate::other_files::others::Others;
 use crate::values::types::Type;
+use crate::written::facts::Node;
+use crate::written::type_spec::Declared;
 use ladder_instructions::Semantics;
 use ladder_syntax::Name;
 use std::sync::Arc;

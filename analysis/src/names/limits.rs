@@ -2,12 +2,12 @@
 //! not (LANGUAGE §4).
 
 use super::named_types::NamedTypes;
-use super::type_spec::{Limits, SpecKind, TypeSpec};
 use crate::findings::article::with_article;
-use crate::networks::facts::{Node, NodeKind, Operator};
-use crate::values::constant::ConstantProblem;
 use crate::values::literal::Literal;
 use crate::values::types::Scalar;
+use crate::written::constant::ConstantProblem;
+use crate::written::facts::{Node, NodeKind, Operator};
+use crate::written::type_spec::{Limits, SpecKind, TypeSpec};
 use ladder_syntax::Name;
 use std::sync::Arc;
 

@@ -2,15 +2,15 @@
 
 use super::limits;
 use super::problem::NameProblem;
-use super::type_spec::DeclaredType;
-use super::type_spec::{self, Declared, SpecKind, TypeSpec};
 use crate::other_files::others::Others;
 use crate::values::compound::{
     ArrayType, Compound, EnumId, Enumeration, MOST_PARTS, MemberType, Structure, TypeId,
 };
-use crate::values::constant;
 use crate::values::types::{Scalar, Type};
 use crate::values::value::Value;
+use crate::written::constant;
+use crate::written::type_spec::DeclaredType;
+use crate::written::type_spec::{self, Declared, SpecKind, TypeSpec};
 use ladder_syntax::{Name, TextRange};
 use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
 use smol_str::SmolStr;

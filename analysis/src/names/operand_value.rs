@@ -1,11 +1,11 @@
 //! What is known of an operand's value and type without running the program: literals, constants, declared types.
 
-use crate::context::Context;
+use crate::names::context::Context;
 use crate::names::scope::TagFacts;
-use crate::networks::facts::{Node, NodeKind, Operator};
 use crate::values::literal::Literal;
 use crate::values::types::{Scalar, Type};
 use crate::values::value::Value;
+use crate::written::facts::{Node, NodeKind, Operator};
 use ladder_syntax::Name;
 
 /// A number that is in the text.

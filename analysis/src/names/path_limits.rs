@@ -2,9 +2,9 @@
 
 use super::limits::{Limited, Said, element, limits, member, resolved};
 use super::operand_value::tag;
-use super::type_spec::{SpecKind, TypeSpec};
-use crate::context::Context;
-use crate::networks::facts::{Node, NodeKind};
+use crate::names::context::Context;
+use crate::written::facts::{Node, NodeKind};
+use crate::written::type_spec::{SpecKind, TypeSpec};
 use std::sync::Arc;
 
 impl Context {

@@ -2,13 +2,13 @@
 
 use super::infer::member;
 use super::operand_value::each_tag_path;
-use crate::context::Context;
+use crate::names::context::Context;
 use crate::networks::BlockAt;
-use crate::networks::facts::{Node, NodeKind};
 use crate::networks::network::{Formal, Meaning};
 use crate::program::ParameterKind;
 use crate::values::compound::{Compound, EnumId};
 use crate::values::types::{Scalar, Type};
+use crate::written::facts::{Node, NodeKind};
 use ladder_instructions::Semantics;
 use ladder_syntax::Name;
 

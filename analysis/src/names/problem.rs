@@ -3,7 +3,7 @@
 
 use super::scope::Entry;
 use crate::other_files::exports::Global;
-use crate::values::constant::ConstantProblem;
+use crate::written::constant::ConstantProblem;
 use ladder_syntax::TextRange;
 use smol_str::SmolStr;
 use std::sync::Arc;

@@ -6,8 +6,8 @@
 use super::named_types::NamedTypes;
 use super::problem::{Differs, InFile, NameProblem};
 use super::scope::{Entry, Origin, SectionKind, TagFacts};
-use crate::context::Context;
 use crate::names::cold::{Cold, ColdFacts};
+use crate::names::context::Context;
 use crate::networks::use_place::Uses;
 use crate::other_files::exports::{Exports, Global, is_one_address};
 use crate::values::types::Type;

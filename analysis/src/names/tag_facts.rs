@@ -80,7 +80,7 @@ pub struct TagFacts {
     pub retain: bool,
     /// Declared CONSTANT.
     pub constant: bool,
-    /// Where it is declared; for one without a declaration see [`Context::place_of`](crate::context::Context::place_of).
+    /// Where it is declared; for one without a declaration see [`Context::place_of`](crate::names::context::Context::place_of).
     pub(crate) declared_at: TextRange,
     /// Where it is used. A shared tag counts the uses in all scopes.
     pub uses: Uses,
@@ -114,7 +114,7 @@ impl TagFacts {
         self.cold.address.as_deref().map(Name::new)
     }
 
-    /// Whether it is an entry for a tag of another scope, of which more is known there; see [`Context::alias_of`](crate::context::Context::alias_of).
+    /// Whether it is an entry for a tag of another scope, of which more is known there; see [`Context::alias_of`](crate::names::context::Context::alias_of).
     pub fn is_alias(&self) -> bool {
         self.cold.alias_of.is_some()
     }

@@ -1,9 +1,11 @@
 //! Sections of types: what they declare, as they write it.
 
 use super::problem::NameProblem;
-use super::refused_name::{Place, refused_name};
-use super::type_spec::{self, Constants, Declared, DeclaredType, Initial, MemberSpec, SpecKind, TypeSpec};
 use crate::values::literal::Literal;
+use crate::written::refused_name::{Place, refused_name};
+use crate::written::type_spec::{
+    self, Constants, Declared, DeclaredType, Initial, MemberSpec, SpecKind, TypeSpec,
+};
 use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader, StructEnd, StructHeader, TokenView};
 use ladder_syntax::{Line, LineKind, Name, Parse, Section, TextRange, TextSize};
 use smol_str::SmolStr;
@@ -227,8 +229,8 @@ pub(crate) fn constants(parse: &Parse, sections: &[Section]) -> Constants {
                 continue;
             };
             let value = declaration.initial_value();
-            let value = value.map(|value| crate::networks::facts::node(&value));
-            let literal = value.as_ref().and_then(crate::values::constant::signed_literal);
+            let value = value.map(|value| crate::written::facts::node(&value));
+            let literal = value.as_ref().and_then(crate::written::constant::signed_literal);
             if let Some((Ok(Literal::Int(n)), negative)) = literal {
                 let n = if negative { -n } else { *n };
                 for name in declaration.names() {

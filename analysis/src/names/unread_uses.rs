@@ -4,9 +4,9 @@
 use crate::names::scope::TagFacts;
 use crate::networks::Networks;
 use crate::networks::network::{BoundBlock, Meaning};
-use crate::networks::user_block::UserBlockFacts;
 use crate::other_files::outward::TagUse;
 use crate::program::{Unread, root_of};
+use crate::written::user_block::UserBlockFacts;
 use ladder_syntax::Name;
 use rustc_hash::FxHashSet;
 

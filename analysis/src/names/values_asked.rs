@@ -7,13 +7,13 @@ use super::path_type::path_type;
 use super::scope::{Origin, Scope, SectionKind};
 use crate::networks::BlockAt;
 use crate::networks::NetworkAt;
-use crate::networks::facts::Node;
 use crate::networks::named::{Named, spelling};
 use crate::networks::network::{Formal, Meaning};
 use crate::networks::use_kind::Extent;
-use crate::networks::user_block::UserBlockFacts;
 use crate::other_files::others::Others;
 use crate::values::types::{Scalar, Type};
+use crate::written::facts::Node;
+use crate::written::user_block::UserBlockFacts;
 use ladder_instructions::Semantics;
 use ladder_syntax::Name;
 

@@ -1,7 +1,7 @@
 //! What a place does with a tag, as people are told it.
 
-use super::access::Access;
 use super::use_kind::Effect;
+use crate::program::Access;
 
 /// What a place does with a tag.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]

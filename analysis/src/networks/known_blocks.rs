@@ -1,10 +1,10 @@
 //! The user-defined blocks that a file can use: its own, then those of other files that it does use.
 
-use crate::names::type_spec::Declared;
-use crate::networks::facts::Node;
-use crate::networks::user_block::UserBlockFacts;
 use crate::other_files::others::Others;
 use crate::values::types::Type;
+use crate::written::facts::Node;
+use crate::written::type_spec::Declared;
+use crate::written::user_block::UserBlockFacts;
 use ladder_instructions::Shape;
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;

@@ -3,11 +3,8 @@
 //! What is known of a network by itself counts from its start, and the texts before and after an edit share it. Where it
 //! is, and what surrounds it, is next to it here.
 
-pub mod access;
 pub mod access_kind;
 pub(crate) mod control_flow;
-pub mod facts;
-pub(crate) mod kept;
 pub(crate) mod known_blocks;
 pub(crate) mod named;
 pub(crate) mod neighbours;
@@ -16,12 +13,10 @@ pub mod order;
 pub(crate) mod order_table;
 #[cfg(test)]
 mod order_tests;
-pub(crate) mod outward_jumps;
 pub(crate) mod reading;
 pub(crate) mod unread_line;
 pub(crate) mod use_kind;
 pub mod use_place;
-pub mod user_block;
 
 use crate::networks::network::{BoundBlock, Formal, NetworkFacts};
 

@@ -1,12 +1,12 @@
 //! The tags that the operands of a network name, and how.
 
-use super::access::Access;
-use super::facts::{Node, NodeKind};
 use super::network::{BoundBlock, Formal, Meaning, NetworkFacts};
 use super::use_kind::{Effect, Extent, UseKind};
 use super::use_place::Use;
-use super::user_block::UserBlockFacts;
+use crate::program::Access;
 use crate::program::ParameterKind;
+use crate::written::facts::{Node, NodeKind};
+use crate::written::user_block::UserBlockFacts;
 use ladder_instructions::{Accepts, Direction};
 use ladder_syntax::{Name, TextRange, TextSize};
 

@@ -2,11 +2,11 @@
 //! given for.
 
 use crate::networks::control_flow::ControlFlow;
-use crate::networks::facts::{self, BlockFacts, Head};
 use crate::networks::known_blocks::KnownBlocks;
 use crate::networks::named::{self, Named};
 use crate::networks::order::Order;
 use crate::networks::reading::Reading;
+use crate::written::facts::{self, BlockFacts, Head};
 use ladder_instructions::{Accepts, Coil, Instruction, Op, Operand, lookup};
 use ladder_syntax::wiring::{PartKind, Wiring, bar_contacts};
 use ladder_syntax::{

@@ -1,8 +1,8 @@
 //! The order of evaluation: blocks by their operands in the order in which they run.
 
 use crate::analyze;
-use crate::networks::facts::NodeKind;
 use crate::program::Step;
+use crate::written::facts::NodeKind;
 use expect_test::{Expect, expect};
 use std::sync::Arc;
 

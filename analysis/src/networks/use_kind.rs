@@ -1,8 +1,8 @@
 //! How an operand uses a tag that it names, in a byte: noted with each use, so that the rules about a tag need not go to the
 //! blocks that use it, of which each is somewhere else in memory.
 
-use super::access::Access;
 use super::network::{BoundBlock, Formal};
+use crate::program::Access;
 use ladder_instructions::{Accepts, Coil};
 
 /// How an operand uses a tag that it names.

@@ -1,8 +1,8 @@
 //! The places where tags are in operands.
 
-use super::access::Access;
 use super::access_kind::AccessKind;
 use super::use_kind::{Effect, Extent, UseKind};
+use crate::program::Access;
 use ladder_syntax::TextRange;
 use smallvec::SmallVec;
 

@@ -2,13 +2,13 @@
 //! tags. It follows from the file's own text alone, so that an edit which leaves it as it was concerns no other
 //! file.
 
-use super::import::Import;
 use super::outward::Outward;
-use crate::names::type_spec::{Declared, DeclaredType};
-use crate::networks::user_block::UserBlockFacts;
 use crate::program::Role;
 use crate::values::types::Type;
 use crate::values::value::Value;
+use crate::written::import::Import;
+use crate::written::type_spec::{Declared, DeclaredType};
+use crate::written::user_block::UserBlockFacts;
 use ladder_syntax::{Name, TextRange};
 use smol_str::SmolStr;
 use std::sync::Arc;

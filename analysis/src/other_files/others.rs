@@ -1,10 +1,10 @@
 //! The other files of a workspace, as one of its files sees them: their [`Exports`], found by name.
 
-use crate::names::type_spec::DeclaredType;
 use crate::other_files::exports::{ExportedBlock, ExportedFunction, Exports, Global};
 use crate::other_files::outward::TagUse;
 use crate::other_files::part_uses::PartUses;
 use crate::other_files::type_values::TypeValues;
+use crate::written::type_spec::DeclaredType;
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
 use std::sync::{Arc, LazyLock, OnceLock};

@@ -4,7 +4,7 @@
 //! Like all that a file shows to others it follows from the file's own text. Where that cannot be read, every word
 //! counts as read, written and called: better no finding than a wrong one.
 
-use crate::networks::access::Access;
+use crate::program::Access;
 use ladder_syntax::Name;
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -18,7 +18,7 @@ pub struct TagUse {
 }
 
 impl TagUse {
-    pub(super) const BOTH: TagUse = TagUse {
+    pub(crate) const BOTH: TagUse = TagUse {
         read: true,
         written: true,
     };

@@ -2,7 +2,7 @@
 //! value.
 
 use super::exports::Exports;
-use crate::names::type_spec::SpecKind;
+use crate::written::type_spec::SpecKind;
 use ladder_syntax::Name;
 use rustc_hash::{FxHashSet, FxHasher};
 use std::hash::{Hash, Hasher};

@@ -4,12 +4,14 @@
 //! resolved, operands typed and brought to the type that the instruction works in, and each network's elements
 //! are in their order of evaluation (LANGUAGE §6).
 
+mod access;
 mod operand;
+mod system_tag;
 mod unread;
 
-pub use crate::names::system_tag::{Clock, SystemTag};
 use crate::values::types::{Scalar, Type};
 use crate::values::value::Value;
+pub use access::Access;
 use ladder_instructions::{Instruction, Operand, Profile, Semantics, Shape};
 use ladder_syntax::{Name, TextRange};
 pub use operand::{
@@ -17,6 +19,7 @@ pub use operand::{
 };
 use std::ops::Range;
 use std::sync::Arc;
+pub use system_tag::{Clock, SystemTag};
 pub use unread::{Unread, UnreadDirective, root_of, unread_name, unread_note, without_blanks};
 
 /// A place in the text of one of the program's files.

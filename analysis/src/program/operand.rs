@@ -1,7 +1,7 @@
 //! What a block is given: places, values, expressions, each with its type.
 
 use super::TagId;
-use crate::names::system_tag::SystemTag;
+use crate::program::SystemTag;
 use crate::values::types::Scalar;
 use crate::values::value::Value;
 use ladder_instructions::{Op, Semantics, Timing};

@@ -2,16 +2,16 @@
 
 use super::compared::{Compared, compared_without_order};
 use super::{OperandAt, Resolver};
-use crate::context::Callee;
+use crate::names::context::Callee;
 use crate::networks::BlockAt;
-use crate::networks::access::Access;
-use crate::networks::facts::{Node, NodeKind};
 use crate::networks::network::Formal;
+use crate::program::Access;
 use crate::program::{Argument, BinaryOperator, Bound, Expr, ExprKind, Place, RangeRef};
 use crate::rules::{bad_operand, type_mismatch};
-use crate::values::constant::{natural_type, signed_literal};
 use crate::values::types::{Scalar, Type, converts};
 use crate::values::value::Value;
+use crate::written::constant::{natural_type, signed_literal};
+use crate::written::facts::{Node, NodeKind};
 use ladder_instructions::{
     Accepts, Direction, Instruction, Op, Operand, StateType, States, Timing, Truth, TypeClass,
 };

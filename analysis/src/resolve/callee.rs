@@ -1,9 +1,9 @@
 //! Operands that name a network: labels to jump to, functions to call.
 
 use super::Resolver;
-use crate::networks::facts::{Node, NodeKind};
 use crate::program::Argument;
 use crate::rules::{bad_operand, duplicate_function, unknown_function, unknown_label};
+use crate::written::facts::{Node, NodeKind};
 use ladder_instructions::Shape;
 use ladder_syntax::Name;
 

@@ -2,13 +2,13 @@
 
 use super::Resolver;
 use crate::networks::BlockAt;
-use crate::networks::facts::{Node, NodeKind};
 use crate::networks::network::Formal;
 use crate::program::{Expr, ExprKind};
 use crate::rules::type_mismatch;
-use crate::values::constant::{natural_type, signed_literal};
 use crate::values::types::{Scalar, Type, common};
 use crate::values::value::Value;
+use crate::written::constant::{natural_type, signed_literal};
+use crate::written::facts::{Node, NodeKind};
 use ladder_instructions::{Accepts, Arithmetic, Op, Truth};
 
 /// How the operands of a comparison agree.

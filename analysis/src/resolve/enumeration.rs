@@ -3,12 +3,12 @@
 use super::Resolver;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::excerpt;
-use crate::networks::facts::{Node, NodeKind};
 use crate::program::Expr;
 use crate::rules::{bad_operand, type_mismatch};
 use crate::values::compound::EnumId;
 use crate::values::types::{Scalar, Type};
 use crate::values::value::Value;
+use crate::written::facts::{Node, NodeKind};
 use ladder_syntax::{Name, TextRange};
 
 /// What a name says where a value may be meant.

@@ -3,13 +3,13 @@
 use super::Resolver;
 use super::enumeration::NamedValue;
 use crate::findings::excerpt;
-use crate::networks::facts::{Node, NodeKind, Operator, Word};
 use crate::program::{BinaryOperator, Expr, ExprKind, UnaryOperator};
 use crate::rules::{bad_operand, type_mismatch};
 use crate::values::callable::is_callable;
-use crate::values::constant::{self, literal_problem, natural_type, signed_literal};
 use crate::values::types::{Scalar, common, passes};
 use crate::values::value::Value;
+use crate::written::constant::{self, literal_problem, natural_type, signed_literal};
+use crate::written::facts::{Node, NodeKind, Operator, Word};
 use ladder_instructions::{Accepts, Op, Shape, Truth, TypeClass, lookup};
 
 impl Resolver<'_, '_> {

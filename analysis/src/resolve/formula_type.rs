@@ -2,10 +2,10 @@
 //! ([`Arithmetic::OfFormula`](ladder_instructions::Arithmetic) and its like).
 
 use super::Resolver;
-use crate::networks::facts::{Node, NodeKind};
-use crate::values::constant::signed_literal;
 use crate::values::literal::Literal;
 use crate::values::types::Scalar;
+use crate::written::constant::signed_literal;
+use crate::written::facts::{Node, NodeKind};
 use ladder_instructions::{Accepts, Arithmetic, Shape, TypeClass, lookup};
 
 /// What a formula and its result are made of.

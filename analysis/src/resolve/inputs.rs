@@ -5,11 +5,11 @@
 
 use super::numbers::Unit;
 use super::tags::{Ids, NOWHERE, is_global};
-use crate::context::Body;
+use crate::names::context::Body;
 use crate::names::scope::{Origin, TagFacts};
-use crate::networks::access::Access;
-use crate::other_files::targets::{Target, targets};
+use crate::program::Access;
 use crate::program::{Program, Role, TagId, Unread, root_of};
+use crate::resolve::targets::{Target, targets};
 use crate::values::types::Type;
 use ladder_syntax::Name;
 use rustc_hash::{FxHashMap, FxHashSet};

@@ -2,12 +2,12 @@
 
 use super::Resolver;
 use super::numbers::{Numbers, Unit};
-use crate::networks::facts::{Node, NodeKind, Word};
 use crate::program::{
     Argument, Chosen, ColumnOf, Disagreement, Instance, ParameterKind, Place, Program, Tag, TagId,
 };
 use crate::rules::{constant_write, type_mismatch, unknown_member};
 use crate::values::types::{Scalar, Type};
+use crate::written::facts::{Node, NodeKind, Word};
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
 

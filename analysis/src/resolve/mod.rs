@@ -22,15 +22,16 @@ mod ranges;
 mod search;
 mod swapped;
 mod tags;
+pub(crate) mod targets;
 mod times;
 mod user_argument;
 mod whole;
 
 pub use argument::in_class;
 
-use crate::context::{Body, Callee, Context};
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::excerpt;
+use crate::names::context::{Body, Callee, Context};
 use crate::names::joined::NamedTags;
 use crate::names::scope::Scope;
 use crate::networks::network::Meaning;

@@ -1,7 +1,7 @@
 //! Where networks, functions and blocks of the files are in the program that they make up together.
 
-use crate::context::{Body, Callee, Context};
-use crate::other_files::import::Import;
+use crate::names::context::{Body, Callee, Context};
+use crate::written::import::Import;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::cell::Cell;
 

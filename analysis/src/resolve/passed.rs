@@ -3,13 +3,13 @@
 
 use super::Resolver;
 use super::tags::Ids;
-use crate::networks::access::Access;
-use crate::networks::facts::Node;
-use crate::networks::user_block::Parameter;
+use crate::program::Access;
 use crate::program::{Argument, Expr, ExprKind, ParameterKind, Place, TagId};
 use crate::rules::type_mismatch;
 use crate::values::types::{Scalar, Type};
 use crate::values::value::Value;
+use crate::written::facts::Node;
+use crate::written::user_block::Parameter;
 use ladder_syntax::TextRange;
 
 /// More values than this are not copied: they go by reference.

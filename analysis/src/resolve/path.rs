@@ -3,12 +3,12 @@
 use super::Resolver;
 use crate::findings::article::with_article;
 use crate::names::path_type::{InScope, path_type};
-use crate::networks::facts::{Node, NodeKind, Word};
 use crate::program::{Argument, Chosen, Expr, ExprKind, Place, Row, Subscript, TagId};
 use crate::rules::{bad_operand, type_mismatch, unknown_member};
 use crate::values::compound::Compound;
 use crate::values::types::{Scalar, Type};
 use crate::values::value::Value;
+use crate::written::facts::{Node, NodeKind, Word};
 use ladder_instructions::StateType;
 use ladder_syntax::TextRange;
 
@@ -200,7 +200,7 @@ impl Resolver<'_, '_> {
             index.kind,
             NodeKind::Unary(..) | NodeKind::Binary(..) | NodeKind::Call(..)
         );
-        if is_expression && crate::values::constant::signed_literal(index).is_none() {
+        if is_expression && crate::written::constant::signed_literal(index).is_none() {
             return self.expression(index, Scalar::Lint);
         }
         self.integer(index)

@@ -2,11 +2,11 @@
 
 use super::Resolver;
 use super::path::{Part, element_state, linear, no_array, own_row};
-use crate::networks::facts::{Node, NodeKind};
 use crate::program::{Argument, Expr, Place, RangeRef, TagId};
 use crate::rules::{bad_operand, type_mismatch};
 use crate::values::types::{Scalar, Type};
 use crate::values::value::Value;
+use crate::written::facts::{Node, NodeKind};
 
 impl Resolver<'_, '_> {
     /// A range of an array that is a part, `g[1, 2..3]`, or with `open` also an element from which on it is meant; or the whole

@@ -3,13 +3,13 @@
 use super::Resolver;
 use crate::names::infer;
 use crate::names::scope::{Origin, type_by_form};
-use crate::networks::access::Access;
-use crate::networks::facts::{Node, NodeKind, Word};
+use crate::program::Access;
 use crate::program::{Expr, ExprKind, Member, Place, RangeRef, SystemTag};
 use crate::rules::{bad_operand, constant_write, type_mismatch, unknown_member};
 use crate::values::literal::Literal;
 use crate::values::types::{Scalar, Type};
 use crate::values::value::Value;
+use crate::written::facts::{Node, NodeKind, Word};
 use ladder_instructions::StateType;
 use ladder_syntax::{Name, TextRange};
 
@@ -356,7 +356,7 @@ impl Resolver<'_, '_> {
 
     /// An integer value in its own type: a count, selector or index.
     pub(super) fn integer(&mut self, node: &Node) -> Option<Expr> {
-        if let Some((Ok(Literal::Int(_)), _)) = crate::values::constant::signed_literal(node) {
+        if let Some((Ok(Literal::Int(_)), _)) = crate::written::constant::signed_literal(node) {
             return self.literal_in(node, Scalar::Lint);
         }
         let expr = self.natural(node)?;

@@ -4,10 +4,10 @@ use super::Resolver;
 use crate::findings::article::with_article;
 use crate::names::operand_value::{Number, number};
 use crate::networks::BlockAt;
-use crate::networks::facts::{Node, NodeKind};
 use crate::program::{Argument, Bound};
 use crate::rules::{bad_operand, type_mismatch};
 use crate::values::types::{Scalar, Type};
+use crate::written::facts::{Node, NodeKind};
 use ladder_instructions::Op;
 use ladder_syntax::TextRange;
 

@@ -2,9 +2,9 @@
 
 use super::Resolver;
 use crate::networks::BlockAt;
-use crate::networks::facts::NodeKind;
 use crate::networks::network::Formal;
 use crate::rules::bad_operand;
+use crate::written::facts::NodeKind;
 
 impl Resolver<'_, '_> {
     /// Says where NEXT is given for an array that begins below 0.

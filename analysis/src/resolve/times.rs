@@ -3,11 +3,11 @@
 
 use super::Resolver;
 use crate::networks::BlockAt;
-use crate::networks::facts::Node;
 use crate::networks::network::Formal;
 use crate::rules::type_mismatch;
-use crate::values::constant::{natural_type, signed_literal};
 use crate::values::types::Scalar;
+use crate::written::constant::{natural_type, signed_literal};
+use crate::written::facts::Node;
 use ladder_instructions::{Accepts, Op};
 
 /// What an operand is to such an instruction.

@@ -2,14 +2,14 @@
 
 use super::{OperandAt, Resolver};
 use crate::networks::BlockAt;
-use crate::networks::access::Access;
-use crate::networks::facts::Node;
 use crate::networks::network::Formal;
-use crate::networks::user_block::Parameter;
+use crate::program::Access;
 use crate::program::{Argument, Bound, ParameterKind};
 use crate::rules::type_mismatch;
 use crate::values::types::{Scalar, Type, passes};
 use crate::values::value::Value;
+use crate::written::facts::Node;
+use crate::written::user_block::Parameter;
 
 impl<'c> Resolver<'c, '_> {
     /// The arguments of a user-defined block, in the order of its parameters.

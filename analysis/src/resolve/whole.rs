@@ -2,12 +2,12 @@
 
 use super::Resolver;
 use crate::networks::BlockAt;
-use crate::networks::access::Access;
-use crate::networks::facts::{Node, NodeKind};
 use crate::networks::network::Formal;
+use crate::program::Access;
 use crate::program::{Argument, Bound, Place};
 use crate::rules::type_mismatch;
 use crate::values::types::Type;
+use crate::written::facts::{Node, NodeKind};
 use ladder_instructions::{Accepts, Instruction, Op};
 
 impl<'c> Resolver<'c, '_> {

@@ -6,8 +6,8 @@ use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
 use crate::networks::network::{Formal, Meaning};
-use crate::networks::user_block::UserBlockFacts;
 use crate::program::ParameterKind;
+use crate::written::user_block::UserBlockFacts;
 use ladder_instructions::{Accepts, Instruction, Operand};
 use ladder_syntax::{Parse, TextRange};
 

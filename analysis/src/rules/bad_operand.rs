@@ -3,13 +3,13 @@
 use super::form::Form;
 use super::near_names::{self, Meant};
 use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::did_you_mean;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
-use crate::names::did_you_mean;
 use crate::networks::BlockAt;
-use crate::networks::facts::{OperandFacts, Word};
 use crate::networks::network::{Formal, Meaning};
 use crate::program::ParameterKind;
 use crate::values::compound::Enumeration;
+use crate::written::facts::{OperandFacts, Word};
 use ladder_instructions::StateType;
 use ladder_instructions::{Direction, Presence, Profile, Profiles};
 use ladder_syntax::{Many, OperandPlace, TextRange, TextSize};

@@ -1,9 +1,9 @@
 //! `commented-out-rung`: a comment that is a rung.
 
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
-use crate::networks::facts;
+use crate::names::context::Context;
+use crate::written::facts;
 use ladder_instructions::lookup;
 use ladder_syntax::wiring::{PartKind, rung};
 use ladder_syntax::{Line, LineKind, NodeOrToken, Part, TextRange, TextSize, parse};

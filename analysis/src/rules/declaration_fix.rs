@@ -1,6 +1,6 @@
 //! Which tags need a declaration; where it goes is for [`Places`] to say.
 
-use crate::context::Context;
+use crate::names::context::Context;
 use crate::names::scope::SectionKind;
 
 pub use crate::names::declaring::Places;

@@ -2,7 +2,7 @@
 //! one scan or over several.
 
 use super::parts::{Parts, Touched};
-use crate::context::Context;
+use crate::names::context::Context;
 use crate::names::scope::TagFacts;
 
 /// For each network the circle to which it belongs; two that are in none have different ones.

@@ -2,12 +2,12 @@
 
 use super::parts;
 use super::tag_view::TagView;
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use crate::names::context::Context;
 use crate::networks::control_flow::ControlFlow;
-use crate::networks::facts::Node;
 use crate::networks::use_place::Use;
+use crate::written::facts::Node;
 use ladder_instructions::Coil;
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;

@@ -1,9 +1,9 @@
 //! `duplicate-block`: a user-defined block is defined twice in a file, or in two other files of which this one uses
 //! it: which of them is meant?
 
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use crate::names::context::Context;
 use crate::networks::NetworkAt;
 use ladder_syntax::Name;
 use std::collections::{HashMap, HashSet};

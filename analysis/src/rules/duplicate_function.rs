@@ -1,9 +1,9 @@
 //! `duplicate-function`: a function is defined twice in a file. Calls of one that several other files define are found
 //! while operands are resolved.
 
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use crate::names::context::Context;
 use ladder_syntax::{Name, TextRange};
 use rustc_hash::FxHashMap;
 

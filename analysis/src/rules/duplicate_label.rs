@@ -1,8 +1,8 @@
 //! `duplicate-label`: a label appears more than once; says which one each jump takes.
 
-use crate::context::{Body, Context};
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use crate::names::context::{Body, Context};
 use ladder_instructions::Op;
 use ladder_syntax::{Name, TextRange};
 use rustc_hash::FxHashMap;

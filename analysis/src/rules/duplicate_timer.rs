@@ -3,10 +3,10 @@
 use super::parts;
 use super::tag_view::TagView;
 use crate::boolean::written::written;
-use crate::context::Context;
 use crate::findings::article::with_article;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use crate::names::context::Context;
 use crate::names::scope::{Origin, SectionKind, TagFacts};
 use crate::networks::network::Formal;
 use crate::networks::use_kind::Effect;

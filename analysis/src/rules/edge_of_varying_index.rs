@@ -5,7 +5,7 @@
 use super::survey::SurveyedBlock;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
-use crate::networks::facts::{Node, NodeKind};
+use crate::written::facts::{Node, NodeKind};
 use ladder_instructions::Op;
 
 pub(crate) const RULE: Rule = Rule(&RuleFacts::new(

@@ -1,14 +1,14 @@
 //! `endless-jump`: a jump back that a scan cannot get out of.
 
 use super::flow::{Exit, Flow};
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
+use crate::names::context::Context;
 use crate::names::operand_value::tag;
 use crate::networks::control_flow::ControlFlow;
-use crate::networks::facts::{Node, NodeKind};
 use crate::networks::{BlockAt, NetworkAt};
 use crate::program::Step;
+use crate::written::facts::{Node, NodeKind};
 use ladder_instructions::Op;
 use std::cell::LazyCell;
 

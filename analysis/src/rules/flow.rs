@@ -3,8 +3,8 @@
 
 use super::survey::Survey;
 use crate::boolean::power::{NetworkPower, Question};
-use crate::context::{Body, Context};
 use crate::findings::diagnostic::Diagnostic;
+use crate::names::context::{Body, Context};
 use crate::networks::BlockAt;
 use crate::networks::control_flow::ControlFlow;
 use crate::program::Step;

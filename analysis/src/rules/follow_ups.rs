@@ -5,15 +5,15 @@
 //! if it is still true when the slip is gone.
 
 use super::frame_keyword;
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::excerpt::Excerpts;
+use crate::names::context::Context;
 use crate::names::scope::TagFacts;
 use crate::networks::control_flow::ControlFlow;
-use crate::networks::facts::{Node, NodeKind};
 use crate::networks::network::{Meaning, breaks_drawing};
 use crate::networks::unread_line::{identifiers, looks_like_declaration};
 use crate::networks::{BlockAt, NetworkAt};
+use crate::written::facts::{Node, NodeKind};
 use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Name, Parse, SyntaxErrorKind, TextRange};
 use rustc_hash::FxHashSet;

@@ -1,8 +1,8 @@
 //! `unexpected-character`, for a comment as another language writes it: reported once, with what is written here.
 
-use crate::context::Context;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::foreign_comment::ForeignComment;
+use crate::names::context::Context;
 
 /// One finding for each.
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {

@@ -1,9 +1,9 @@
 //! What the rules about the form of a network are given, and nothing else of the file: what they find is kept with the network
 //! while this is the same.
 
-use crate::context::Context;
+use crate::names::context::Context;
 use crate::networks::NetworkAt;
-use crate::networks::user_block::UserBlockFacts;
+use crate::written::user_block::UserBlockFacts;
 use ladder_instructions::Profile;
 use ladder_syntax::Parse;
 

@@ -1,9 +1,9 @@
 //! `library-name`: a block that takes the place of one of the library.
 
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::library;
+use crate::names::context::Context;
 use ladder_syntax::Name;
 
 pub(crate) const RULE: Rule = Rule(

@@ -9,10 +9,10 @@ use super::wiring_walk::Walk;
 // The list names every rule of this room; that is what it is for.
 #[allow(clippy::wildcard_imports)]
 use super::*;
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::Rule;
 use crate::findings::rule_settings::{Level, RuleSettings};
+use crate::names::context::Context;
 
 /// What a rule is a function of. What it finds goes to the list.
 #[derive(Clone, Copy)]

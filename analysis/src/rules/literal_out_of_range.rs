@@ -1,15 +1,15 @@
 //! `literal-out-of-range`: a number does not fit the type of its place. What does not fit an elementary type is found while operands
 //! are resolved; here are the constants that are written where a declaration says `INT(0..100)`.
 
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use crate::names::context::Context;
 use crate::names::limits::{self, Limited};
 use crate::names::operand_value::{Number, number};
-use crate::networks::facts::Node;
 use crate::networks::network::{Formal, Meaning};
 use crate::networks::{BlockAt, NetworkAt};
 use crate::program::ParameterKind;
+use crate::written::facts::Node;
 use ladder_instructions::Op;
 
 pub(crate) const RULE: Rule =

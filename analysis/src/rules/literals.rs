@@ -2,7 +2,7 @@
 //! initial value.
 
 use crate::findings::diagnostic::Diagnostic;
-use crate::values::constant::{ConstantFault, ConstantProblem};
+use crate::written::constant::{ConstantFault, ConstantProblem};
 
 /// The finding about a value.
 pub(crate) fn diagnostic(problem: &ConstantProblem) -> Diagnostic {

@@ -1,9 +1,9 @@
 //! `merge-conflict`: both forms of something are in the text, between the lines of signs of a merge.
 
-use crate::context::Context;
 use crate::findings::Finding;
 use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use crate::names::context::Context;
 use ladder_format::Edit;
 use ladder_syntax::{Conflict, Parse, Sign, TextRange, TextSize};
 

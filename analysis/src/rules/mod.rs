@@ -111,10 +111,10 @@ pub(crate) mod wrong_shape;
 pub use list::{ALL, rule_named};
 pub(crate) use list::{Checks, position};
 
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::Severity;
 use crate::findings::rule_settings::RuleSettings;
+use crate::names::context::Context;
 use crate::networks::NetworkAt;
 use crate::networks::network::Meaning;
 use form::Form;

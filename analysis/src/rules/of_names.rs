@@ -1,8 +1,8 @@
 //! What is wrong with names, in sentences: `bad-declaration`, `duplicate-declaration` and the rules about literals.
 
 use super::{bad_declaration, duplicate_type, literals, recursive_type, unknown_type};
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
+use crate::names::context::Context;
 use crate::names::problem::{Differs, InFile, NameProblem};
 use crate::names::scope::{Entry, TagFacts};
 use crate::values::types::Type;

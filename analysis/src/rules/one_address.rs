@@ -1,7 +1,7 @@
 //! `duplicate-declaration`: two names of one direct address do not agree on what it holds.
 
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
+use crate::names::context::Context;
 use crate::names::scope::TagFacts;
 use crate::program::Tag;
 use crate::values::types::{Scalar, Type};

@@ -1,8 +1,8 @@
 //! Whether the operands of a block are what an instruction takes. A block that is not known is only then taken for a misspelt one.
 
 use crate::networks::BlockAt;
-use crate::networks::facts::{Node, NodeKind};
 use crate::values::literal::Literal;
+use crate::written::facts::{Node, NodeKind};
 use ladder_instructions::{Accepts, Direction, Instruction, Operand};
 
 /// Whether an instruction takes the operands of a block as they are: so many, each of its kind, and by these names.

@@ -1,9 +1,9 @@
 //! `overlapping-address`: two direct addresses that would share memory in a controller, and do not here.
 
 use super::survey::Survey;
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use crate::names::context::Context;
 use crate::names::scope::TagFacts;
 use crate::values::address_bits::AddressBits;
 

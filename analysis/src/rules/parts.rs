@@ -2,15 +2,15 @@
 //! (LANGUAGE §4): `a.b` and `a.c` are different places, a copy of the whole touches both, and a computed index each element.
 
 use crate::boolean::written::written;
-use crate::context::{Body, Context};
+use crate::names::context::{Body, Context};
 use crate::names::operand_value::{Number, number};
 use crate::names::scope::TagFacts;
-use crate::networks::facts::{Node, NodeKind};
 use crate::networks::named::path_at;
 use crate::networks::network::Formal;
 use crate::networks::use_kind::{Effect, Extent};
 use crate::networks::use_place::{Use, UseRef};
 use crate::values::types::Type;
+use crate::written::facts::{Node, NodeKind};
 use ladder_instructions::Accepts;
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;

@@ -4,11 +4,11 @@
 use super::survey::Survey;
 use super::tags_shown::TagsShown;
 use crate::boolean::power::{NetworkPower, Powers, Question};
-use crate::context::Context;
+use crate::names::context::Context;
 use crate::names::operand_value::{Number, number, scalar};
-use crate::networks::access::Access;
 use crate::networks::named::Named;
 use crate::networks::{BlockAt, NetworkAt};
+use crate::program::Access;
 use crate::program::Step;
 use crate::values::types::Scalar;
 use ladder_instructions::{Op, Power, Role};

@@ -4,7 +4,7 @@ use super::survey::SurveyedBlock;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::names::operand_value::{Number, each_node};
-use crate::networks::facts::{Node, NodeKind, Operator};
+use crate::written::facts::{Node, NodeKind, Operator};
 use ladder_instructions::Op;
 use ladder_syntax::TextRange;
 

@@ -3,9 +3,9 @@
 //! Each use has a state of its own, so such a block would need state without end.
 
 use super::circles::{Use, circles, way};
-use crate::context::{Body, Context};
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use crate::names::context::{Body, Context};
 use crate::networks::network::Meaning;
 use crate::other_files::exports::{ExportedBlock, Exports};
 use ladder_syntax::Name;

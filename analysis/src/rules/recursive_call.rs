@@ -2,9 +2,9 @@
 
 use super::circles::{Use, circles, way};
 use super::survey::Survey;
-use crate::context::{Body, Context};
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use crate::names::context::{Body, Context};
 use crate::networks::BlockAt;
 use crate::networks::control_flow::ControlFlow;
 use crate::networks::network::Meaning;

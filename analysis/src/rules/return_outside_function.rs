@@ -1,9 +1,9 @@
 //! `return-outside-function`: a `<RET>` in the main program.
 
 use super::survey::Survey;
-use crate::context::Body;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use crate::names::context::Body;
 use crate::networks::control_flow::ControlFlow;
 use ladder_instructions::Op;
 

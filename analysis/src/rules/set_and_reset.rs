@@ -6,13 +6,13 @@
 use super::parts::{self, Part};
 use super::tag_view::TagView;
 use crate::boolean::written::written;
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use crate::names::context::Context;
 use crate::names::operand_value::{each_tag_path, tag};
 use crate::networks::NetworkAt;
 use crate::networks::control_flow::ControlFlow;
-use crate::networks::facts::{Node, NodeKind};
+use crate::written::facts::{Node, NodeKind};
 
 use crate::networks::use_place::Use;
 use crate::program::Step;

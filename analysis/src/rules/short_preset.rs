@@ -5,10 +5,10 @@ use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::findings::rule_settings::DEFAULT_SCAN_INTERVAL;
 use crate::names::operand_value::Number;
-use crate::networks::facts::{Node, NodeKind};
 use crate::networks::network::Formal;
 use crate::values::literal::Literal;
 use crate::values::types::Scalar;
+use crate::written::facts::{Node, NodeKind};
 use ladder_instructions::{Accepts, Instruction, Timing};
 use ladder_syntax::TextRange;
 

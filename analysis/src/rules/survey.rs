@@ -1,7 +1,7 @@
 //! What the rules about power and the whole program need to know of the file, and a block for those about blocks.
 
 use super::tags_shown::TagsShown;
-use crate::context::Context;
+use crate::names::context::Context;
 use crate::networks::control_flow::ControlFlow;
 use crate::networks::{BlockAt, NetworkAt};
 use ladder_instructions::{Instruction, Op};

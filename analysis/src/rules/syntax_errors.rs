@@ -7,10 +7,10 @@ use super::{
     bad_literal, frame_keyword, is_enough, unclosed_block, unclosed_comment, unclosed_section,
     unexpected_character,
 };
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::excerpt::{self, Excerpts, blanks_before_drawing};
 use crate::findings::foreign_comment::ForeignComments;
+use crate::names::context::Context;
 use crate::networks::unread_line::{identifiers, looks_like_declaration};
 use crate::rules::{bad_declaration, bad_operand};
 use ladder_syntax::{

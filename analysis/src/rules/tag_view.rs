@@ -3,7 +3,7 @@
 use super::double_coil::Leaving;
 use super::parts::{Part, Parts, Touched};
 use super::undeclared_tag::Undeclaring;
-use crate::context::Context;
+use crate::names::context::Context;
 use crate::names::scope::{Origin, SectionKind, TagFacts};
 use crate::networks::control_flow::ControlFlow;
 use crate::other_files::outward::TagUse;

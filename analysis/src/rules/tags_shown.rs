@@ -1,14 +1,14 @@
 //! What the rules about the blocks, wires and power of a network see of the rest of the file: what its tags are, and the
-//! program's settings. That is what the [stamp](crate::findings::stamp) of a network stands for, so that what these rules find can be
+//! program's settings. That is what the [stamp](crate::checking::stamp) of a network stands for, so that what these rules find can be
 //! kept with the network.
 
 use crate::boolean::written;
-use crate::context::Context;
+use crate::names::context::Context;
 use crate::names::operand_value::{self, Number};
-use crate::networks::facts::Node;
-use crate::networks::user_block::Parameter;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::values::types::Scalar;
+use crate::written::facts::Node;
+use crate::written::user_block::Parameter;
 use ladder_instructions::Profile;
 use ladder_syntax::{TextRange, TextSize};
 

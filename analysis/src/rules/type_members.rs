@@ -4,19 +4,19 @@
 use super::parts;
 use super::survey::Survey;
 use super::{never_read, never_written};
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
+use crate::names::context::Context;
 use crate::names::named_types::NamedType;
 use crate::names::scope::{Origin, SectionKind, TagFacts};
-use crate::names::type_spec::SpecKind;
-use crate::networks::access::Access;
-use crate::networks::facts::{Node, NodeKind};
 use crate::networks::network::{Formal, Meaning};
 use crate::networks::use_place::Use;
 use crate::other_files::outward::TagUse;
+use crate::program::Access;
 use crate::program::{ParameterKind, Role};
 use crate::values::compound::{Compound, MemberType, TypeId};
 use crate::values::types::Type;
+use crate::written::facts::{Node, NodeKind};
+use crate::written::type_spec::SpecKind;
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
 

@@ -4,13 +4,13 @@
 //! next to the chain or elsewhere, and none asks for all others: with `[NE]`, or with `[NOT]` after `[EQ]`.
 
 use crate::boolean::written::written;
-use crate::context::{Body, Context};
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
-use crate::networks::facts::{Node, NodeKind, Operator};
+use crate::names::context::{Body, Context};
 use crate::networks::{BlockAt, NetworkAt};
 use crate::values::compound::EnumId;
 use crate::values::types::{Scalar, Type};
+use crate::written::facts::{Node, NodeKind, Operator};
 use ladder_instructions::Op;
 use ladder_syntax::{Name, TextRange};
 use rustc_hash::FxHashMap;

@@ -2,10 +2,10 @@
 
 use super::form::Form;
 use super::near_names::{self, Meant};
-use crate::context::Context;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::did_you_mean;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
-use crate::names::did_you_mean;
+use crate::names::context::Context;
 use crate::networks::BlockAt;
 use crate::networks::network::Meaning;
 use ladder_syntax::Name;

@@ -1,10 +1,10 @@
 //! `unknown-function`: a `<CALL>` names no function.
 
 use super::near_names::{self, Meant};
-use crate::context::Context;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::did_you_mean;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
-use crate::names::did_you_mean;
+use crate::names::context::Context;
 use ladder_syntax::TextRange;
 
 pub(crate) const RULE: Rule =

@@ -1,12 +1,12 @@
 //! `unknown-label` where a `<$B>` block jumps out of its body. Other jumps are found while operands are resolved.
 
 use super::near_names::{self, Meant};
-use crate::context::{Body, Context};
+use crate::exporting::outward_jumps::{Jump, outward_jumps};
 use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::did_you_mean;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
-use crate::names::did_you_mean;
+use crate::names::context::{Body, Context};
 use crate::networks::network::Meaning;
-use crate::networks::outward_jumps::{Jump, outward_jumps};
 use ladder_instructions::Shape;
 use ladder_syntax::{Name, TextRange};
 use std::collections::HashSet;

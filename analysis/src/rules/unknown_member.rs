@@ -3,13 +3,13 @@
 use super::near_names::{self, Meant};
 use crate::findings::article::with_article;
 use crate::findings::diagnostic::Diagnostic;
+use crate::findings::did_you_mean;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
-use crate::names::did_you_mean;
 use crate::names::scope::Scope;
-use crate::names::system_tag::SystemTag;
-use crate::networks::facts::Word;
+use crate::program::SystemTag;
 use crate::values::compound::Structure;
 use crate::values::types::{Scalar, Type};
+use crate::written::facts::Word;
 use ladder_instructions::StateType;
 use ladder_syntax::TextRange;
 

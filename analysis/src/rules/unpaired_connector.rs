@@ -4,10 +4,10 @@ mod barred;
 pub(super) mod completion;
 
 use super::form::Form;
-use crate::context::Context;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::excerpt::{columns, trimmed_line};
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use crate::names::context::Context;
 use crate::networks::neighbours::{rung_above, rung_below};
 use crate::networks::network::breaks_drawing;
 use ladder_syntax::numeral::nth;

@@ -1,10 +1,10 @@
 //! `unread-part`: a block stands for something that no reader of another system understands. It is not run, and nothing else is
 //! reported of it.
 
-use crate::context::Context;
 use crate::findings::Finding;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use crate::names::context::Context;
 use crate::names::unread_uses::part;
 use crate::networks::network::Meaning;
 use crate::program::{Unread, unread_name};

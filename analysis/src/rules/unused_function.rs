@@ -1,9 +1,9 @@
 //! `unused-function`: a function that nothing calls.
 
 use super::survey::Survey;
-use crate::context::Body;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
+use crate::names::context::Body;
 use crate::networks::control_flow::ControlFlow;
 use ladder_instructions::Op;
 use ladder_syntax::Name;

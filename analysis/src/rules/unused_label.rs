@@ -1,9 +1,9 @@
 //! `unused-label`: a label that nothing jumps to.
 
 use super::survey::Survey;
-use crate::context::{Body, Context};
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
+use crate::names::context::{Body, Context};
 use crate::networks::BlockAt;
 use crate::networks::control_flow::ControlFlow;
 use crate::networks::network::Meaning;

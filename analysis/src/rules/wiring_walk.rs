@@ -1,7 +1,7 @@
 //! One walk over each network's steps, shared by the rules about what is after what on a wire.
 
 use super::tags_shown::TagsShown;
-use crate::context::Context;
+use crate::names::context::Context;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::program::Step;
 

@@ -5,8 +5,8 @@ use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::excerpt;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
-use crate::networks::facts::{Node, NodeKind};
 use crate::values::literal::Literal;
+use crate::written::facts::{Node, NodeKind};
 use ladder_instructions::{Instruction, Op, Role, Shape, in_other_shape};
 use ladder_syntax::Parse;
 

@@ -3,7 +3,6 @@
 pub(crate) mod address_bits;
 pub mod callable;
 pub mod compound;
-pub mod constant;
 pub mod literal;
 pub mod types;
 pub mod value;

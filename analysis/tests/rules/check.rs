@@ -3,7 +3,7 @@
 use expect_test::Expect;
 use ladder_analysis::findings::fix;
 use ladder_analysis::rules::rule_named;
-use ladder_analysis::{Diagnostic, Exported, Level, Others, RuleSettings, analyze_with, exports};
+use ladder_analysis::{AnalyzeOptions, Diagnostic, Exported, Level, Others, RuleSettings, analyze, exports};
 use ladder_format::{Options, apply};
 use ladder_syntax::{LineIndex, TextRange, parse};
 use std::sync::Arc;
@@ -44,11 +44,11 @@ pub(crate) fn clean_program(text: &str) {
 /// The messages of a rule, each with the line of its place. What else is wrong is that the state of a block is written, or nothing.
 pub(crate) fn found(text: &str, rule: &str) -> Vec<String> {
     let index = LineIndex::new(text);
-    let analysis = analyze_with(
+    let analysis = analyze(
         &Arc::new(parse(text)),
-        "test.clad",
-        &Others::default(),
-        &RuleSettings::everything(),
+        AnalyzeOptions::new("test.clad")
+            .among(&Others::default())
+            .with_rules(&RuleSettings::everything()),
     );
     let found = analysis
         .diagnostics()
@@ -95,9 +95,14 @@ fn check_files_with(texts: &str, settings: &RuleSettings, expected: Expect) {
     let exported = Arc::new(Exported::new(summaries.collect()));
     let mut shown = String::new();
     for (name, text, parse) in &parsed {
-        let found = analyze_with(parse, name, &exported.others_of(name), settings)
-            .diagnostics()
-            .to_vec();
+        let found = analyze(
+            parse,
+            AnalyzeOptions::new(name)
+                .among(&exported.others_of(name))
+                .with_rules(settings),
+        )
+        .diagnostics()
+        .to_vec();
         if found.is_empty() {
             continue;
         }
@@ -148,7 +153,14 @@ fn findings(text: &str, settings: &RuleSettings) -> String {
     let parsed = Arc::new(parse(text));
     let index = LineIndex::new(text);
     let mut shown = String::new();
-    for diagnostic in analyze_with(&parsed, "test.clad", &Others::default(), settings).diagnostics() {
+    for diagnostic in analyze(
+        &parsed,
+        AnalyzeOptions::new("test.clad")
+            .among(&Others::default())
+            .with_rules(settings),
+    )
+    .diagnostics()
+    {
         let line = index.line(diagnostic.range.start());
         // The mark keeps the indentation of the text.
         shown.push_str(&format!("> {}\n", text[index.range(line)].trim_end()));
@@ -185,9 +197,14 @@ fn show(text: &str, index: &LineIndex, found: &Diagnostic, out: &mut String) {
             out.push('\n');
         }
         let (alone, everything) = (Others::default(), RuleSettings::everything());
-        let again = analyze_with(&Arc::new(parse(&fixed)), "test.clad", &alone, &everything)
-            .diagnostics()
-            .to_vec();
+        let again = analyze(
+            &Arc::new(parse(&fixed)),
+            AnalyzeOptions::new("test.clad")
+                .among(&alone)
+                .with_rules(&everything),
+        )
+        .diagnostics()
+        .to_vec();
         let stays = again
             .iter()
             .any(|d| d.rule == found.rule && d.message == found.message && d.range == found.range);

@@ -1,7 +1,7 @@
 //! The pages of the rules: each shows a wrong and a right program, and both are what they say.
 
 use ladder_analysis::findings::fix;
-use ladder_analysis::{Diagnostic, Others, Rule, RuleSettings, Severity, analyze_with};
+use ladder_analysis::{AnalyzeOptions, Diagnostic, Others, Rule, RuleSettings, Severity, analyze};
 use ladder_format::{Options, apply, format_text};
 use ladder_syntax::parse;
 use std::path::{Path, PathBuf};
@@ -23,11 +23,11 @@ fn programs<'t>(text: &'t str, mark: &str) -> Vec<&'t str> {
 
 /// What every rule finds, also those that are off unless set.
 fn found(program: &str) -> Vec<Diagnostic> {
-    analyze_with(
+    analyze(
         &Arc::new(parse(program)),
-        "page.clad",
-        &Others::default(),
-        &RuleSettings::everything(),
+        AnalyzeOptions::new("page.clad")
+            .among(&Others::default())
+            .with_rules(&RuleSettings::everything()),
     )
     .diagnostics()
     .to_vec()

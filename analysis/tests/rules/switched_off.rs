@@ -1,7 +1,7 @@
 //! Severities that are set, and comments that switch rules off.
 
 use expect_test::{Expect, expect};
-use ladder_analysis::{Analysis, Level, Others, Rule, RuleSettings, Severity, analyze_with};
+use ladder_analysis::{Analysis, AnalyzeOptions, Level, Others, Rule, RuleSettings, Severity, analyze};
 use ladder_syntax::parse;
 use std::fmt::Write;
 use std::sync::Arc;
@@ -13,7 +13,12 @@ fn analysed(text: &str, levels: &[(Rule, Level)]) -> Analysis {
     for &(rule, level) in levels {
         settings.set(rule, level);
     }
-    analyze_with(&Arc::new(parse(text)), "a", &Others::default(), &settings)
+    analyze(
+        &Arc::new(parse(text)),
+        AnalyzeOptions::new("a")
+            .among(&Others::default())
+            .with_rules(&settings),
+    )
 }
 
 fn check(text: &str, levels: &[(Rule, Level)], expected: Expect) {

@@ -7,7 +7,7 @@ use super::proposals::Proposals;
 use crate::typing::{Head, Operand, Typing};
 use crate::wanted::Called;
 use ladder_analysis::library;
-use ladder_analysis::networks::user_block::UserBlockFacts;
+use ladder_analysis::written::user_block::UserBlockFacts;
 use ladder_instructions::{
     Accepts, Group, Instruction, Op, Presence, Profile, Purpose, Shape, TABLE, purpose,
 };

@@ -7,7 +7,7 @@ use crate::typing::{Operand, Typing};
 use crate::wanted::{Kind, Wanted, rank, scalar_rank};
 use itertools::Itertools;
 use ladder_analysis::names::scope::{Origin, SectionKind, TagFacts};
-use ladder_analysis::networks::access::Access;
+use ladder_analysis::program::Access;
 use ladder_analysis::program::{Role, SystemTag};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_instructions::Semantics;

@@ -334,7 +334,7 @@ fn nothing_there() {
 
 #[test]
 fn names_of_other_files() {
-    use ladder_analysis::{Exported, analyze_in, exports};
+    use ladder_analysis::{AnalyzeOptions, Exported, analyze, exports};
     let library = "VAR_GLOBAL total : DINT; END_VAR\n+--<FUN>( count )--[ADD]( total, total, 1 )--+\n\
                    FUNCTION_BLOCK [$Hold]\nVAR_INPUT raw : BOOL; END_VAR\n+--[ ]( raw )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n";
     let text = "+--<CALL>( count )--[$Hold]( x )--[GT]( total, 3 )--( )( y )--+\n";
@@ -344,7 +344,7 @@ fn names_of_other_files() {
         "library.clad",
     ))]);
     let others = std::sync::Arc::new(exported).others_of("main.clad");
-    let analysis = analyze_in(&parse(text), "main.clad", &others);
+    let analysis = analyze(&parse(text), AnalyzeOptions::new("main.clad").among(&others));
     let shown: Vec<String> = ["count", "$Hold", "x )", "total"]
         .iter()
         .map(|word| {

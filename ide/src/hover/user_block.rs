@@ -5,8 +5,8 @@ use crate::described::Described;
 use crate::markdown;
 use ladder_analysis::context::Context;
 use ladder_analysis::library::Source;
-use ladder_analysis::networks::user_block::{Parameter, UserBlockFacts};
 use ladder_analysis::program::ParameterKind;
+use ladder_analysis::written::user_block::{Parameter, UserBlockFacts};
 use ladder_syntax::Name;
 use std::fmt::Write;
 

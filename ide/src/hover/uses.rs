@@ -5,7 +5,7 @@ use crate::markdown;
 use ladder_analysis::AccessKind;
 use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::{Origin, SectionKind, TagFacts};
-use ladder_analysis::networks::access::Access;
+use ladder_analysis::program::Access;
 use ladder_syntax::{LineKind, TextSize};
 use std::fmt::Write;
 

@@ -5,8 +5,8 @@ use super::{Action, ActionKind, Work};
 use ladder_analysis::context::Context;
 use ladder_analysis::names::declaring::Places;
 use ladder_analysis::networks::NetworkAt;
-use ladder_analysis::networks::facts::{Node, NodeKind};
 use ladder_analysis::rules::declaration_fix::{can_be_declared, undeclared};
+use ladder_analysis::written::facts::{Node, NodeKind};
 use ladder_format::Edit;
 use ladder_syntax::Name;
 

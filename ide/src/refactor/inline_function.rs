@@ -7,7 +7,7 @@ use super::place::Selected;
 use super::{Action, ActionKind};
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::networks::NetworkAt;
-use ladder_analysis::networks::facts::NodeKind;
+use ladder_analysis::written::facts::NodeKind;
 use ladder_format::Edit;
 use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Name, TextRange};

@@ -6,10 +6,10 @@ use super::scenarios::InScenarios;
 use super::{Action, ActionKind};
 use crate::symbol::each_node;
 use ladder_analysis::context::Context;
-use ladder_analysis::names::type_spec::{MemberSpec, SpecKind};
-use ladder_analysis::networks::facts::{Node, NodeKind};
 use ladder_analysis::values::compound::Compound;
 use ladder_analysis::values::types::Type;
+use ladder_analysis::written::facts::{Node, NodeKind};
+use ladder_analysis::written::type_spec::{MemberSpec, SpecKind};
 use ladder_format::Edit;
 use ladder_syntax::{Name, TextRange};
 

@@ -4,8 +4,8 @@ use super::names::called;
 use super::place::Selected;
 use super::{Action, ActionKind};
 use ladder_analysis::networks::BlockAt;
-use ladder_analysis::networks::facts::NodeKind;
 use ladder_analysis::values::types::Type;
+use ladder_analysis::written::facts::NodeKind;
 use ladder_format::Edit;
 use ladder_instructions::Op;
 

@@ -5,8 +5,8 @@ use super::insert_branch::{first_name, with_branch};
 use super::place::{OnNetwork, Selected};
 use super::region::Region;
 use super::{Action, ActionKind};
-use ladder_analysis::networks::facts::{Node, NodeKind};
 use ladder_analysis::networks::network::BoundBlock;
+use ladder_analysis::written::facts::{Node, NodeKind};
 use ladder_instructions::Op;
 
 pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {

@@ -5,11 +5,13 @@
 //! else has (here, or in a file that would then mean that), and one that changes the type of an undeclared tag.
 
 mod clash;
+mod from_scenarios;
 mod labels;
 mod layout;
 mod scenarios;
 mod spelling;
 
+pub use from_scenarios::{prepare_scenario_rename, rename_in_scenario};
 pub(crate) use scenarios::in_columns;
 
 use crate::body::file_text;
@@ -18,9 +20,9 @@ use crate::outline::text_of;
 use crate::symbol::{Found, Occurrence, Symbol, find, in_files_of, occurrences};
 use ladder_analysis::context::Context;
 use ladder_analysis::library;
-use ladder_analysis::names::join::context;
 use ladder_analysis::names::scope::Origin;
 use ladder_analysis::with_article;
+use ladder_analysis::{ContextOptions, context};
 use ladder_format::{Edit, Options, apply};
 use ladder_syntax::{Name, TextRange, TextSize, parse};
 use std::sync::Arc;
@@ -91,12 +93,12 @@ pub fn rename(
 }
 
 /// Nothing has a name there.
-pub(crate) fn no_name() -> RenameRefused {
+fn no_name() -> RenameRefused {
     RenameRefused("there is nothing to rename here".to_owned())
 }
 
 /// The edits that give a symbol of a file another name.
-pub(crate) fn rename_symbol(
+fn rename_symbol(
     context: &Context,
     symbol: &Symbol,
     new: &str,
@@ -169,7 +171,7 @@ fn renamed_in(
 }
 
 /// Names that are not the program's to choose.
-pub(crate) fn fixed(file: &Context, symbol: &Symbol) -> Result<(), RenameRefused> {
+fn fixed(file: &Context, symbol: &Symbol) -> Result<(), RenameRefused> {
     if symbol.file().is_some_and(|file| library::source(file).is_some()) {
         return Err(RenameRefused(
             "the blocks of the library and their operands keep their names".to_owned(),
@@ -216,7 +218,7 @@ fn no_address(context: &Context, range: TextRange) -> Result<(), RenameRefused> 
 }
 
 /// A direct address is not a name that anyone chose.
-pub(crate) fn is_address(written: &str) -> RenameRefused {
+fn is_address(written: &str) -> RenameRefused {
     RenameRefused(format!(
         "`{}` is a direct address: it says where the signal is. Declare a tag with AT to give it a name",
         written.to_uppercase()
@@ -242,7 +244,7 @@ fn same_type(
         return Ok(());
     };
     let parsed = Arc::new(parse(&apply(text, edits)));
-    let after = context(&parsed, &file.name, &file.others);
+    let after = context(&parsed, ContextOptions::new(&file.name, &file.others));
     let Some(after) = tag_in(&after, &Name::new(new)) else {
         return Ok(());
     };

@@ -12,7 +12,7 @@ mod hover;
 mod members;
 mod named_by_rows;
 mod naming;
-mod navigate;
+pub(crate) mod navigate;
 mod outline;
 mod place;
 mod property_completion;
@@ -23,11 +23,7 @@ pub use completion::completions as scenario_completions;
 pub use edits::{layout as scenario_layout, on_type as scenario_on_type};
 pub use file::Scenarios;
 pub use hover::hover as scenario_hover;
-pub use navigate::{
-    definition as scenario_definition, highlights as scenario_highlights,
-    prepare_rename as prepare_scenario_rename, references as scenario_references,
-    rename as rename_in_scenario,
-};
+pub use navigate::{definition as scenario_definition, highlights as scenario_highlights};
 pub use outline::{ScenarioPart, outline as scenario_outline};
 
 #[cfg(test)]

@@ -1,20 +1,17 @@
-//! From a row or a property to the program and back: definition, references, highlights and rename.
+//! From a row or a property to the program and back: definition and highlights; `references` and `rename` ask here what is named.
 
 use super::file::Scenarios;
 use super::place::{AtCursor, place};
 use super::row::{Files, named, places_in, within};
 use crate::definition::defined;
 use crate::highlight::Highlight;
-use crate::references::{Reference, of_symbol};
-use crate::rename::{Renamable, RenameRefused, Renamed, fixed, is_address, no_name, rename_symbol};
 use crate::symbol::Symbol;
 use crate::target::Target;
-use ladder_format::Options;
 use ladder_syntax::{TextRange, TextSize};
 use std::sync::Arc;
 
 /// What is named at an offset: the tag, a member or a value, and where its name is.
-fn symbol_at(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Symbol, TextRange)> {
+pub(crate) fn symbol_at(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Symbol, TextRange)> {
     let files = Files::of(scenarios)?;
     match place(scenarios, offset)? {
         AtCursor::Tag(row) => in_name(files, &row.name, row.range, offset),
@@ -57,14 +54,6 @@ pub fn definition(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Target> {
     }
 }
 
-/// All places of what is named at an offset: in the program, the files next to it, and in scenarios.
-pub fn references(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Reference> {
-    match (scenarios.program, symbol_at(scenarios, offset)) {
-        (Some(program), Some((symbol, _))) => of_symbol(program, &symbol, scenarios.workspace),
-        _ => Vec::new(),
-    }
-}
-
 /// The places of the file that name what is at an offset.
 pub fn highlights(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Highlight> {
     let (Some((wanted, _)), Some(files)) = (symbol_at(scenarios, offset), Files::of(scenarios)) else {
@@ -75,50 +64,4 @@ pub fn highlights(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Highlight>
         .into_iter()
         .map(|(range, usage)| Highlight { range, usage })
         .collect()
-}
-
-/// What is at an offset and can be renamed.
-///
-/// # Errors
-/// It has a name that is not the program's to choose.
-pub fn prepare_rename(
-    scenarios: &Scenarios<'_>,
-    offset: TextSize,
-) -> Result<Option<Renamable>, RenameRefused> {
-    let found = symbol_at(scenarios, offset).filter(|(_, range)| range.contains_inclusive(offset));
-    let Some((symbol, range)) = found else {
-        return Ok(None);
-    };
-    let name = &scenarios.text[range];
-    if matches!(symbol, Symbol::Address(_)) || name.starts_with('%') {
-        return Err(is_address(name));
-    }
-    if let Some(program) = scenarios.program {
-        fixed(program, &symbol)?;
-    }
-    Ok(Some(Renamable {
-        range,
-        name: name.to_owned(),
-    }))
-}
-
-/// The edits that give what is at an offset another name: in the program, the files next to it, and in all scenarios.
-///
-/// # Errors
-/// The name is refused.
-pub fn rename(
-    scenarios: &Scenarios<'_>,
-    offset: TextSize,
-    new: &str,
-    options: &Options,
-) -> Result<Vec<Renamed>, RenameRefused> {
-    if prepare_rename(scenarios, offset)?.is_none() {
-        return Err(no_name());
-    }
-    match (scenarios.program, symbol_at(scenarios, offset)) {
-        (Some(program), Some((symbol, _))) => {
-            rename_symbol(program, &symbol, new, scenarios.workspace, options)
-        }
-        _ => Err(no_name()),
-    }
 }

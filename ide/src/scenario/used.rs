@@ -2,7 +2,7 @@
 
 use crate::neighbour::Workspace;
 use ladder_analysis::context::{Callee, Context};
-use ladder_analysis::networks::facts::NodeKind;
+use ladder_analysis::written::facts::NodeKind;
 use ladder_instructions::Op;
 use ladder_syntax::Name;
 use std::sync::Arc;

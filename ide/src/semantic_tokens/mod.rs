@@ -12,10 +12,10 @@ pub use legend::{Modifiers, TokenKind};
 
 use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::{Origin, SectionKind};
-use ladder_analysis::names::type_spec::SpecKind;
 use ladder_analysis::networks::network::{Formal, Meaning};
 use ladder_analysis::networks::{BlockAt, NetworkAt};
 use ladder_analysis::program::{ParameterKind, Role};
+use ladder_analysis::written::type_spec::SpecKind;
 use ladder_instructions::{Accepts, Direction, Op};
 use ladder_syntax::rowan::GreenNodeData;
 use ladder_syntax::{LineKind, Name, NodeOrToken, SyntaxKind, TextRange, TextSize, Trees};

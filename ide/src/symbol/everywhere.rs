@@ -3,7 +3,7 @@
 use super::{Occurrence, Symbol, occurrences};
 use crate::neighbour::{Which, Workspace, in_each, named};
 use ladder_analysis::context::Context;
-use ladder_analysis::library;
+use ladder_analysis::library_analysis;
 use ladder_syntax::Name;
 use std::sync::Arc;
 
@@ -30,7 +30,7 @@ pub(crate) fn in_files_of<T: Send>(
     let of_library = symbols
         .iter()
         .filter_map(Symbol::file)
-        .find_map(|file| library::analysis(file));
+        .find_map(|file| library_analysis(file));
     found.extend(of_library.map(|analysis| look(&analysis.context)));
     found
 }

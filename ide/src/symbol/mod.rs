@@ -16,7 +16,7 @@ pub(crate) use find::{Found, find, tag_of};
 pub(crate) use occurrences::{Occurrence, block_file, block_name, each_node, occurrences};
 
 use ladder_analysis::context::Body;
-use ladder_analysis::networks::access::Access;
+use ladder_analysis::program::Access;
 use ladder_instructions::Op;
 use ladder_syntax::Name;
 use std::sync::Arc;

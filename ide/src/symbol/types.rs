@@ -4,11 +4,11 @@ use super::find::tag_of_node;
 use super::occurrences::{block_file, each_node};
 use super::{Symbol, Usage};
 use ladder_analysis::context::Context;
-use ladder_analysis::names::type_spec::{Declared, Initial, SpecKind, TypeSpec};
-use ladder_analysis::networks::facts::{Node, NodeKind};
 use ladder_analysis::networks::{BlockAt, NetworkAt};
 use ladder_analysis::values::compound::Compound;
 use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::written::facts::{Node, NodeKind};
+use ladder_analysis::written::type_spec::{Declared, Initial, SpecKind, TypeSpec};
 use ladder_syntax::{Name, TextRange};
 use std::sync::Arc;
 

@@ -32,6 +32,7 @@ mod nicknames;
 mod notations;
 mod operand;
 mod order;
+mod python_name;
 mod ranges;
 mod read_back;
 mod sketch;

@@ -1,6 +1,7 @@
 //! The two notations: what they share, and where they part.
 
 use super::checks::{self, Words};
+use super::python_name::python_name;
 use super::{dsl, grid, model, nicknames, order, read_back, sketch};
 use ladder_analysis::{Analysis, Severity};
 use ladder_notation::{Finding, Notation, Outcome, ReadError, Reading, Source, WriteError, Writing};
@@ -56,7 +57,7 @@ impl Notation for Click {
         let text = dsl::write(&program, &mut report);
         report.entries.sort_by_key(|entry| entry.place);
         for nickname in &mut program.nicknames {
-            nickname.name = read_back::python_name(&nickname.name);
+            nickname.name = python_name(&nickname.name);
         }
         Ok(Writing {
             bytes: text.into_bytes(),

@@ -3,7 +3,7 @@
 use crate::{LineColumn, Outcome, Report, WriteError, Writing};
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::program::Network;
-use ladder_analysis::{Analysis, analyze_in};
+use ladder_analysis::{Analysis, AnalyzeOptions, analyze};
 use ladder_syntax::{Item, LineKind, TextRange, TextSize, parse};
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
@@ -87,7 +87,10 @@ impl Edits {
     /// The edited program. None: it has errors.
     pub(crate) fn program(self, context: &Context) -> Option<Edited> {
         let (text, lines) = self.written(context);
-        let program = analyze_in(&parse(&text).into(), &context.name, &context.others);
+        let program = analyze(
+            &parse(&text).into(),
+            AnalyzeOptions::new(&context.name).among(&context.others),
+        );
         program.program().is_some().then_some(Edited { program, lines })
     }
 

@@ -9,12 +9,12 @@ use crate::edited::edited_line;
 use crate::{WriteError, Writing};
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::names::scope::{Origin, TagFacts};
-use ladder_analysis::networks::facts::NodeKind;
 use ladder_analysis::networks::network::Meaning;
 use ladder_analysis::networks::{BlockAt, NetworkAt};
 use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Type;
-use ladder_analysis::{Analysis, analyze_in};
+use ladder_analysis::written::facts::NodeKind;
+use ladder_analysis::{Analysis, AnalyzeOptions, analyze};
 use ladder_syntax::{Item, LineKind, Name, TextRange, parse};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::ops::Range;
@@ -126,7 +126,10 @@ fn as_blocks(analysis: &Analysis) -> Option<(Analysis, Vec<Moved>)> {
         functions.get_mut(&function)?.lines = lines;
     }
     let (text, moved) = text(context, &functions, &calls);
-    let blocks = analyze_in(&parse(&text).into(), &context.name, &context.others);
+    let blocks = analyze(
+        &parse(&text).into(),
+        AnalyzeOptions::new(&context.name).among(&context.others),
+    );
     blocks.program().is_some().then_some((blocks, moved))
 }
 

@@ -3,8 +3,8 @@
 use crate::{Lines, WriteError};
 use ladder_analysis::context::Callee;
 use ladder_analysis::networks::NetworkAt;
-use ladder_analysis::networks::facts::NodeKind;
 use ladder_analysis::networks::network::Meaning;
+use ladder_analysis::written::facts::NodeKind;
 use ladder_analysis::{Analysis, library};
 use ladder_syntax::{Name, TextRange};
 

@@ -50,10 +50,9 @@ pub fn analysis<'a>(
     } else {
         let parse = ladder_syntax::parse(&aside).into();
         let context = &analysis.context;
-        Cow::Owned(ladder_analysis::analyze_in(
+        Cow::Owned(ladder_analysis::analyze(
             &parse,
-            &context.name,
-            &context.others,
+            ladder_analysis::AnalyzeOptions::new(&context.name).among(&context.others),
         ))
     };
     if analysis.program().is_some() {

@@ -8,8 +8,8 @@ use crate::edited::{Edited, Edits, first_line, own_networks, write_edited};
 use crate::{Entry, LineColumn, Lines, Outcome, WriteError, Writing};
 use ladder_analysis::Analysis;
 use ladder_analysis::context::Body;
-use ladder_analysis::names::system_tag::SystemTag;
 use ladder_analysis::program::Place;
+use ladder_analysis::program::SystemTag;
 use ladder_syntax::TextRange;
 use std::collections::HashSet;
 

@@ -7,7 +7,7 @@ use crate::{LineColumn, WriteError};
 use functions::Functions;
 use ladder_analysis::context::{Callee, Context};
 use ladder_analysis::names::named_types::NamedType;
-use ladder_analysis::{Analysis, analyze_in, library, link_files};
+use ladder_analysis::{Analysis, AnalyzeOptions, analyze, library, link_files};
 use ladder_syntax::{Item, LineKind, Name, Parse, parse};
 use search::{Search, Used};
 use std::collections::{HashMap, HashSet};
@@ -114,7 +114,10 @@ pub(crate) fn whole(analysis: &Analysis) -> Result<Option<(Analysis, Vec<Added>)
             whole.push_str(&format!("\nTYPE\n{types}END_TYPE\n"));
         }
         whole.push_str(&end);
-        let whole = analyze_in(&parse(&whole).into(), &context.name, &context.others);
+        let whole = analyze(
+            &parse(&whole).into(),
+            AnalyzeOptions::new(&context.name).among(&context.others),
+        );
         if let Some(error) = whole.errors().next() {
             let message = format!(
                 "with what it uses of other files the program has an error: {}",

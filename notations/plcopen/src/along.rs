@@ -8,7 +8,7 @@ use crate::graph::Kind;
 use crate::model::{Body, Project, Role, Type, Unit, UnitKind, Variable};
 use crate::own;
 use crate::shared;
-use ladder_analysis::names::system_tag::SystemTag;
+use ladder_analysis::program::SystemTag;
 use ladder_notation::LineColumn;
 use std::fmt::Write as _;
 

@@ -1,7 +1,7 @@
 //! The instructions of SIMATIC controllers, each under its names in source documents and in SimaticML, next to what says
 //! the same here.
 
-use ladder_analysis::names::system_tag::{Clock, SystemTag};
+use ladder_analysis::program::{Clock, SystemTag};
 use ladder_format::program::Operator;
 use ladder_instructions::Op;
 

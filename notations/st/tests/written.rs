@@ -1,7 +1,7 @@
 //! What comes out: statements as a person writes them.
 
 use expect_test::{Expect, expect};
-use ladder_analysis::{Exported, analyze_in, exports, link_files};
+use ladder_analysis::{AnalyzeOptions, Exported, analyze, exports, link_files};
 use ladder_notation::Notation;
 use ladder_notation_st::St;
 use std::sync::Arc;
@@ -173,7 +173,10 @@ fn check_files(files: &[(&str, &str)], expected: Expect) {
     let exported = Arc::new(Exported::new(summaries.collect()));
     let analysis = |wanted: &str| {
         let (name, parse) = parsed.iter().find(|(name, _)| *name == wanted)?;
-        Some(Arc::new(analyze_in(parse, name, &exported.others_of(name))))
+        Some(Arc::new(analyze(
+            parse,
+            AnalyzeOptions::new(name).among(&exported.others_of(name)),
+        )))
     };
     let own = analysis(files[0].0).expect("the first file is one of them");
     let linked = link_files(&own, &analysis).expect("it is whole");

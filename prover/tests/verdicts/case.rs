@@ -1,6 +1,6 @@
 //! A program that verdicts are asked for, with what surrounds it.
 
-use ladder_analysis::{Analysis, Exported, analyze_in, exports, link};
+use ladder_analysis::{Analysis, AnalyzeOptions, Exported, analyze, exports, link};
 use ladder_simulator::{Options, Simulation};
 use std::fmt;
 use std::sync::Arc;
@@ -77,7 +77,10 @@ impl Case {
         let exported = Arc::new(Exported::new(offered.collect()));
         let analysis = |wanted: &str| -> Option<Arc<Analysis>> {
             let (name, parse) = files.iter().find(|(name, _)| *name == wanted)?;
-            Some(Arc::new(analyze_in(parse, name, &exported.others_of(name))))
+            Some(Arc::new(analyze(
+                parse,
+                AnalyzeOptions::new(name).among(&exported.others_of(name)),
+            )))
         };
         let program = link(&analysis("program.clad")?, &analysis).ok()?;
         let options = Options {

@@ -11,7 +11,7 @@ use crate::outline::Outline;
 pub(crate) use found::found;
 use ladder_analysis::Others;
 use ladder_analysis::context::Context;
-use ladder_analysis::names::join::context;
+use ladder_analysis::{ContextOptions, context};
 use ladder_format::{Options, apply};
 use ladder_ide::{Alone, RenameRefused, rename};
 use ladder_syntax::Name;
@@ -103,8 +103,7 @@ pub fn renamed(old: &Outline, new: &Outline) -> Option<Renamed> {
 pub(crate) fn again(read: &Context, text: &str) -> Context {
     context(
         &Arc::new(ladder_syntax::parse(text)),
-        &read.name,
-        &Others::alone(),
+        ContextOptions::new(&read.name, &Others::alone()),
     )
 }
 

@@ -158,7 +158,7 @@ mod tests {
         let neighbours = crate::host::testing::neighbours();
         neighbours.opened(&own);
         let own = shown(&neighbours, own, text);
-        let is_whole = |revision: &Revision| revision.first_names().map(|(_, is_whole)| is_whole);
+        let is_whole = |revision: &Revision| revision.first_context().map(|(_, is_whole)| is_whole);
         assert_eq!(
             is_whole(&own),
             Some(false),

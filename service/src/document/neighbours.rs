@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use ladder_analysis::{
-    Analysis, Exported, Exports, Linked, NotWhole, Others, RuleSettings, analyze_with, link_files,
+    Analysis, AnalyzeOptions, Exported, Exports, Linked, NotWhole, Others, RuleSettings, analyze, link_files,
 };
 use ladder_workspace::{Disk, FileError, SETTINGS_FILE, Settings, Simulate};
 
@@ -283,7 +283,10 @@ impl Neighbours {
             // Excluded from the workspace, but a program all the same.
             None => Arc::new(ladder_syntax::parse(&self.disk.read_own(path)?)),
         };
-        Ok(Arc::new(analyze_with(&parse, &name, &others, &rules)))
+        Ok(Arc::new(analyze(
+            &parse,
+            AnalyzeOptions::new(&name).among(&others).with_rules(&rules),
+        )))
     }
 
     /// All programs that were read and that no editor shows, sorted.
@@ -449,7 +452,10 @@ impl Neighbours {
             let (path, file) = (path.clone(), Arc::clone(file));
             let others = folder.exported_for(&self.disk, &root, &path).others_of(name);
             drop(state);
-            Some(Arc::new(analyze_with(&file.parse(), name, &others, &rules)))
+            Some(Arc::new(analyze(
+                &file.parse(),
+                AnalyzeOptions::new(name).among(&others).with_rules(&rules),
+            )))
         })
     }
 

@@ -235,7 +235,7 @@ impl OtherFiles {
     /// The file of a name as an editor shows it; the document itself too.
     pub(crate) fn text(&self, name: &str) -> Option<FileText> {
         let encoding = self.own.encoding();
-        let own = self.own.names().is_some_and(|own| own.context().is_called(name));
+        let own = self.own.context().is_some_and(|own| own.is_called(name));
         let open = if own {
             Some(&self.own)
         } else {
@@ -271,7 +271,7 @@ impl Workspace for OtherFiles {
             return None;
         }
         if let Some((_, revision)) = files.open.iter().find(|(of, _)| **of == *name) {
-            return Some(Arc::clone(revision.names()?.context()));
+            return Some(Arc::clone(revision.context()?));
         }
         files.context(&files.closed(name)?.1)
     }
@@ -281,9 +281,9 @@ impl Workspace for OtherFiles {
         for (number, (_, revision)) in files.open.iter().enumerate() {
             if !self.cancel.is_cancelled()
                 && which.takes(|| revision.rope().into())
-                && let Some(names) = revision.names()
+                && let Some(context) = revision.context()
             {
-                look(number, names.context());
+                look(number, context);
             }
         }
         in_parallel::each(&files.closed, |number, (_, file)| {

@@ -7,9 +7,12 @@ use std::path::Path;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
+use ladder_analysis::context::Context;
 use ladder_analysis::program::Program;
-use ladder_analysis::{Linked, NotWhole, Others, RuleSettings, analyze, analyze_with, link_files};
-use ladder_format::{Edit, Options};
+use ladder_analysis::{
+    AnalyzeOptions, ContextOptions, Linked, NotWhole, Others, RuleSettings, analyze, link_files,
+};
+use ladder_format::{Edit, Options, format};
 use ladder_notations::ReadError;
 use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES, Parse, TextRange, TextSize, parse};
 use ropey::Rope;
@@ -19,7 +22,7 @@ use super::kind::Kind;
 use super::membership::Membership;
 use super::neighbours::Affected;
 use super::position::Encoding;
-use crate::language::{Analysis, Names};
+use crate::language::Analysis;
 use crate::library_block;
 use crate::notation::Opened;
 
@@ -27,7 +30,7 @@ use crate::notation::Opened;
 #[derive(Debug, Default)]
 struct Made {
     /// With the serial number of the revision.
-    names: Option<(u64, Names)>,
+    context: Option<(u64, Arc<Context>)>,
     analysis: Option<Analysis>,
     /// What has changed since the names were made.
     since: EditLog,
@@ -62,9 +65,9 @@ pub(crate) struct Revision {
     edited: usize,
     /// Where the file lies, if it is one.
     place: Option<Membership>,
-    names: OnceLock<Names>,
+    context: OnceLock<Arc<Context>>,
     /// The names without what large files show that are not read yet.
-    first: OnceLock<Option<Names>>,
+    first: OnceLock<Option<Arc<Context>>>,
     /// Held by who joins the names.
     joining: Mutex<()>,
     /// This many wait for the names and cannot do without.
@@ -100,7 +103,7 @@ impl Revision {
             rope,
             edited: 0,
             place,
-            names: OnceLock::new(),
+            context: OnceLock::new(),
             first: OnceLock::new(),
             joining: Mutex::default(),
             waiting: AtomicUsize::default(),
@@ -139,88 +142,93 @@ impl Revision {
 
     /// The names, networks and blocks of the text, read at the first call, or `None` for a text over [`MAX_OPEN_BYTES`] or
     /// [`MAX_OPEN_LINES`]. Takes milliseconds on a large file: for a blocking thread.
-    pub(crate) fn names(&self) -> Option<&Names> {
-        if let Some(known) = self.names.get() {
+    pub(crate) fn context(&self) -> Option<&Arc<Context>> {
+        if let Some(known) = self.context.get() {
             return Some(known);
         }
         // Who joins them already does not give up now.
         self.waiting.fetch_add(1, Ordering::Relaxed);
-        let names = self.names_while(&|| true);
+        let context = self.context_while(&|| true);
         self.waiting.fetch_sub(1, Ordering::Relaxed);
-        names
+        context
     }
 
     /// The names for a person who looks at the text while large files of its workspace are still to be read: without what those
-    /// show, and false. As [`Revision::names`], and true, where there are none.
-    pub(crate) fn first_names(&self) -> Option<(&Names, bool)> {
-        let early = (self.names.get().is_none() && self.fits()).then_some(self.place.as_ref());
+    /// show, and false. As [`Revision::context`], and true, where there are none.
+    pub(crate) fn first_context(&self) -> Option<(&Arc<Context>, bool)> {
+        let early = (self.context.get().is_none() && self.fits()).then_some(self.place.as_ref());
         let early = early
             .flatten()
             .and_then(|place| place.neighbours.first_view(&place.path));
         let Some((name, others)) = early else {
-            return Some((self.names()?, true));
+            return Some((self.context()?, true));
         };
         let first = self.first.get_or_init(|| {
             let parse = self.parse(None, Since::Unknown);
-            Names::of(&parse, None, &name, &others, &|| true)
+            let options = ContextOptions::new(&name, &others);
+            Some(Arc::new(ladder_analysis::context(&parse, options)))
         });
         Some((first.as_ref()?, false))
     }
 
-    /// The same while they are wanted, or a thread waits in [`Revision::names`]: where the names of the whole file are joined
+    /// The same while they are wanted, or a thread waits in [`Revision::context`]: where the names of the whole file are joined
     /// again that is given up once neither is so.
-    fn names_while(&self, wanted: &dyn Fn() -> bool) -> Option<&Names> {
+    fn context_while(&self, wanted: &dyn Fn() -> bool) -> Option<&Arc<Context>> {
         // Offsets of the inner crates are 32 bits wide; they read slices, not ropes.
         if !self.fits() {
             return None;
         }
-        if let Some(known) = self.names.get() {
+        if let Some(known) = self.context.get() {
             return Some(known);
         }
         // Who comes while another joins them gets what that one makes, or makes it if that one gives up.
         let _joining = self.joining.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(known) = self.names.get() {
+        if let Some(known) = self.context.get() {
             return Some(known);
         }
-        let names = self.join(&|| wanted() || self.waiting.load(Ordering::Relaxed) > 0)?;
-        Some(self.names.get_or_init(|| names))
+        let context = self.join(&|| wanted() || self.waiting.load(Ordering::Relaxed) > 0)?;
+        Some(self.context.get_or_init(|| context))
     }
 
     /// Joins the names; none if that is given up.
-    fn join(&self, wanted: &dyn Fn() -> bool) -> Option<Names> {
+    fn join(&self, wanted: &dyn Fn() -> bool) -> Option<Arc<Context>> {
         let (before, since) = {
             let latest = self.latest();
-            (latest.names.clone(), latest.since.until(self.serial))
+            (latest.context.clone(), latest.since.until(self.serial))
         };
         let since = match &before {
             Some((serial, _)) if *serial <= self.serial => since,
             _ => Since::Unknown,
         };
-        let known = before.as_ref().map(|(_, names)| names);
+        let known = before.as_ref().map(|(_, context)| &**context);
         let parse = self.parse(known, since);
-        let names = match &self.place {
+        let read = |name: &str, others: &Others| {
+            let options = ContextOptions::new(name, others).after(known);
+            options.read_while(&parse, wanted).map(Arc::new)
+        };
+        let context = match &self.place {
             Some(place) => {
                 let (name, others) = place.view();
-                Names::of(&parse, known, &name, &others, wanted)?
+                read(&name, &others)?
             }
-            None => Names::of(&parse, known, self.name(), &Others::alone(), wanted)?,
+            None => read(self.name(), &Others::alone())?,
         };
         let mut latest = self.latest();
         if latest
-            .names
+            .context
             .as_ref()
             .is_none_or(|(serial, _)| *serial <= self.serial)
         {
-            latest.names = Some((self.serial, names.clone()));
+            latest.context = Some((self.serial, Arc::clone(&context)));
             latest.since.begin_at(self.serial);
         }
-        Some(names)
+        Some(context)
     }
 
     /// The lines of the text. What an earlier text has in common with it is taken over: `since` is what leads from there to
     /// here.
-    fn parse(&self, before: Option<&Names>, since: Since) -> Arc<Parse> {
-        let before = before.map(|names| &names.context().parse);
+    fn parse(&self, before: Option<&Context>, since: Since) -> Arc<Parse> {
+        let before = before.map(|context| &context.parse);
         Arc::new(match (before, since) {
             (Some(before), Since::Same) => return Arc::clone(before),
             (Some(before), Since::Edited(edit)) => {
@@ -236,13 +244,13 @@ impl Revision {
 
     /// The same with all that is found in it: for those who cannot do without.
     pub(crate) fn analysis(&self) -> Option<&Analysis> {
-        self.names()?;
+        self.context()?;
         self.analysis_while(&|| true)
     }
 
     /// The same while it is wanted: work that concerns a large part of the text is given up once it no longer is.
     pub(crate) fn analysis_while(&self, wanted: &dyn Fn() -> bool) -> Option<&Analysis> {
-        let names = self.names_while(wanted)?;
+        let context = self.context_while(wanted)?;
         if let Some(known) = self.analysis.get() {
             return Some(known);
         }
@@ -256,7 +264,7 @@ impl Revision {
             None => RuleSettings::default(),
         };
         let before = self.latest().analysis.clone();
-        let analysis = Analysis::of(names, before.as_ref(), &rules, wanted)?;
+        let analysis = Analysis::of(context, before.as_ref(), &rules, wanted)?;
         self.latest().analysis = Some(analysis.clone());
         Some(self.analysis.get_or_init(|| analysis))
     }
@@ -284,7 +292,10 @@ impl Revision {
                         Some(place) => {
                             let (name, others) = place.neighbours.view(&place.path);
                             let rules = place.neighbours.rules(&place.path);
-                            analyze_with(parse, &name, &others, &rules)
+                            analyze(
+                                parse,
+                                AnalyzeOptions::new(&name).among(&others).with_rules(&rules),
+                            )
                         }
                         None => analyze(parse, self.name()),
                     }
@@ -350,7 +361,7 @@ impl Revision {
             return (analysis, linked);
         };
         let (name, others) = place.neighbours.view(&place.path);
-        let analysis = Arc::new(analyze_with(&parse, &name, &others, &RuleSettings::default()));
+        let analysis = Arc::new(analyze(&parse, AnalyzeOptions::new(&name).among(&others)));
         let linked = place.neighbours.link(&place.path, &analysis);
         (analysis, linked)
     }
@@ -363,7 +374,7 @@ impl Revision {
 
     /// The edits that bring the text into the layout that its workspace asks for.
     pub(crate) fn format(&self) -> Option<Vec<Edit>> {
-        Some(self.names()?.format(&self.format_options()))
+        Some(format(&self.context()?.parse, &self.format_options()))
     }
 
     /// The layout that its workspace asks for.
@@ -442,7 +453,7 @@ mod tests {
         let documents = Documents::default();
         let text = "+--[ ]( a )--( )( b )--+\n";
         let revision = documents.open_at("file:///a.clad", Kind::Program, 1, Encoding::Utf8, text, None);
-        assert_eq!(revision.names().unwrap().context().networks.len(), 1);
+        assert_eq!(revision.context().unwrap().networks.len(), 1);
         assert!(revision.analysis.get().is_none());
         assert!(revision.analysis().is_some());
     }
@@ -458,7 +469,7 @@ mod tests {
         let second = documents
             .change(uri, 2, &[crate::document::edit::Change::Whole(text.clone())])
             .unwrap();
-        assert!(first.names().is_some());
+        assert!(first.context().is_some());
         assert!(first.analysis_while(&|| shown(&first)).is_none());
         let found = |revision: &Revision| {
             let analysis = revision.analysis_while(&|| shown(revision)).unwrap();
@@ -473,11 +484,10 @@ mod tests {
     }
 
     /// A text, and which tags it names, how often, and whether it declares them.
-    fn said(names: &Names) -> (String, Vec<(String, usize, bool)>) {
-        let context = names.context();
+    fn said(context: &Context) -> (String, Vec<(String, usize, bool)>) {
         let tags = context.scopes[0].tags.iter();
         let tags = tags.map(|tag| (tag.name.to_string(), context.uses(tag).count(), tag.is_declared()));
-        (names.text(), tags.collect())
+        (context.parse.to_string(), tags.collect())
     }
 
     /// A text, and the same after an edit that has its names joined again.
@@ -503,13 +513,16 @@ mod tests {
             let documents = Documents::default();
             let [first, edited] = opened_and_edited(&documents);
             if known {
-                assert!(first.names().is_some());
+                assert!(first.context().is_some());
             }
             assert!(edited.analysis_while(&|| false).is_none());
-            assert!(edited.names.get().is_none() && edited.latest().names.is_some() == known);
+            assert!(edited.context.get().is_none() && edited.latest().context.is_some() == known);
             let uri = "file:///b.clad";
             let from_scratch = documents.open_at(uri, Kind::Program, 1, Encoding::Utf8, &edited.text(), None);
-            assert_eq!(said(edited.names().unwrap()), said(from_scratch.names().unwrap()));
+            assert_eq!(
+                said(edited.context().unwrap()),
+                said(from_scratch.context().unwrap())
+            );
             assert!(edited.analysis().is_some());
         }
     }
@@ -523,14 +536,14 @@ mod tests {
             // The text is no longer shown, and a request for its names comes in.
             let wanted = || {
                 if times.fetch_add(1, Ordering::Relaxed) == 0 {
-                    threads.spawn(|| assert!(edited.names().is_some()));
+                    threads.spawn(|| assert!(edited.context().is_some()));
                     while edited.waiting.load(Ordering::Relaxed) == 0 {
                         std::thread::yield_now();
                     }
                 }
                 false
             };
-            assert!(edited.names_while(&wanted).is_some());
+            assert!(edited.context_while(&wanted).is_some());
         });
         assert!(times.into_inner() > 0);
         assert_eq!(edited.waiting.load(Ordering::Relaxed), 0);

@@ -1,6 +1,5 @@
 //! What client and server agree on, once, at `initialize`.
 
-use serde_json::{Value, json};
 use tower_lsp::ls_types::{
     CodeActionOptions, CodeActionProviderCapability, DeclarationCapability, ExecuteCommandOptions,
     HoverProviderCapability, ImplementationProviderCapability, OneOf, PositionEncodingKind, SaveOptions,
@@ -125,13 +124,5 @@ fn on_type_formatting() -> DocumentOnTypeFormattingOptions {
     DocumentOnTypeFormattingOptions {
         first_trigger_character: triggers.next().unwrap_or_default(),
         more_trigger_character: Some(triggers.collect()),
-    }
-}
-
-/// Adds to the answer of `initialize` what the framework's types do not know yet: several ranges can be formatted at
-/// once (3.18).
-pub(crate) fn since_3_18(answer: &mut Value) {
-    if let Some(provider) = answer.pointer_mut("/capabilities/documentRangeFormattingProvider") {
-        *provider = json!({ "rangesSupport": true });
     }
 }

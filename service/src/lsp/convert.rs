@@ -2,13 +2,9 @@
 
 use std::str::FromStr;
 
-use tower_lsp::ls_types::{
-    Diagnostic, DiagnosticSeverity, DocumentChanges, NumberOrString, OneOf,
-    OptionalVersionedTextDocumentIdentifier, Position, Range, TextDocumentEdit, TextEdit, Uri, WorkspaceEdit,
-};
+use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString, Position, Range, TextEdit, Uri};
 
 use crate::document::{self, Revision};
-use crate::lsp::session::agreed::Agreed;
 use ladder_analysis::Severity;
 use ladder_format::Edit;
 use ladder_syntax::TextRange;
@@ -58,44 +54,6 @@ pub(crate) fn edits(revision: &Revision, edits: &[Edit]) -> Vec<TextEdit> {
             new_text: edit.text.clone(),
         })
         .collect()
-}
-
-/// The edits as a change of the workspace, bound to the version that they are for where the client can check
-/// that.
-pub(crate) fn workspace_edit(
-    agreed: Agreed,
-    revision: &Revision,
-    our_edits: &[Edit],
-) -> Option<WorkspaceEdit> {
-    let file = (
-        uri(&revision.uri)?,
-        Some(revision.version),
-        edits(revision, our_edits),
-    );
-    Some(edit_of_files(agreed, [file]))
-}
-
-/// Edits of files as a change of the workspace: each file with the version that its edits are for, if it is open, for clients
-/// that can check that.
-pub(crate) fn edit_of_files(
-    agreed: Agreed,
-    files: impl IntoIterator<Item = (Uri, Option<i32>, Vec<TextEdit>)>,
-) -> WorkspaceEdit {
-    let files = files.into_iter();
-    if !agreed.versioned_edits {
-        return WorkspaceEdit {
-            changes: Some(files.map(|(uri, _, edits)| (uri, edits)).collect()),
-            ..WorkspaceEdit::default()
-        };
-    }
-    let changes = files.map(|(uri, version, edits)| TextDocumentEdit {
-        text_document: OptionalVersionedTextDocumentIdentifier { uri, version },
-        edits: edits.into_iter().map(OneOf::Left).collect(),
-    });
-    WorkspaceEdit {
-        document_changes: Some(DocumentChanges::Edits(changes.collect())),
-        ..WorkspaceEdit::default()
-    }
 }
 
 /// How much a finding counts, as the protocol says it.

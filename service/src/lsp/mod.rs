@@ -26,8 +26,9 @@ mod documents;
 mod features;
 mod finding;
 mod markup;
+mod serve;
 mod session;
 pub(crate) mod transport;
 
+pub use serve::{Ended, Ending, serve};
 pub use transport::received::Received;
-pub use transport::serve::{Ended, Ending, serve};

@@ -13,8 +13,9 @@ use serde_json::Value;
 
 use crate::document::position::Range;
 
+pub use crate::lines::Lines;
 pub use debug::{Debug, Debugged, DebuggerMessage};
-pub use shown::{Contact, Found, Label, Lines, Operand, Search, Show, Shown, Side};
+pub use shown::{Contact, Found, Label, Operand, Search, Show, Shown, Side};
 pub use state::{Breakpoint, Fault, Hit, Lost, Power, ProgramChange, Role, State, Status, Tag};
 pub use trace::{Cursors, GoTo, Reach, Tick, Trace, TraceColumn, TraceTag, Traced, TracedKind};
 pub use why::{CauseKind, PassOrStop, Reading, Since, TagReason, Why, WriteReason};

@@ -4,4 +4,5 @@
 pub mod constants;
 pub mod generator;
 pub mod reference;
+pub mod running;
 pub mod runs;

@@ -26,7 +26,7 @@ mod settings;
 mod simulation;
 pub mod trace;
 
-pub use ladder_generator::{generator, reference, runs};
+pub use ladder_generator::{generator, reference, running, runs};
 
 /// A door by which input comes in.
 #[derive(Debug, Clone, Copy)]

@@ -2,7 +2,8 @@
 
 use crate::generator::Dice;
 use crate::generator::typed::{INPUTS, Typed};
-use crate::reference::{Boolean, Running};
+use crate::reference::Boolean;
+use crate::running::Running;
 use ladder_analysis::program::{ElementKind, Program, Role};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::{Value, wrap};

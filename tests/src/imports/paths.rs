@@ -70,9 +70,21 @@ fn is_word(token: &str) -> bool {
     token.starts_with(|c: char| c.is_alphabetic() || c == '_')
 }
 
+/// The names of modules in other files that are marked `#[cfg(test)]`.
+pub(super) fn test_modules(text: &str) -> Vec<String> {
+    let tokens = tokens(text);
+    let tokens: Vec<&str> = tokens.iter().map(String::as_str).collect();
+    let marked = tokens.windows(MARK.len() + 3).filter_map(|window| match window {
+        [mark @ .., "mod", name, ";"] if *mark == MARK => Some((*name).to_owned()),
+        _ => None,
+    });
+    marked.collect()
+}
+
+const MARK: [&str; 7] = ["#", "[", "cfg", "(", "test", ")", "]"];
+
 /// The tokens without items, fields and statements that are marked `#[cfg(test)]`.
 fn without_tests<'t>(tokens: &[&'t str]) -> Vec<&'t str> {
-    const MARK: [&str; 7] = ["#", "[", "cfg", "(", "test", ")", "]"];
     let mut kept = Vec::new();
     let mut at = 0;
     while at < tokens.len() {

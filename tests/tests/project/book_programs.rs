@@ -7,7 +7,7 @@
 //!
 //! `UPDATE_EXPECT=1 cargo test -p ladder-tests` writes the canonical layout into the pages.
 
-use ladder_analysis::{Others, RuleSettings, Severity, analyze, analyze_with};
+use ladder_analysis::{AnalyzeOptions, RuleSettings, Severity, analyze};
 use ladder_format::{Options, format_text};
 use ladder_syntax::parse;
 use ladder_tests::book::source;
@@ -47,9 +47,12 @@ fn programs_hold_no_errors() {
             let parse = Arc::new(parse(&fence.text));
             if fence.says("wrong") {
                 // Pages of rules that are off unless set show programs that only these find fault with.
-                if analyze_with(&parse, "program", &Others::alone(), &RuleSettings::everything())
-                    .diagnostics()
-                    .is_empty()
+                if analyze(
+                    &parse,
+                    AnalyzeOptions::new("program").with_rules(&RuleSettings::everything()),
+                )
+                .diagnostics()
+                .is_empty()
                 {
                     problems.push(format!("{place}: nothing is wrong"));
                 }

@@ -4,12 +4,11 @@
 mod pieces;
 
 use ladder_analysis::context::Context;
-use ladder_analysis::names::join::context_after;
 use ladder_analysis::names::scope::Scope;
 use ladder_analysis::networks::use_place::Use;
 use ladder_analysis::{
-    Analysis, Diagnostic, Exported, Exports, Level, RuleSettings, Severity, analyze_after, analyze_context,
-    analyze_with, exports,
+    Analysis, AnalyzeOptions, ContextOptions, Diagnostic, Exported, Exports, Level, RuleSettings, Severity,
+    analyze, context, exports,
 };
 use ladder_syntax::{Parse, TextRange, parse};
 use ladder_tests::generator::{Dice, Mode, program};
@@ -44,7 +43,13 @@ impl Files {
         });
         assert_eq!(parsed.to_string(), text);
         let known = before.as_ref().map(|before| &before.analysis);
-        let analysis = analyze_after(known, &parsed, name, &others, &self.settings);
+        let analysis = analyze(
+            &parsed,
+            AnalyzeOptions::new(name)
+                .among(&others)
+                .with_rules(&self.settings)
+                .after(known),
+        );
         let shown = Arc::new(Exports::of(&analysis.context, name));
         let concerned = before.is_none_or(|before| self.exported.concerns(&before.exports, &shown));
         let open = Open {
@@ -80,7 +85,13 @@ impl Files {
         for (name, open) in &mut self.open {
             let others = self.exported.others_of(name);
             let before = Some(&open.analysis);
-            open.analysis = analyze_after(before, &open.parse, name, &others, &self.settings);
+            open.analysis = analyze(
+                &open.parse,
+                AnalyzeOptions::new(name)
+                    .among(&others)
+                    .with_rules(&self.settings)
+                    .after(before),
+            );
         }
     }
 
@@ -96,15 +107,23 @@ impl Files {
         for (name, open) in &self.open {
             let others = exported.others_of(name);
             let kept = show(&open.analysis);
-            let names = context_after(Some(&open.analysis.context), &open.parse, name, &others);
-            let without = show(&analyze_context(None, Arc::new(names), &self.settings));
+            let options = ContextOptions::new(name, &others).after(Some(&open.analysis.context));
+            let context = Arc::new(context(&open.parse, options));
+            let rules = AnalyzeOptions::new(name).with_rules(&self.settings);
+            let without = rules.check_while(context, &|| true).expect("it is wanted");
+            let without = show(&without);
             assert_eq!(
                 here(&kept),
                 here(&without),
                 "{name} with a memo, of\n{}",
                 self.texts()
             );
-            let scratch = show(&analyze_with(&fresh[name], name, &others, &self.settings));
+            let scratch = show(&analyze(
+                &fresh[name],
+                AnalyzeOptions::new(name)
+                    .among(&others)
+                    .with_rules(&self.settings),
+            ));
             assert_eq!(
                 here(&kept),
                 here(&scratch),

@@ -4,7 +4,7 @@
 //!
 //! A failure names the seed. `GENERATED_PROGRAMS=5000 cargo test -p ladder-tests refactorings` tries more.
 
-use ladder_analysis::networks::facts::NodeKind;
+use ladder_analysis::written::facts::NodeKind;
 use ladder_analysis::{Analysis, analyze};
 use ladder_format::{Options, apply, format_text};
 use ladder_ide::{Action, ActionKind, refactorings};

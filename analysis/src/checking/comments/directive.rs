@@ -2,8 +2,8 @@
 
 use crate::asked::{Asked, asked};
 use crate::findings::diagnostic::Diagnostic;
+use crate::findings::did_you_mean::closest;
 use crate::findings::rule::Rule;
-use crate::names::did_you_mean::closest;
 use crate::profile;
 use crate::program::UnreadDirective;
 use crate::rules;

@@ -7,10 +7,10 @@ mod unread_names;
 
 use scope::{Allow, Directives, directives, idle_words};
 
-use crate::context::Context;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::rule::Rule;
 use crate::findings::rule_settings::RuleSettings;
+use crate::names::context::Context;
 use crate::rules::suppression_unused;
 use ladder_syntax::{TextRange, TextSize};
 use switches::Switches;

@@ -3,9 +3,9 @@
 use super::directive::{self, Directive, Word};
 use super::unread_names::unknown_names;
 use crate::asked::may_ask;
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::Rule;
+use crate::names::context::Context;
 use crate::networks::NetworkAt;
 use ladder_syntax::wiring::{PartKind, RungPart};
 use ladder_syntax::{LineKind, NodeOrToken, Part, TextRange, TextSize};

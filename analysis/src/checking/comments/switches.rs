@@ -1,8 +1,8 @@
 //! Which findings comments hide, found without asking every comment about every finding.
 
 use super::scope::Allow;
-use crate::context::Context;
 use crate::findings::rule::Rule;
+use crate::names::context::Context;
 use std::collections::BTreeMap;
 use std::ops::Range;
 

@@ -1,6 +1,6 @@
 //! What the list of an unread part names that is no tag (LANGUAGE §5.9).
 
-use crate::context::Context;
+use crate::names::context::Context;
 use crate::names::scope::{Scope, type_by_form};
 use crate::networks::network::{BoundBlock, Meaning};
 use crate::program::{Unread, root_of};

@@ -1,8 +1,8 @@
 //! What an unread part may call: the blocks and functions of its file that its text names, and what those name. With another text of
 //! one of them it is another part.
 
-use crate::networks::user_block::UserBlockFacts;
 use crate::program::without_blanks;
+use crate::written::user_block::UserBlockFacts;
 use ladder_syntax::{Parse, Structure};
 use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
 use std::hash::{Hash, Hasher};
@@ -137,7 +137,7 @@ fn words(text: &str) -> impl Iterator<Item = String> {
 
 #[cfg(test)]
 mod tests {
-    use crate::context::Context;
+    use crate::names::context::Context;
 
     /// The texts of the unread parts of a program.
     fn texts(program: &str) -> Vec<String> {

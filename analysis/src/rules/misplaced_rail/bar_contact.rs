@@ -4,9 +4,9 @@
 
 use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
 use crate::findings::excerpt::{columns, text};
-use crate::networks::facts::BlockFacts;
 use crate::rules::bad_arity::PLACEHOLDER;
 use crate::rules::form::Form;
+use crate::written::facts::BlockFacts;
 use ladder_format::Edit;
 use ladder_instructions::{Shape, known_elsewhere, lookup};
 use ladder_syntax::wiring::{BarContact, PartKind};

@@ -2,8 +2,8 @@
 
 use super::Side;
 use super::completion::{NEAR, Row};
-use crate::context::Context;
 use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
+use crate::names::context::Context;
 use crate::networks::neighbours::{rung_above, rung_below};
 use ladder_format::Edit;
 use ladder_syntax::wiring::PartKind;

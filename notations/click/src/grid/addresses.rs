@@ -3,8 +3,8 @@
 use super::super::address::{Address, Tag, Which};
 use super::super::bank::Bank;
 use super::super::model::{Nickname, Program};
-use super::super::read_back::python_name;
 use super::super::uses::{What, uses};
+use crate::python_name::python_name;
 use ladder_notation::Report;
 use std::collections::{HashMap, HashSet};
 

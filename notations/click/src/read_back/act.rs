@@ -8,6 +8,7 @@ use crate::bank::Bank;
 use crate::model::{
     Action, Coil, Condition, Constant, CopyOptions, CounterKind, Instruction, Operand, Shift, TimerKind,
 };
+use crate::python_name::python_name;
 use ladder_analysis::program::{Argument, Block, BlockKind, Bound, ExprKind, Place, TagId};
 use ladder_instructions::Op;
 
@@ -228,9 +229,7 @@ impl Back<'_> {
                         .functions
                         .get(number)
                         .map(|function| function.name.as_str());
-                    alone(Instruction::Call(super::meaning::python_name(
-                        name.ok_or_else(unknown)?,
-                    )))
+                    alone(Instruction::Call(python_name(name.ok_or_else(unknown)?)))
                 }
                 _ => Err(unknown()),
             },

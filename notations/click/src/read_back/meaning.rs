@@ -4,6 +4,7 @@ use super::super::address::{Address, Tag, Which};
 use super::super::bank::{Bank, Kind};
 use super::super::model::{Action, Constant, Instruction, Nickname, Operand, Program};
 use super::super::operand::shortest;
+use super::super::python_name::python_name;
 use super::super::ranges::is_of_blocks;
 use ladder_analysis::program::{self as ladder, Role, TagId};
 use ladder_analysis::values::types::{Scalar, Type};
@@ -153,31 +154,12 @@ fn initial(value: &Value, kind: Kind) -> Option<Constant> {
     }
 }
 
-/// Words that are not names in Python.
-const KEYWORDS: &[&str] = &[
-    "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue", "def",
-    "del", "elif", "else", "except", "finally", "for", "from", "global", "if", "import", "in", "is",
-    "lambda", "nonlocal", "not", "or", "pass", "raise", "return", "try", "while", "with", "yield",
-];
-
 /// A nickname as Python can hold it.
 fn pythonic(tag: Tag) -> Tag {
     match &tag.which {
         Which::Nickname(name) => Tag::nickname(tag.bank, python_name(name)),
         Which::Number(_) => tag,
     }
-}
-
-/// A name as Python can hold it: a keyword gets a `_` after it, a blank becomes one.
-pub(in super::super) fn python_name(name: &str) -> String {
-    let mut name: String = name
-        .chars()
-        .map(|c| if c.is_alphanumeric() { c } else { '_' })
-        .collect();
-    if KEYWORDS.contains(&name.as_str()) {
-        name.push('_');
-    }
-    name
 }
 
 /// Takes out the copies between timers and counters and the arrays that hold what they do: in Click they are one.

@@ -21,7 +21,6 @@ use ladder_analysis::program::{Location, Program, TagId};
 use ladder_notation::{LineColumn, Lines, Report, WriteError};
 use ladder_syntax::TextRange;
 use meaning::Meaning;
-pub(super) use meaning::python_name;
 use std::collections::HashMap;
 
 /// What is worked with while networks become rungs.

@@ -6,6 +6,7 @@ use super::value::Refusal;
 use super::{Above, Back, pin_of_register, text};
 use crate::dsl;
 use crate::model::{Action, Bits, Condition, Contact, ContactKind, Instruction, Program, Routine, Rung};
+use crate::python_name::python_name;
 use ladder_analysis::program::{Block, Network};
 use ladder_format::Circuit;
 use ladder_instructions::Op;
@@ -78,7 +79,7 @@ impl Back<'_> {
             let begins = self.program.networks.get(function.networks.start);
             begins.is_some_and(|network| network.location.file == 0 && network.location.range.contains(start))
         })?;
-        Some(super::meaning::python_name(&own.name))
+        Some(python_name(&own.name))
     }
 
     fn network(&mut self, network: &Network, said: Vec<String>, routine: &mut Routine) {

@@ -5,7 +5,7 @@ use crate::elements::{Call, blocks, change, series};
 use crate::items::{block_name, trim, without};
 use crate::{Notation, Source};
 use ladder_analysis::Analysis;
-use ladder_analysis::names::system_tag::SystemTag;
+use ladder_analysis::program::SystemTag;
 use ladder_format::Options;
 use ladder_format::program::{Block, Declaration, Item, Path, ProgramSketch, SectionKind, Step};
 use ladder_syntax::Name;

@@ -12,8 +12,8 @@ use super::unit::Unit;
 use crate::graph::{Edge, End, Kind, Modifier, Storage};
 use crate::own;
 use ladder_analysis::networks::BlockAt;
-use ladder_analysis::networks::facts::{Node, NodeKind};
 use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Program};
+use ladder_analysis::written::facts::{Node, NodeKind};
 use ladder_instructions::{Instruction, Op};
 
 /// What is a fault in ladder text.

@@ -26,10 +26,10 @@ use super::shared;
 use declare::Source;
 use faces::{Broken, Face, Faces, Parameter};
 use ladder_analysis::context::Body;
-use ladder_analysis::names::system_tag::SystemTag;
 use ladder_analysis::networks::network::Meaning;
 use ladder_analysis::program::Program;
-use ladder_analysis::{Analysis, analyze_in};
+use ladder_analysis::program::SystemTag;
+use ladder_analysis::{Analysis, AnalyzeOptions, analyze};
 use ladder_instructions::Profile;
 use ladder_notation::{
     LineColumn, Report, Unwritable, WriteError, Writing, no_program, refuse_unread, with_blocks_alone,
@@ -203,7 +203,7 @@ fn with_all_blocks(analysis: &Analysis, program: &Program, text: &str) -> Option
     }
     more.push_str("END_VAR\n");
     let parse = Arc::new(ladder_syntax::parse(&more));
-    let analysis = analyze_in(&parse, &context.name, &context.others);
+    let analysis = analyze(&parse, AnalyzeOptions::new(&context.name).among(&context.others));
     analysis.program().is_some().then_some(analysis)
 }
 

@@ -2,7 +2,7 @@
 
 use super::unit::Unit;
 use ladder_analysis::context::Body;
-use ladder_analysis::names::system_tag::SystemTag;
+use ladder_analysis::program::SystemTag;
 
 /// The key of a system tag among the names of a unit.
 pub(super) fn key(tag: SystemTag) -> String {

@@ -3,10 +3,10 @@
 use super::names::{Names, identifier};
 use super::system;
 use crate::own;
-use ladder_analysis::networks::facts::{Node, NodeKind, Operator};
 use ladder_analysis::program::{BinaryOperator, Expr, ExprKind, Member, Place, SystemTag, UnaryOperator};
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::{Value, real_text};
+use ladder_analysis::written::facts::{Node, NodeKind, Operator};
 use ladder_instructions::Op;
 use ladder_syntax::{TextRange, TextSize};
 

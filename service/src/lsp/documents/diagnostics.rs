@@ -107,10 +107,10 @@ fn refresh_others(shared: &Arc<Shared>, paths: &[impl AsRef<Path>], but: Option<
 
 /// Looks once more at the open documents whose findings name places in a file: they are others now.
 fn refresh_related(shared: &Arc<Shared>, revision: &Revision) {
-    let (Some(place), Some(names)) = (revision.place(), revision.names()) else {
+    let (Some(place), Some(context)) = (revision.place(), revision.context()) else {
         return;
     };
-    let file = &names.context().name;
+    let file = &context.name;
     let all = shared.documents.all();
     let related: Vec<_> = all.iter().filter(|other| other.relates_to(file)).collect();
     if related.is_empty() {

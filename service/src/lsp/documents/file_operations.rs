@@ -20,8 +20,8 @@ use crate::document::Revision;
 use crate::document::address::{path_of, uri_of};
 use crate::document::membership::Membership;
 use crate::lsp::session::agreed::Reported;
+use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
-use crate::lsp::{convert, session::shared::Shared};
 
 pub(crate) fn created(shared: &Arc<Shared>, params: &CreateFilesParams) {
     let paths = params.files.iter().filter_map(|file| path_of(&file.uri));
@@ -172,7 +172,7 @@ fn edit_of(shared: &Shared, changes: &[(Arc<Revision>, Edit)]) -> Option<Workspa
     let agreed = shared.agreed();
     let mut whole = WorkspaceEdit::default();
     for (revision, edit) in changes {
-        let one = convert::workspace_edit(agreed, revision, std::slice::from_ref(edit))?;
+        let one = agreed.workspace_edit(revision, std::slice::from_ref(edit))?;
         if let Some(changes) = one.changes {
             whole.changes.get_or_insert_default().extend(changes);
         }

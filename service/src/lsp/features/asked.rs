@@ -9,7 +9,6 @@ use tower_lsp::ls_types::{Location, Position, Range, TextDocumentPositionParams,
 
 use crate::document::Revision;
 use crate::document::other_files::{FileText, OtherFiles};
-use crate::language::Names;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
 use ladder_analysis::context::Context;
@@ -40,14 +39,14 @@ pub(crate) async fn about<T: Send + 'static>(
     uri: &Uri,
     job: impl FnOnce(&Asked) -> Option<T> + Send + 'static,
 ) -> Result<Option<T>> {
-    about_names(shared, uri, |revision| Some((revision.names()?, true)), job).await
+    about_context(shared, uri, |revision| Some((revision.context()?, true)), job).await
 }
 
-/// As [`about`], with these names.
-async fn about_names<T: Send + 'static>(
+/// As [`about`], with this context.
+async fn about_context<T: Send + 'static>(
     shared: &Arc<Shared>,
     uri: &Uri,
-    names: fn(&Revision) -> Option<(&Names, bool)>,
+    context: fn(&Revision) -> Option<(&Arc<Context>, bool)>,
     job: impl FnOnce(&Asked) -> Option<T> + Send + 'static,
 ) -> Result<Option<T>> {
     let Some(revision) = shared.documents.get(uri.as_str()) else {
@@ -57,8 +56,8 @@ async fn about_names<T: Send + 'static>(
     let (documents, companions) = (Arc::clone(&shared.documents), Arc::clone(&shared.companions));
     blocking(&*shared.host, move |cancel| {
         let elsewhere = OtherFiles::of(&revision, &documents, &companions, cancel);
-        let (names, knows_others) = names(&revision)?;
-        let context = Arc::clone(names.context());
+        let (context, knows_others) = context(&revision)?;
+        let context = Arc::clone(context);
         job(&Asked {
             revision,
             context,
@@ -88,10 +87,10 @@ pub(crate) async fn about_place_first<T: Send + 'static>(
     place: TextDocumentPositionParams,
     job: impl FnOnce(&Asked, TextSize) -> Option<T> + Send + 'static,
 ) -> Result<Option<T>> {
-    about_names(
+    about_context(
         shared,
         &place.text_document.uri,
-        Revision::first_names,
+        Revision::first_context,
         move |asked| job(asked, asked.offset(place.position)),
     )
     .await

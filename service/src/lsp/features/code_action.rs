@@ -133,7 +133,7 @@ pub(crate) async fn resolve(shared: &Arc<Shared>, mut action: CodeAction) -> Res
 fn asked(shared: &Shared, revision: &Arc<Revision>, cancel: &Cancel) -> Option<Asked> {
     Some(Asked {
         revision: Arc::clone(revision),
-        context: Arc::clone(revision.names()?.context()),
+        context: Arc::clone(revision.context()?),
         elsewhere: OtherFiles::of(revision, &shared.documents, &shared.companions, cancel),
         knows_others: true,
         opens_library: shared.agreed().library_blocks,

@@ -31,7 +31,7 @@ pub(crate) async fn code_lens(shared: &Arc<Shared>, params: CodeLensParams) -> R
         return Ok(None);
     };
     blocking(&*shared.host, move |_| {
-        let found = revision.names()?.lenses();
+        let found = ladder_ide::lenses(revision.context()?);
         let mut lenses = Vec::new();
         for lens in found {
             let range = convert::range_in(&revision, lens.at);

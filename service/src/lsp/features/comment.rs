@@ -8,10 +8,10 @@ use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
 use crate::document::Revision;
+use crate::lines::Lines;
 use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
-use crate::simulation::messages::Lines;
 use crate::simulation::{Failure, argument_of};
 use crate::typing_messages::{EditedDrawing, Replacement, ToggleComment};
 

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use ladder_analysis::context::Context;
 use ladder_ide::{Completion, CompletionKind, Profile, Topic};
 use ladder_syntax::{TextRange, TextSize};
 use ladder_workspace::is_program;
@@ -16,7 +17,6 @@ use tower_lsp::ls_types::{
 
 use super::of_scenarios::{about_scenarios, scenarios_at};
 use crate::document::Revision;
-use crate::language::Names;
 use crate::lsp::session::commands::CUT;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, markup, session::agreed::Agreed, session::shared::Shared};
@@ -53,14 +53,14 @@ pub(crate) async fn completion(
     };
     let next_to = Arc::clone(shared);
     blocking(&*shared.host, move |_| {
-        let names = revision.names()?;
+        let context = revision.context()?;
         let offset = revision.offset(convert::our_position(place.position));
-        let found = names.completions(offset, trigger);
+        let found = ladder_ide::completions(context, offset, trigger);
         let mut proposed = Proposed::new(agreed, &revision, offset);
         let items = found.items.into_iter().map(|item| {
             let documentation = agreed
                 .documented_at_once
-                .then(|| card(agreed, &revision, names, &item.topic))
+                .then(|| card(agreed, &revision, context, &item.topic))
                 .flatten();
             CompletionItem {
                 documentation,
@@ -100,8 +100,8 @@ async fn in_scenarios(
                 )),
                 (topic, Some(program)) => program
                     .revision
-                    .names()
-                    .and_then(|names| card(agreed, &program.revision, names, topic)),
+                    .context()
+                    .and_then(|context| card(agreed, &program.revision, context, topic)),
                 _ => None,
             };
             CompletionItem {
@@ -293,14 +293,14 @@ async fn documentation(shared: &Arc<Shared>, data: Value) -> Result<Option<Docum
     };
     let agreed = shared.agreed();
     blocking(&*shared.host, move |_| {
-        card(agreed, &revision, revision.names()?, &topic)
+        card(agreed, &revision, revision.context()?, &topic)
     })
     .await
 }
 
 /// What a topic of a text is documented by.
-fn card(agreed: Agreed, revision: &Revision, names: &Names, topic: &Topic) -> Option<Documentation> {
-    let card = names.documentation(topic)?;
+fn card(agreed: Agreed, revision: &Revision, context: &Context, topic: &Topic) -> Option<Documentation> {
+    let card = ladder_ide::documentation(context, topic)?;
     Some(markup::documentation(
         agreed.completion_markdown,
         markup::linked(card, &revision.uri),

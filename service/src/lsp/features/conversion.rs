@@ -7,7 +7,7 @@ use tower_lsp::ls_types::{CodeAction, CodeActionDisabled, CodeActionKind};
 use crate::document::Revision;
 use crate::language::Analysis;
 use crate::lsp::finding::Findings;
-use crate::lsp::{convert, session::agreed::Agreed};
+use crate::lsp::session::agreed::Agreed;
 
 /// The action for a text in the draft, with its edit; none in a build that does not read the draft.
 pub(super) fn action(agreed: Agreed, revision: &Revision, analysis: &Analysis) -> Option<CodeAction> {
@@ -27,7 +27,7 @@ pub(super) fn action(agreed: Agreed, revision: &Revision, analysis: &Analysis) -
     Some(match conversion {
         Ok(fix) => CodeAction {
             is_preferred: Some(fix.is_safe()),
-            edit: convert::workspace_edit(agreed, revision, &fix.edits),
+            edit: agreed.workspace_edit(revision, &fix.edits),
             ..action
         },
         Err(reason) => CodeAction {

@@ -41,14 +41,13 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
         return Err(error(failed("this document is not open as a ladder program")));
     };
     let edited = blocking(&*shared.host, move |_| {
-        let names = revision.names();
-        let (Some(names), Some(analysis)) = (names, revision.analysis()) else {
+        let Some(analysis) = revision.analysis() else {
             return Err(failed("the file is too large"));
         };
         let (start, end) = (revision.offset(range.start), revision.offset(range.end));
         let range = TextRange::new(start.min(end), end.max(start));
         let options = revision.format_options();
-        let text = names.text();
+        let text = analysis.whole().context.parse.to_string();
         let done = redraw(analysis.whole(), &text, range, redraw_of(edit), &options).map_err(failed)?;
         let cursor = done.cursor.map(|at| {
             let new = Rope::from(ladder_format::apply(&text, &done.edits));

@@ -23,7 +23,7 @@ pub(crate) async fn inlay_hint(
         let range = convert::our_range(params.range);
         let (start, end) = (revision.offset(range.start), revision.offset(range.end));
         let within = TextRange::new(start.min(end), start.max(end));
-        let found = revision.names()?.inlays(within).into_iter();
+        let found = ladder_ide::inlays(revision.context()?, within).into_iter();
         let hints = found.map(|inlay| InlayHint {
             position: convert::range_in(&revision, TextRange::empty(inlay.at)).start,
             label: InlayHintLabel::String(inlay.label),

@@ -130,7 +130,7 @@ impl NamedProgram {
 
 fn program(shared: &Shared, revision: &Revision, suite: &Suite, cancel: &Cancel) -> Option<Asked> {
     let program = NamedProgram::of(shared, revision, suite).ok()?.revision;
-    let context = Arc::clone(program.names()?.context());
+    let context = Arc::clone(program.context()?);
     let elsewhere = OtherFiles::of(&program, &shared.documents, &shared.companions, cancel);
     Some(Asked {
         revision: program,

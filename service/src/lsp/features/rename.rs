@@ -100,7 +100,7 @@ pub(super) fn edit(
     let files = changes
         .into_iter()
         .map(|(uri, open, edits)| (uri, open.map(|it| it.version), edits));
-    (convert::edit_of_files(agreed, files), open)
+    (agreed.edit_of_files(files), open)
 }
 
 fn refused(why: RenameRefused) -> Error {

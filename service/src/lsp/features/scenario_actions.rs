@@ -81,10 +81,11 @@ fn counterexamples(
             },
             kind: Some(CodeActionKind::QUICKFIX),
             diagnostics: property.is_refuted().then(|| vec![violated(property)]),
-            edit: Some(convert::edit_of_files(
-                shared.agreed(),
-                [(uri, Some(asked.revision.version), vec![edit])],
-            )),
+            edit: Some(
+                shared
+                    .agreed()
+                    .edit_of_files([(uri, Some(asked.revision.version), vec![edit])]),
+            ),
             ..CodeAction::default()
         })
     };
@@ -225,7 +226,7 @@ fn proposed(agreed: Agreed, found: Vec<Exclusive>, file: &Target, program: &str)
 fn edit_of(agreed: Agreed, file: &Target, edit: TextEdit) -> Option<WorkspaceEdit> {
     let uri: Uri = convert::uri(&file.uri)?;
     if file.text.is_some() {
-        return Some(convert::edit_of_files(agreed, [(uri, file.version, vec![edit])]));
+        return Some(agreed.edit_of_files([(uri, file.version, vec![edit])]));
     }
     let create = CreateFile {
         uri: uri.clone(),

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use ladder_ide::{Modifiers, Token, TokenKind};
+use ladder_ide::{Modifiers, Token, TokenKind, semantic_tokens, semantic_tokens_of};
 use ladder_syntax::TextRange;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
@@ -96,20 +96,21 @@ async fn tokens(
     };
     let several_lines = shared.agreed().multiline_tokens;
     blocking(&*shared.host, move |_| {
-        let names = revision.names()?;
+        let context = revision.context()?;
         let encode = |tokens: &[Token]| encoded(&revision, tokens, several_lines);
         let Some(range) = range else {
-            let lines = names.context().parse.lines().len();
+            let lines = context.parse.lines().len();
             let firsts: Vec<usize> = (0..lines).step_by(STRETCH).collect();
             let stretches = in_parallel::map(&firsts, |&first| {
-                Some(encode(
-                    &names.semantic_tokens_of(first..lines.min(first + STRETCH)),
-                ))
+                Some(encode(&semantic_tokens_of(
+                    context,
+                    first..lines.min(first + STRETCH),
+                )))
             });
             return Some(joined(stretches));
         };
         let (start, end) = (revision.offset(range.start), revision.offset(range.end));
-        let tokens = names.semantic_tokens(TextRange::new(start.min(end), start.max(end)));
+        let tokens = semantic_tokens(context, Some(TextRange::new(start.min(end), start.max(end))));
         Some(joined(vec![encode(&tokens)]))
     })
     .await

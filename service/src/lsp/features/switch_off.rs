@@ -47,10 +47,7 @@ impl SettingsText {
             range: convert::range(position::range(&rope, agreed.encoding, edit.range.into())),
             new_text: edit.text,
         };
-        Some(convert::edit_of_files(
-            agreed,
-            [(self.uri.clone(), self.version, vec![edit])],
-        ))
+        Some(agreed.edit_of_files([(self.uri.clone(), self.version, vec![edit])]))
     }
 }
 

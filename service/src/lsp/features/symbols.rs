@@ -144,11 +144,11 @@ pub(crate) async fn symbols(
             }
             seen.insert(Arc::clone(&revision.uri));
             seen.extend(elsewhere.open().map(|other| Arc::clone(&other.uri)));
-            let Some(names) = revision.names() else {
+            let Some(context) = revision.context() else {
                 continue;
             };
             let asked = Asked {
-                context: Arc::clone(names.context()),
+                context: Arc::clone(context),
                 revision,
                 elsewhere,
                 knows_others: true,

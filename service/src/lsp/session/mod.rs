@@ -9,3 +9,4 @@ pub(crate) mod proofs;
 pub(crate) mod shared;
 pub(crate) mod tokens_sent;
 pub(crate) mod typing;
+mod workspace_edit;

@@ -15,6 +15,7 @@ use std::task::{Poll, Waker};
 
 use futures::FutureExt;
 use futures::future::BoxFuture;
+use serde_json::json;
 use tower::Service;
 use tower_lsp::ExitedError;
 use tower_lsp::jsonrpc::{Error, Request, Response};
@@ -22,7 +23,6 @@ use tower_lsp::jsonrpc::{Error, Request, Response};
 use super::answered::{Left, handle};
 use super::blocking::internal_error;
 use super::misread::misread;
-use crate::lsp::capabilities::since_3_18;
 use crate::lsp::session::outbox::Outbox;
 use crate::signal::Signal;
 
@@ -161,10 +161,14 @@ enum LifeStage {
     Other,
 }
 
+/// The answer of `initialize` with what the framework's types do not know yet: several ranges can be formatted at once (3.18).
 fn with_newer_capabilities(answer: Response) -> Response {
     let (id, mut body) = answer.into_parts();
-    if let Ok(result) = &mut body {
-        since_3_18(result);
+    let ranges = body.as_mut().ok();
+    let ranges =
+        ranges.and_then(|result| result.pointer_mut("/capabilities/documentRangeFormattingProvider"));
+    if let Some(provider) = ranges {
+        *provider = json!({ "rangesSupport": true });
     }
     Response::from_parts(id, body)
 }
@@ -203,7 +207,7 @@ fn without_params(request: Request) -> Request {
 mod tests {
     use std::time::Duration;
 
-    use serde_json::{Value, json};
+    use serde_json::Value;
     use tower_lsp::ls_types::{Hover, HoverParams, InitializeParams, InitializeResult};
     use tower_lsp::{LanguageServer, LspService, jsonrpc};
 

@@ -7,7 +7,6 @@
 //! - [`misread`]: a notification that makes no sense is logged.
 //! - [`guard`]: each request gets exactly one answer, also after a panic; what comes after `initialize` waits for it.
 //! - [`answered`]: what is to come after an answer does come after it; an answer of megabytes is made into text once.
-//! - [`serve`]: messages are taken up in their order, and written one after the other; how the process ends.
 //! - [`blocking`]: long work keeps no message waiting, ends when it is cancelled, and answers when it panics.
 
 pub(crate) mod answered;
@@ -15,5 +14,4 @@ pub(crate) mod blocking;
 pub(crate) mod guard;
 mod misread;
 pub(crate) mod received;
-pub(crate) mod serve;
 mod surrogates;

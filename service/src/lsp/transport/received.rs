@@ -15,10 +15,10 @@ use super::surrogates::replace_lone_surrogates;
 
 /// What the client has sent.
 #[derive(Debug)]
-pub struct Received(pub(super) Kind);
+pub struct Received(pub(in crate::lsp) Kind);
 
 #[derive(Debug)]
-pub(super) enum Kind {
+pub(in crate::lsp) enum Kind {
     /// A request, or a notification.
     Request(Request),
     /// The answer to a request of the server.

@@ -1,5 +1,6 @@
 //! What a client shows of a program, and what it is sent of that.
 
+use crate::lines::Lines;
 use serde::{Deserialize, Serialize};
 
 use super::{Tag, is_false};
@@ -15,16 +16,6 @@ pub struct Shown {
     /// Tags next to those that these lines name.
     #[serde(default)]
     pub tags: Vec<String>,
-}
-
-/// Lines that follow one another.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
-pub struct Lines {
-    /// The first of them, from 0.
-    pub first: u32,
-    /// The last of them, which belongs to them.
-    pub last: u32,
 }
 
 /// The argument of `ladder.simulate.show`: all that is shown, in the place of what was shown before.

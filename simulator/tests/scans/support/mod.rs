@@ -2,7 +2,7 @@
 #![allow(dead_code, reason = "each test file takes what it needs")]
 
 use ladder_analysis::program::Program;
-use ladder_analysis::{Exported, NotWhole, analyze, analyze_in, exports, link};
+use ladder_analysis::{AnalyzeOptions, Exported, NotWhole, analyze, exports, link};
 use ladder_simulator::value_text::{cell, parse};
 use ladder_simulator::{Options, Simulation};
 use ladder_syntax as syntax;
@@ -39,7 +39,10 @@ pub(crate) fn linked(files: &[(&str, &str)]) -> Result<Arc<Program>, NotWhole> {
     let exported = Arc::new(Exported::new(summaries.collect()));
     let analysis = |wanted: &str| {
         let (name, parse) = parsed.iter().find(|(name, _)| *name == wanted)?;
-        Some(Arc::new(analyze_in(parse, name, &exported.others_of(name))))
+        Some(Arc::new(analyze(
+            parse,
+            AnalyzeOptions::new(name).among(&exported.others_of(name)),
+        )))
     };
     let own = analysis(files[0].0).expect("the first file is one of them");
     link(&own, &analysis)

@@ -5,14 +5,10 @@
 //! compared with it.
 
 mod boolean;
-mod changed;
-mod initial;
 mod reader;
-mod typed;
 
 pub use boolean::{Boolean, Contact};
 pub use reader::{networks, rung};
-pub use typed::Running;
 
 /// A thing on a line of a network.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -8,7 +8,7 @@ mod use_of_blocks;
 use crate::tested::Tested;
 use expect_test::expect_file;
 use ladder_analysis::library::SOURCES;
-use ladder_analysis::{analyze, networks::user_block::Parameter};
+use ladder_analysis::{analyze, written::user_block::Parameter};
 use ladder_format::{Options, format_text};
 use ladder_simulator::coverage::Coverage;
 use ladder_simulator::scenario;

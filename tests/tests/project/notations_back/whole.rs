@@ -3,7 +3,7 @@
 
 use super::says::{Says, networks};
 use super::tables::{PLCOPEN, SIMATIC};
-use ladder_analysis::{Analysis, Exported, analyze_in, exports, link_files};
+use ladder_analysis::{Analysis, AnalyzeOptions, Exported, analyze, exports, link_files};
 use ladder_format::Options;
 use ladder_invariants::generator::Dice;
 use ladder_invariants::trace::{Stimulus, compile, next_to, programs_next_to};
@@ -19,7 +19,10 @@ fn linked(files: &[(&str, &str)]) -> Analysis {
     let exported = Arc::new(Exported::new(summaries.collect()));
     let analysis = |wanted: &str| {
         let (name, parse) = parsed.iter().find(|(name, _)| *name == wanted)?;
-        Some(Arc::new(analyze_in(parse, name, &exported.others_of(name))))
+        Some(Arc::new(analyze(
+            parse,
+            AnalyzeOptions::new(name).among(&exported.others_of(name)),
+        )))
     };
     let own = analysis(files[0].0).expect("the first file is one of them");
     let linked = link_files(&own, &analysis).unwrap_or_else(|why| panic!("{why:?} {:#?}", own.diagnostics()));

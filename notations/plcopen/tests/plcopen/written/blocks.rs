@@ -2,7 +2,7 @@
 
 use super::check;
 use expect_test::expect;
-use ladder_analysis::{Exported, analyze, analyze_in, exports, link_files};
+use ladder_analysis::{AnalyzeOptions, Exported, analyze, exports, link_files};
 use ladder_notation::Notation;
 use ladder_notation_plcopen::Plcopen;
 use std::sync::Arc;
@@ -339,7 +339,10 @@ fn globals_of_another_file_begin_as_they_do_there() {
         Arc::new(exports(&of(globals), "globals.clad")),
     ]);
     let others = Arc::new(shown).others_of("plant.clad");
-    let own = Arc::new(analyze_in(&of(program), "plant.clad", &others));
+    let own = Arc::new(analyze(
+        &of(program),
+        AnalyzeOptions::new("plant.clad").among(&others),
+    ));
     let linked = link_files(&own, &|_| Some(Arc::new(analyze(&of(globals), "globals.clad"))));
     let own = own.with_others(linked.expect("the program is whole"));
     let writing = Plcopen.write(&own).expect("it can be written");

@@ -4,7 +4,7 @@
 //! itself follows from its lines, and from the signatures of the user-defined blocks that it holds. So two texts are compared line by line: those that both
 //! begin with, and those that both end with.
 
-use crate::context::Context;
+use crate::names::context::Context;
 use crate::networks::network::{NetworkFacts, UserBlocks};
 use ladder_syntax::{Network, Parse, Structure};
 use std::borrow::Cow;

@@ -1,9 +1,9 @@
 //! Definitions of user-defined blocks: name, shape, parameters (LANGUAGE §5.7).
 
-use crate::names::type_spec::Declared;
-use crate::other_files::import::Import;
 use crate::program::{ParameterKind, Unread};
 use crate::values::types::Type;
+use crate::written::import::Import;
+use crate::written::type_spec::Declared;
 use ladder_instructions::Shape;
 use ladder_syntax::{Name, TextRange};
 use rustc_hash::FxHasher;

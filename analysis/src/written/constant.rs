@@ -1,12 +1,12 @@
 //! Constants: literals brought to the type that their place asks for, and initial values.
 
 use crate::findings::article::with_article;
-use crate::names::did_you_mean::closest;
-use crate::networks::facts::{Node, NodeKind, Operator};
+use crate::findings::did_you_mean::closest;
 use crate::values::compound::{Compound, EnumId};
 use crate::values::literal::{Literal, LiteralProblem};
 use crate::values::types::{Scalar, Type, passes};
 use crate::values::value::{Value, wrap};
+use crate::written::facts::{Node, NodeKind, Operator};
 use ladder_syntax::{Name, TextRange, TextSize};
 
 /// What is wrong with a value.

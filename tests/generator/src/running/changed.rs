@@ -1,6 +1,6 @@
 //! A running program that is changed: what has the same path keeps its value where its type allows, all else starts as it is declared.
 
-use super::typed::{Running, Value};
+use super::{Running, Value};
 use crate::generator::typed::{Ty, Typed};
 
 impl Running {

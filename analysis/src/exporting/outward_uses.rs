@@ -1,17 +1,17 @@
 //! What the networks of a file do with names that it does not hold itself.
 
-use super::outward::{Outward, TagUse};
-use crate::context::Context;
+use crate::names::context::Context;
 use crate::names::scope::{Origin, SectionKind, TagFacts, type_by_form};
 use crate::networks::NetworkAt;
-use crate::networks::access::Access;
 use crate::networks::control_flow::ControlFlow;
-use crate::networks::facts::NodeKind;
 use crate::networks::named::Named;
 use crate::networks::network::Meaning;
 use crate::networks::unread_line::identifiers;
 use crate::networks::use_kind::Extent;
+use crate::other_files::outward::{Outward, TagUse};
+use crate::program::Access;
 use crate::program::{Unread, root_of};
+use crate::written::facts::NodeKind;
 use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Name, Part};
 use rustc_hash::{FxHashMap, FxHashSet};

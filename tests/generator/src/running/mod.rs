@@ -1,8 +1,11 @@
 //! Programs with types of their own, evaluated a second time: a tag is a tree of values here, not a row of columns, and a path is
 //! walked from its root.
 
-use super::initial::initial;
+mod changed;
+mod initial;
+
 use crate::generator::typed::{Act, CELL, Index, POKED, Path, Span, Step, Ty, Typed};
+use initial::initial;
 use std::collections::BTreeMap;
 
 /// A value with its parts.

@@ -12,9 +12,9 @@ use serde_json::value::RawValue;
 use tower_lsp::LspService;
 use tower_lsp::jsonrpc::{Id, Response};
 
-use super::answered::Left;
-use super::guard::Guard;
-use super::received::{Kind, Received};
+use super::transport::answered::Left;
+use super::transport::guard::Guard;
+use super::transport::received::{Kind, Received};
 use crate::busy::Busy;
 use crate::host::Host;
 use crate::lsp::backend::Backend;

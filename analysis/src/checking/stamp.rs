@@ -1,7 +1,7 @@
 //! A number for each network that stands for all that its tags add to what is found in it. While the number is the
 //! same, and the lines are, so are the findings.
 
-use crate::context::Context;
+use crate::names::context::Context;
 use crate::names::scope::{Origin, TagFacts};
 use crate::networks::NetworkAt;
 use crate::values::value::Value;

@@ -1,13 +1,14 @@
 //! A program of several files: the file itself, and of others the functions and blocks that it reaches.
 
-use crate::analyze::Analysis;
-use crate::context::Body;
-use crate::library;
-use crate::other_files::targets::{Target, targets};
+use crate::analyze::{Analysis, AnalyzeOptions, analyze};
+use crate::library::{self, SOURCES};
+use crate::names::context::Body;
 use crate::program::Program;
+use crate::resolve::targets::{Target, targets};
 use crate::resolve::{self, numbers::Unit};
+use ladder_syntax::parse;
 use rustc_hash::{FxHashMap, FxHashSet};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Why a file has no program that can run.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -34,6 +35,19 @@ impl Analysis {
     pub fn with_others(&self, linked: Linked) -> Analysis {
         self.with_files(linked.program, linked.others)
     }
+}
+
+/// The analysis of a file of the library.
+pub fn library_analysis(file: &str) -> Option<Arc<Analysis>> {
+    static ANALYSES: [OnceLock<Arc<Analysis>>; SOURCES.len()] = [const { OnceLock::new() }; SOURCES.len()];
+    let source = library::source(file)?;
+    let number = SOURCES.iter().position(|other| other == source)?;
+    let analyse = || {
+        let others = library::offered().others_of(file);
+        let options = AnalyzeOptions::new(file).among(&others);
+        Arc::new(analyze(&Arc::new(parse(source.text)), options))
+    };
+    Some(Arc::clone(ANALYSES[number].get_or_init(analyse)))
 }
 
 /// The bodies that are reached in each file, by its name.
@@ -167,7 +181,7 @@ impl Reached {
         if let Some(&file) = self.by_name.get(name) {
             return Ok(file);
         }
-        let found = library::analysis(name).or_else(|| analysis(name));
+        let found = library_analysis(name).or_else(|| analysis(name));
         let found = found.ok_or_else(|| NotWhole::Missing(Arc::clone(name)))?;
         if found.has_errors() {
             return Err(NotWhole::Errors(Arc::clone(name)));

@@ -1,6 +1,6 @@
 //! Jumps out of the bodies of `<$B>` blocks, to labels around their places.
 
-use crate::context::Context;
+use crate::names::context::Context;
 use ladder_instructions::{Op, Shape};
 use ladder_syntax::{Name, TextRange};
 use std::sync::Arc;

@@ -4,7 +4,7 @@ use ladder_syntax::{is_declaration_keyword, is_reserved, is_type_keyword};
 
 /// What would have the name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Place {
+pub(crate) enum Place {
     Tag,
     /// A tag of a block's body.
     BlockTag,
@@ -16,7 +16,7 @@ pub(super) enum Place {
 }
 
 /// Why a name may not be declared.
-pub(super) fn refused_name(text: &str, place: Place) -> Option<String> {
+pub(crate) fn refused_name(text: &str, place: Place) -> Option<String> {
     let is_word = is_reserved(text) || is_declaration_keyword(text);
     if is_word && !(place == Place::Member && is_type_keyword(text)) {
         return Some(format!("`{text}` is a word of the language: choose another name"));

@@ -1,9 +1,9 @@
 //! What the bodies of a file use: functions and blocks, its own and those of other files.
 
-use crate::context::{Body, Callee, Context};
-use crate::networks::facts::NodeKind;
+use crate::names::context::{Body, Callee, Context};
 use crate::networks::network::Meaning;
-use crate::other_files::import::Import;
+use crate::written::facts::NodeKind;
+use crate::written::import::Import;
 use ladder_instructions::Op;
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;

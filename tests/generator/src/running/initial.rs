@@ -1,6 +1,6 @@
 //! What tags start with: an initial value takes the place of the declared one as a whole, and what it leaves out has its type's own.
 
-use super::typed::Value;
+use super::Value;
 use crate::generator::typed::{Declared, Initial, Ty, Typed};
 
 /// What a tag or member starts with.

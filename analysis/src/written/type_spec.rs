@@ -2,11 +2,11 @@
 //! this is what one file shows to the others.
 
 use super::refused_name::{Place, refused_name};
-use crate::names::did_you_mean;
-use crate::networks::facts::{self, Node};
+use crate::findings::did_you_mean;
 use crate::values::literal::{Literal, literal};
 use crate::values::types::{Scalar, Type};
 use crate::values::value::Value;
+use crate::written::facts::{self, Node};
 use ladder_instructions::StateType;
 use ladder_syntax::ast::{AstNode, Bound, Expression, TypeRef};
 use ladder_syntax::{Name, SyntaxKind, TextRange, TextSize};

@@ -1,20 +1,22 @@
 //! From a file to what it shows to the others.
 
-use super::exports::{ExportedBlock, ExportedFunction, Exports, Global};
-use super::others::Others;
-use super::outward_uses;
-use crate::context::{Body, Context};
+pub(crate) mod outward_jumps;
+mod outward_uses;
+
+use crate::names::context::{Body, Context};
 use crate::names::scope::{Origin, Scope, SectionKind};
 use crate::names::skeleton::skeleton;
 use crate::names::uses;
-use crate::networks::facts::{Node, NodeKind};
 use crate::networks::network::Formal;
-use crate::networks::outward_jumps::outward_jumps;
 use crate::networks::use_kind::Extent;
-use crate::networks::user_block::UserBlockFacts;
+use crate::other_files::exports::{ExportedBlock, ExportedFunction, Exports, Global};
+use crate::other_files::others::Others;
 use crate::still_wanted::StillWanted;
+use crate::written::facts::{Node, NodeKind};
+use crate::written::user_block::UserBlockFacts;
 use ladder_instructions::Accepts;
 use ladder_syntax::{Name, Parse, TextRange};
+use outward_jumps::outward_jumps;
 use rustc_hash::FxHashSet;
 use std::sync::Arc;
 
