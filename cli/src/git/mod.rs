@@ -4,8 +4,29 @@ pub(crate) mod objects;
 pub(crate) mod revision;
 
 use crate::outcome::Failure;
+use objects::Objects;
+use std::cell::{RefCell, RefMut};
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
+
+/// The repository around the current folder. Its objects are opened when one is first asked for.
+#[derive(Default)]
+pub(crate) struct Git(RefCell<Option<Objects>>);
+
+impl Git {
+    /// Its objects.
+    ///
+    /// # Errors
+    /// There is no git.
+    pub(crate) fn objects(&self) -> Result<RefMut<'_, Objects>, Failure> {
+        let mut objects = self.0.borrow_mut();
+        let open = match objects.take() {
+            Some(open) => open,
+            None => Objects::open()?,
+        };
+        Ok(RefMut::map(objects, |objects| objects.insert(open)))
+    }
+}
 
 /// A command of git in a folder, which runs no hook and no program of the repository's settings, asks nobody, and fetches nothing.
 pub(crate) fn command(folder: &Path) -> Command {

@@ -2,7 +2,7 @@
 
 use super::side::{File, Place};
 use crate::findings::Source;
-use crate::git::objects::Objects;
+use crate::git::Git;
 use crate::git::revision::Revision;
 use crate::outcome::Failure;
 use ladder_analysis::analyze;
@@ -16,8 +16,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// The workspaces of one side, each read once.
-#[derive(Default)]
-pub(super) struct Around {
+pub(super) struct Around<'g> {
+    git: &'g Git,
     /// What the other side is, where that is on the disk: the programs of this side do not see it.
     apart: Option<PathBuf>,
     /// Where its file is taken to be.
@@ -42,19 +42,21 @@ struct At {
     seen: Seen,
 }
 
-impl Around {
+impl<'g> Around<'g> {
     /// Those of the side that is compared with `other`; its file is taken to be at `among`, if that is said.
-    pub(super) fn new(other: &Path, among: Option<&Path>) -> Around {
+    pub(super) fn new(other: &Path, among: Option<&Path>, git: &'g Git) -> Around<'g> {
         Around {
+            git,
             apart: other.canonicalize().ok(),
             among: among.map(Path::to_owned),
-            ..Around::default()
+            revisions: HashMap::new(),
+            workspaces: HashMap::new(),
         }
     }
 
     /// What tells the programs around a file from others.
-    pub(super) fn content(&mut self, file: &File, objects: &mut Option<Objects>) -> Result<u64, Failure> {
-        Ok(self.at(file, objects)?.map_or(0, |at| at.seen.content))
+    pub(super) fn content(&mut self, file: &File) -> Result<u64, Failure> {
+        Ok(self.at(file)?.map_or(0, |at| at.seen.content))
     }
 
     /// The entries of a text, and the program that it is with its other files. Where these do not fit together (copies of one
@@ -63,10 +65,9 @@ impl Around {
         &mut self,
         file: &File,
         text: &str,
-        objects: &mut Option<Objects>,
     ) -> Result<Outline, Failure> {
         let parse = || Arc::new(ladder_syntax::parse(text));
-        let Some(At { path, seen }) = self.at(file, objects)? else {
+        let Some(At { path, seen }) = self.at(file)? else {
             let alone = analyze(&parse(), &file.name);
             let program = alone.program().cloned().ok_or_else(|| "has errors".to_owned());
             return Ok(Outline::among(alone.context, program, BTreeMap::new()));
@@ -98,7 +99,7 @@ impl Around {
     }
 
     /// Where a file is. None: in no workspace that can be used.
-    fn at(&mut self, file: &File, objects: &mut Option<Objects>) -> Result<Option<At>, Failure> {
+    fn at(&mut self, file: &File) -> Result<Option<At>, Failure> {
         if let Some(path) = self.among.clone() {
             return Ok(self.on_disk(&path));
         }
@@ -108,7 +109,7 @@ impl Around {
                 revision: Some(revision),
                 path,
                 ..
-            } => self.in_revision(revision, path, objects),
+            } => self.in_revision(revision, path),
             Place::Git { .. } => Ok(None),
         }
     }
@@ -140,11 +141,10 @@ impl Around {
         &mut self,
         name: &str,
         path: &str,
-        objects: &mut Option<Objects>,
     ) -> Result<Option<At>, Failure> {
         let revision = match self.revisions.entry(name.to_owned()) {
             Entry::Occupied(entry) => entry.into_mut(),
-            Entry::Vacant(entry) => entry.insert(Revision::read(name, super::side::open(objects)?).ok()),
+            Entry::Vacant(entry) => entry.insert(Revision::read(name, &mut *self.git.objects()?).ok()),
         };
         let Some(revision) = revision else { return Ok(None) };
         let Some(path) = revision.path(path) else {
@@ -155,7 +155,7 @@ impl Around {
         let seen = match self.workspaces.entry(key) {
             Entry::Occupied(entry) => entry.get().clone(),
             Entry::Vacant(entry) => {
-                let workspace = revision.workspace(&path, super::side::open(objects)?)?;
+                let workspace = revision.workspace(&path, &mut *self.git.objects()?)?;
                 entry
                     .insert(workspace.map(|workspace| Seen::new(folder, workspace)))
                     .clone()

@@ -3,26 +3,26 @@
 mod around;
 mod json;
 mod pairs;
+mod read;
 mod same;
 mod settings;
 mod side;
 
-use crate::git::objects::Objects;
+use crate::git::Git;
 use crate::outcome::{Failure, Outcome};
 use crate::output::{Existing, Output, may_write};
 use crate::terminal::stdout_has_colours;
 use anstyle::{AnsiColor, Style};
-use around::Around;
 use clap::{Args, ValueEnum};
-use ladder_review::rename::{Rename, renamed};
 use ladder_review::report::text::{Line, LineKind};
 use ladder_review::report::{Compared, html, markdown, text};
 use ladder_review::whole::Whole;
 use ladder_review::{Limits, Outline, compare_renamed};
 use ladder_workspace::{is_program, shown};
-use pairs::{Pair, pairs};
+use pairs::pairs;
+use read::{Program, Read};
 use settings::SettingsDiff;
-use side::{File, Side};
+use side::Side;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -135,12 +135,6 @@ impl Arguments {
     }
 }
 
-/// A program that is compared, by the name of its file.
-struct Program {
-    name: String,
-    outline: Outline,
-}
-
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if let Some(file) = &arguments.write {
         if file == Path::new("-") {
@@ -148,49 +142,25 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         }
         may_write(file, Existing::by(arguments.force))?;
     }
-    let mut objects = None;
+    let git = Git::default();
     let side = |argument| Ok::<_, Failure>(Side::of(argument)?.named(arguments.among.as_deref()));
-    let pairs = pairs(side(&arguments.old)?, side(&arguments.new)?, &mut objects)?;
-    let mut sides = Sides::new(arguments);
-    let mut programs = Vec::new();
-    let mut settings = Vec::new();
+    let pairs = pairs(side(&arguments.old)?, side(&arguments.new)?, &git)?;
+    let mut read = Read::new(arguments, &git);
     for pair in &pairs {
-        let (old, new) = (pair.old.as_ref(), pair.new.as_ref());
-        let mut bytes = |file: Option<&File>| file.map(|file| file.bytes(&mut objects)).transpose();
-        let (old_bytes, new_bytes) = (bytes(old)?, bytes(new)?);
-        let is_same = old_bytes == new_bytes;
-        if is_same && !pair.renamed && !sides.others_differ(pair, &mut objects)? {
-            continue;
-        }
-        let mut text = |file: Option<&File>, bytes: Option<Vec<u8>>| -> Result<Option<String>, Failure> {
-            let both = file.zip(bytes);
-            both.map(|(file, bytes)| file.text(bytes, &mut objects))
-                .transpose()
-        };
-        let (old_text, new_text) = (text(old, old_bytes)?, text(new, new_bytes)?);
-        if pair.is_settings() {
-            let named = |file: Option<&File>, text: Option<String>| Some((file?.name.clone(), text?));
-            settings.extend(SettingsDiff::new(named(old, old_text), named(new, new_text)));
-            continue;
-        }
-        let was = old;
-        let mut old = program(&mut sides.old, was, old_text, &mut objects)?;
-        let new = program(&mut sides.new, new, new_text, &mut objects)?;
-        let renames = match (was, &mut old, &new) {
-            (Some(file), Some(old), Some(new)) => {
-                give_new_names(&mut sides.old, file, old, new, &mut objects)?
-            }
-            _ => Vec::new(),
-        };
-        programs.push((old, new, pair.renamed, renames));
+        read.add(pair)?;
     }
+    let Read { programs, settings, .. } = read;
     let nothing = Outline::of_text("", "");
     let outline = |program| Option::map_or(program, &nothing, |program: &Program| &program.outline);
-    let compared = programs.iter().map(|(old, new, renamed, renames)| Compared {
-        old: old.as_ref().map(|program| program.name.as_str()),
-        new: new.as_ref().map(|program| program.name.as_str()),
-        renamed: *renamed,
-        comparison: compare_renamed(outline(old.as_ref()), outline(new.as_ref()), renames.clone()),
+    let compared = programs.iter().map(|both| Compared {
+        old: both.old.as_ref().map(|program| program.name.as_str()),
+        new: both.new.as_ref().map(|program| program.name.as_str()),
+        renamed: both.renamed,
+        comparison: compare_renamed(
+            outline(both.old.as_ref()),
+            outline(both.new.as_ref()),
+            both.renames.clone(),
+        ),
     });
     let mut compared: Vec<Compared<'_>> = compared.filter(Compared::is_different).collect();
     // In a file of another system a value is what the tag held when the file was saved.
@@ -245,64 +215,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     out.finish()?;
     Ok(outcome)
-}
-
-/// What the programs of both sides see of others.
-struct Sides {
-    old: Around,
-    new: Around,
-}
-
-impl Sides {
-    fn new(arguments: &Arguments) -> Sides {
-        Sides {
-            old: Around::new(&arguments.new, arguments.among.as_deref()),
-            new: Around::new(&arguments.old, arguments.among.as_deref()),
-        }
-    }
-
-    /// Whether the programs around a file are not the same on both sides.
-    fn others_differ(&mut self, pair: &Pair, objects: &mut Option<Objects>) -> Result<bool, Failure> {
-        let (Some(old), Some(new), true) = (&pair.old, &pair.new, pair.is_program()) else {
-            return Ok(false);
-        };
-        Ok(self.old.content(old, objects)? != self.new.content(new, objects)?)
-    }
-}
-
-fn program(
-    around: &mut Around,
-    file: Option<&File>,
-    text: Option<String>,
-    objects: &mut Option<Objects>,
-) -> Result<Option<Program>, Failure> {
-    let Some((file, text)) = file.zip(text) else {
-        return Ok(None);
-    };
-    Ok(Some(Program {
-        name: file.name.clone(),
-        outline: around.outline(file, &text, objects)?,
-    }))
-}
-
-/// Gives what was renamed its new name in the old program, and says what that is.
-fn give_new_names(
-    around: &mut Around,
-    file: &File,
-    old: &mut Program,
-    new: &Program,
-    objects: &mut Option<Objects>,
-) -> Result<Vec<Rename>, Failure> {
-    let Some(renamed) = renamed(&old.outline, &new.outline) else {
-        return Ok(Vec::new());
-    };
-    let outline = around.outline(file, &renamed.text, objects)?;
-    // Another file may use the old name.
-    if old.outline.runs() && !outline.runs() {
-        return Ok(Vec::new());
-    }
-    old.outline = outline;
-    Ok(renamed.renames)
 }
 
 /// Writes a report. What turns the order of letters is written out in a file as well: a reader is to see what changed.

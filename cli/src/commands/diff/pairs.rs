@@ -1,7 +1,7 @@
 //! Which files are compared with which.
 
 use super::side::{self, File, Side};
-use crate::git::objects::Objects;
+use crate::git::Git;
 use crate::outcome::Failure;
 use ladder_workspace::is_program;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -25,7 +25,7 @@ const ALIKE: f64 = 0.5;
 ///
 /// # Errors
 /// One is a file and the other a folder, or a file cannot be read.
-pub(super) fn pairs(old: Side, new: Side, objects: &mut Option<Objects>) -> Result<Vec<Pair>, Failure> {
+pub(super) fn pairs(old: Side, new: Side, git: &Git) -> Result<Vec<Pair>, Failure> {
     let pair = |old, new| Pair {
         old,
         new,
@@ -37,7 +37,7 @@ pub(super) fn pairs(old: Side, new: Side, objects: &mut Option<Objects>) -> Resu
         (Side::File(old), Side::Nothing) => Ok(vec![pair(Some(old), None)]),
         (Side::Nothing, Side::Nothing) => Ok(Vec::new()),
         (Side::Folder(mut old), Side::Folder(mut new)) => {
-            let mut former = renamed(&old, &new, objects)?;
+            let mut former = renamed(&old, &new, git)?;
             let taken: BTreeSet<String> = former.values().cloned().collect();
             let names: BTreeSet<String> = old.keys().chain(new.keys()).cloned().collect();
             let names = names.into_iter().filter(|name| !taken.contains(name));
@@ -77,7 +77,7 @@ impl Pair {
 fn renamed(
     old: &BTreeMap<String, File>,
     new: &BTreeMap<String, File>,
-    objects: &mut Option<Objects>,
+    git: &Git,
 ) -> Result<HashMap<String, String>, Failure> {
     let only = |one: &BTreeMap<String, File>, other: &BTreeMap<String, File>| -> Vec<String> {
         let names = one.keys().filter(|name| !other.contains_key(*name));
@@ -90,10 +90,10 @@ fn renamed(
     if gone.is_empty() || added.is_empty() || gone.len() * added.len() > MOST_PAIRS {
         return Ok(HashMap::new());
     }
-    let mut contents = |names: &[String], files: &BTreeMap<String, File>| -> Result<Vec<_>, Failure> {
+    let contents = |names: &[String], files: &BTreeMap<String, File>| -> Result<Vec<_>, Failure> {
         let contents = names
             .iter()
-            .map(|name| Ok(Lines::of(&files[name].bytes(objects)?)));
+            .map(|name| Ok(Lines::of(&files[name].bytes(git)?)));
         contents.collect()
     };
     let (gone_lines, added_lines) = (contents(&gone, old)?, contents(&added, new)?);

@@ -2,6 +2,7 @@
 
 use crate::findings::Source;
 use crate::form::{self, Form};
+use crate::git::Git;
 use crate::git::objects::{self, Object, Objects};
 use crate::git::revision::parts;
 use crate::outcome::Failure;
@@ -146,10 +147,10 @@ impl File {
     ///
     /// # Errors
     /// It cannot be read.
-    pub(super) fn bytes(&self, objects: &mut Option<Objects>) -> Result<Vec<u8>, Failure> {
+    pub(super) fn bytes(&self, git: &Git) -> Result<Vec<u8>, Failure> {
         match &self.place {
             Place::Disk(path) => Ok(ladder_workspace::read_bytes(path)?),
-            Place::Git { object, .. } => match open(objects)?.read(object)? {
+            Place::Git { object, .. } => match git.objects()?.read(object)? {
                 Object::File(bytes) => Ok(bytes),
                 Object::Folder(_) => Err(Failure::new(format!("{}: this is a folder", self.name))),
             },
@@ -160,14 +161,14 @@ impl File {
     ///
     /// # Errors
     /// It is no program.
-    pub(super) fn text(&self, bytes: Vec<u8>, objects: &mut Option<Objects>) -> Result<String, Failure> {
+    pub(super) fn text(&self, bytes: Vec<u8>, git: &Git) -> Result<String, Failure> {
         let path = Path::new(&self.name);
         match &self.place {
             Place::Disk(path) => Ok(Source::of_bytes(path, bytes, None)?.text),
             Place::Git { object: name, .. } => match form::of_program(path, &bytes)? {
                 Form::Ladder => Ok(ladder_workspace::decode(path, bytes)?),
                 Form::Foreign(notation) => {
-                    let companions = companions(notation, name, open(objects)?)?;
+                    let companions = companions(notation, name, &mut *git.objects()?)?;
                     let stem = path.file_stem().map(OsStr::to_string_lossy);
                     let source = ladder_notations::Source {
                         name: stem.unwrap_or_default(),
@@ -180,13 +181,6 @@ impl File {
                 }
             },
         }
-    }
-}
-
-pub(super) fn open(objects: &mut Option<Objects>) -> Result<&mut Objects, Failure> {
-    match objects {
-        Some(open) => Ok(open),
-        None => Ok(objects.insert(Objects::open()?)),
     }
 }
 
