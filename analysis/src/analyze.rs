@@ -7,7 +7,7 @@ use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::Severity;
 use crate::findings::rule_settings::RuleSettings;
 use crate::names::context::Context;
-use crate::names::join::{ContextOptions, context};
+use crate::names::join;
 use crate::other_files::others::Others;
 use crate::program::Program;
 use crate::resolve::{self, Resolved, numbers::Unit};
@@ -115,57 +115,69 @@ impl Analysis {
     }
 }
 
-/// How a file is analysed.
+/// How a file is read and analysed. Its name alone is enough for one that is alone.
 #[derive(Clone, Copy)]
 pub struct AnalyzeOptions<'a> {
     name: &'a str,
     others: Option<&'a Others>,
     rules: Option<&'a RuleSettings>,
-    before: Option<&'a Analysis>,
+    known: Option<&'a Context>,
+    memo: Option<&'a Memo>,
 }
 
 impl<'a> AnalyzeOptions<'a> {
-    /// Alone, with all rules at their defaults. `name` is how messages of a running program call it.
+    /// Alone, with all rules at their defaults. `name` is how messages call the file.
     pub fn new(name: &'a str) -> AnalyzeOptions<'a> {
         AnalyzeOptions {
             name,
             others: None,
             rules: None,
-            before: None,
+            known: None,
+            memo: None,
         }
     }
 
     /// Among the others of its workspace, whose [`Exports`](crate::Exports) go by the same names.
     #[must_use]
-    pub fn among(self, others: &'a Others) -> AnalyzeOptions<'a> {
-        AnalyzeOptions {
-            others: Some(others),
-            ..self
-        }
+    pub fn among(mut self, others: &'a Others) -> AnalyzeOptions<'a> {
+        self.others = Some(others);
+        self
     }
 
     /// With settings of the rules.
     #[must_use]
-    pub fn with_rules(self, rules: &'a RuleSettings) -> AnalyzeOptions<'a> {
-        AnalyzeOptions {
-            rules: Some(rules),
-            ..self
-        }
+    pub fn with_rules(mut self, rules: &'a RuleSettings) -> AnalyzeOptions<'a> {
+        self.rules = Some(rules);
+        self
     }
 
     /// For a text that came from another one by edits: what both have is taken over from the analysis of the earlier one. What
     /// comes out does not depend on it.
     #[must_use]
-    pub fn after(self, before: Option<&'a Analysis>) -> AnalyzeOptions<'a> {
-        AnalyzeOptions { before, ..self }
+    pub fn after(mut self, before: Option<&'a Analysis>) -> AnalyzeOptions<'a> {
+        self.memo = before.map(|before| &before.memo);
+        self.after_context(before.map(|before| &*before.context))
     }
 
-    /// Looks for what is wrong in a file whose names, networks and blocks are known, while `wanted` holds: that is asked between
-    /// each [`BETWEEN`](crate::BETWEEN) networks or tags. None once it does not.
+    /// As [`AnalyzeOptions::after`], where only names, networks and blocks of the earlier text are known.
+    #[must_use]
+    pub fn after_context(mut self, before: Option<&'a Context>) -> AnalyzeOptions<'a> {
+        self.known = before;
+        self
+    }
+
+    /// As [`context()`], while `wanted` holds: that is asked between each [`BETWEEN`](crate::BETWEEN) networks, tags or
+    /// declarations. None once it does not.
+    pub fn context_while(self, parse: &Arc<Parse>, wanted: &dyn Fn() -> bool) -> Option<Context> {
+        let alone = Others::alone();
+        let others = self.others.unwrap_or(&alone);
+        join::read(parse, self.name, others, self.known, &StillWanted::new(wanted))
+    }
+
+    /// Looks for what is wrong in a file whose context is known, while `wanted` holds. None once it does not.
     pub fn check_while(self, context: Arc<Context>, wanted: &dyn Fn() -> bool) -> Option<Analysis> {
         let (no_memo, defaults) = (Memo::default(), RuleSettings::default());
-        let memo = self.before.map_or(&no_memo, |before| &before.memo);
-        let rules = self.rules.unwrap_or(&defaults);
+        let (memo, rules) = (self.memo.unwrap_or(&no_memo), self.rules.unwrap_or(&defaults));
         let found = checking::find(memo, &context, rules, &StillWanted::new(wanted))?;
         Some(Analysis {
             context,
@@ -179,21 +191,22 @@ impl<'a> AnalyzeOptions<'a> {
     }
 }
 
-impl<'a, Name: AsRef<str> + ?Sized> From<&'a Name> for AnalyzeOptions<'a> {
-    fn from(name: &'a Name) -> AnalyzeOptions<'a> {
+impl<'a, T: AsRef<str> + ?Sized> From<&'a T> for AnalyzeOptions<'a> {
+    fn from(name: &'a T) -> AnalyzeOptions<'a> {
         AnalyzeOptions::new(name.as_ref())
     }
 }
 
-/// Analyses a file. With its name alone as the options it is one that is alone.
+const ALWAYS: &str = "it is always wanted";
+
+/// Reads a file's names, networks and blocks.
+pub fn context<'a>(parse: &Arc<Parse>, options: impl Into<AnalyzeOptions<'a>>) -> Context {
+    options.into().context_while(parse, &|| true).expect(ALWAYS)
+}
+
+/// Analyses a file.
 pub fn analyze<'a>(parse: &Arc<Parse>, options: impl Into<AnalyzeOptions<'a>>) -> Analysis {
     let options = options.into();
-    let alone = Others::alone();
-    let others = options.others.unwrap_or(&alone);
-    let known = options.before.map(|before| &*before.context);
-    let context = context(parse, ContextOptions::new(options.name, others).after(known));
-    match options.check_while(Arc::new(context), &|| true) {
-        Some(analysis) => analysis,
-        None => unreachable!("it is always wanted"),
-    }
+    let context = Arc::new(context(parse, options));
+    options.check_while(context, &|| true).expect(ALWAYS)
 }

@@ -51,7 +51,7 @@ mod still_wanted;
 pub mod values;
 pub mod written;
 
-pub use analyze::{Analysis, AnalyzeOptions, analyze};
+pub use analyze::{Analysis, AnalyzeOptions, analyze, context};
 pub use boolean::formula::{Formulas, formulas};
 pub use checking::keep_nearest;
 pub use cplc_draft::is_cplc_draft;
@@ -65,7 +65,6 @@ pub use findings::rule_settings::{Level, RuleSettings};
 pub use link::{Linked, NotWhole, library_analysis, link, link_files};
 pub use names::context;
 pub use names::infer::member as state_member;
-pub use names::join::{ContextOptions, context};
 pub use networks::access_kind::AccessKind;
 pub use other_files::exports::{ExportedBlock, ExportedFunction, Exports, Global};
 pub use other_files::others::{Exported, Others};

@@ -35,7 +35,7 @@ impl<'a> StillWanted<'a> {
 #[cfg(test)]
 mod tests {
     use super::BETWEEN;
-    use crate::{AnalyzeOptions, ContextOptions, Others, analyze, context};
+    use crate::{AnalyzeOptions, Others, analyze, context};
     use ladder_syntax::parse;
     use std::cell::Cell;
     use std::fmt::Write as _;
@@ -61,8 +61,7 @@ mod tests {
             Some(known) => Arc::new(known.parse.updated(&known.parse.to_string(), text)),
             None => read(text),
         };
-        let options = ContextOptions::new("main.clad", &others).after(known);
-        let context = Arc::new(context(&parsed, options));
+        let context = Arc::new(context(&parsed, alone.after(before.as_ref())));
         let asked = Cell::new(0);
         let wanted = || {
             asked.set(asked.get() + 1);
@@ -75,7 +74,7 @@ mod tests {
     /// Whether the names of a text are joined, and how often it was asked whether that is wanted: so often the answer is yes.
     fn joined(before: Option<&str>, text: &str, patience: usize) -> (bool, usize) {
         let others = Others::default();
-        let options = ContextOptions::new("main.clad", &others);
+        let options = AnalyzeOptions::new("main.clad").among(&others);
         let before = before.map(|before| context(&Arc::new(parse(before)), options));
         let parsed = Arc::new(match &before {
             Some(before) => before.parse.updated(&before.parse.to_string(), text),
@@ -86,7 +85,9 @@ mod tests {
             asked.set(asked.get() + 1);
             asked.get() <= patience
         };
-        let context = options.after(before.as_ref()).read_while(&parsed, &wanted);
+        let context = options
+            .after_context(before.as_ref())
+            .context_while(&parsed, &wanted);
         (context.is_some(), asked.get())
     }
 

@@ -2,10 +2,9 @@
 
 use crate::canonical;
 use crate::outline::{Entry, Kind, Outline};
-use ladder_analysis::Others;
+use ladder_analysis::context;
 use ladder_analysis::context::Context;
 use ladder_analysis::networks::{BlockAt, NetworkAt};
-use ladder_analysis::{ContextOptions, context};
 use ladder_format::{Options, display_width, format_text};
 use ladder_syntax::SyntaxKind::{BOM, COMMENT, NEWLINE, STRING, WHITESPACE};
 use ladder_syntax::wiring::{self, PartKind};
@@ -126,7 +125,7 @@ impl Sheet {
             ..Options::default()
         };
         let text = format_text(text, &options);
-        let context = context(&Arc::new(parse(&text)), ContextOptions::new("", &Others::alone()));
+        let context = context(&Arc::new(parse(&text)), "");
         let pieces = elements(&context);
         Sheet { text, pieces }
     }

@@ -3,10 +3,10 @@
 
 use crate::canonical::Canonical;
 use crate::reader::entries;
+use ladder_analysis::context;
 use ladder_analysis::context::Context;
 use ladder_analysis::program::{Program, unread_name};
-use ladder_analysis::{AnalyzeOptions, NotWhole, Others};
-use ladder_analysis::{ContextOptions, context};
+use ladder_analysis::{AnalyzeOptions, NotWhole};
 use ladder_syntax::{Name, TextRange, TextSize};
 use std::cell::OnceCell;
 use std::collections::{BTreeMap, HashMap};
@@ -162,10 +162,7 @@ impl Outline {
     /// Reads the entries of a text that uses no other file.
     pub fn of_text(name: &str, text: &str) -> Outline {
         let parse = Arc::new(ladder_syntax::parse(text));
-        Outline::new(Arc::new(context(
-            &parse,
-            ContextOptions::new(name, &Others::alone()),
-        )))
+        Outline::new(Arc::new(context(&parse, name)))
     }
 
     /// Reads the entries of a program among others: `program` is what runs, or why nothing does (`has errors`), and `files` are

@@ -3,9 +3,8 @@
 
 use std::sync::Arc;
 
-use ladder_analysis::Others;
+use ladder_analysis::context;
 use ladder_analysis::networks::BlockAt;
-use ladder_analysis::{ContextOptions, context};
 use ladder_ide::{Modifiers, Token, TokenKind, semantic_tokens};
 use ladder_instructions::Shape;
 use ladder_picture::{Options, Theme, scene, svg};
@@ -63,7 +62,7 @@ pub(crate) fn draw(fence: &Fence) -> Option<DrawnFence> {
         return None;
     }
     let parse = Arc::new(ladder_syntax::parse(text));
-    let context = context(&parse, ContextOptions::new("fence.clad", &Others::alone()));
+    let context = context(&parse, "fence.clad");
     let mut words = Vec::new();
     let mut at = 0;
     let mut piece = |range: std::ops::Range<usize>, kind: &str| {

@@ -11,6 +11,7 @@
 
 use crate::code::{BlockPlace, Code, Instr, Record};
 use crate::memory::{Bit, Memory};
+use crate::uses::{Access, Cell};
 
 /// Where the power of an element is found after a scan of fused code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,7 +59,12 @@ pub(crate) fn fuse(plain: &Code, mut temporary: Vec<bool>, memory: &mut Memory) 
     }
     let mut last_read = vec![0; memory.bits.len()];
     for (at, instr) in plain.instrs.iter().enumerate() {
-        instr.for_each_bit_read(|bit| last_read[bit.0 as usize] = at as u32);
+        // Nothing of a routine or of a state is temporary.
+        instr.for_each_use(&mut |cell, access| {
+            if let (Cell::Bit(bit), Access::Read) = (cell, access) {
+                last_read[bit.0 as usize] = at as u32;
+            }
+        });
         instr.for_each_target(|to| is_target[to as usize] = true);
     }
     for powers in &plain.saved {

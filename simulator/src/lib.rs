@@ -77,6 +77,7 @@ mod tags;
 mod timers;
 pub mod trace;
 mod tree;
+mod uses;
 pub mod value_text;
 mod work;
 
@@ -95,9 +96,14 @@ pub mod compiled {
     };
     pub use crate::places::Cell;
     pub use crate::retain::Retained;
-    pub use crate::routine::{Routine, TYPES};
+    pub use crate::routine::{Routine, TYPES, type_of};
     pub use crate::tags::PointSlot;
     pub use crate::work::CALL_DEPTH;
+
+    /// How instructions and routines use the cells of memory.
+    pub mod uses {
+        pub use crate::uses::{Access, Cell};
+    }
 }
 
 pub use carry::{Changeover, Lost};

@@ -15,9 +15,11 @@ mod strings;
 mod tables;
 mod ticks;
 mod units;
+mod uses;
 
 pub(crate) use formula::Operation;
 pub(crate) use units::MOST_UNITS;
+pub use uses::type_of;
 
 use crate::fault::Trouble;
 use crate::memory::{Bit, Memory, TextSlot, Word};

@@ -22,7 +22,7 @@ use ladder_analysis::context::Context;
 use ladder_analysis::library;
 use ladder_analysis::names::scope::Origin;
 use ladder_analysis::with_article;
-use ladder_analysis::{ContextOptions, context};
+use ladder_analysis::{AnalyzeOptions, context};
 use ladder_format::{Edit, Options, apply};
 use ladder_syntax::{Name, TextRange, TextSize, parse};
 use std::sync::Arc;
@@ -244,7 +244,7 @@ fn same_type(
         return Ok(());
     };
     let parsed = Arc::new(parse(&apply(text, edits)));
-    let after = context(&parsed, ContextOptions::new(&file.name, &file.others));
+    let after = context(&parsed, AnalyzeOptions::new(&file.name).among(&file.others));
     let Some(after) = tag_in(&after, &Name::new(new)) else {
         return Ok(());
     };

@@ -2,10 +2,9 @@
 
 use super::Scan;
 use super::ranges::{is_whole, width};
-use super::routine_uses::type_of;
 use crate::graph::Lit;
 use crate::number::Number;
-use ladder_simulator::compiled::{Bit, Routine, Width, Word};
+use ladder_simulator::compiled::{Bit, Routine, Width, Word, type_of};
 
 /// The operations in the order of their operands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

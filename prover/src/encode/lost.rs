@@ -2,8 +2,7 @@
 //! followed is lost: at the end of the scan all that it may have written from there on is open for it.
 
 use super::Scan;
-use super::routine_uses::may_fault;
-use super::uses::{Access, Cell, for_each_access, routine_uses};
+use super::uses::{Access, Cell, for_each_access};
 use super::world::Gap;
 use crate::graph::Lit;
 use crate::number::Number;
@@ -148,12 +147,12 @@ impl Scan<'_, '_> {
     /// A routine that is not followed.
     pub(super) fn open_routine(&mut self, at: u32, routine: Routine, pool: &[u32], what: &str) {
         let mut cells = Vec::new();
-        routine_uses(routine, pool, &self.reach, &mut |cell, access| {
+        routine.for_each_use(pool, &|words| self.reach.range(words), &mut |cell, access| {
             if access != Access::Read {
                 cells.push(cell);
             }
         });
-        if may_fault(routine) {
+        if routine.can_fault() {
             let fault = self.open_bits(what, at, 1)[0];
             self.fault(at, fault);
         }

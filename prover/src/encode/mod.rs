@@ -22,7 +22,6 @@ mod memory;
 mod ranges;
 mod real;
 mod routine;
-mod routine_uses;
 mod search;
 mod slots;
 mod state;

@@ -4,12 +4,11 @@
 use super::Scan;
 use super::arithmetic::MOST_ELEMENTS;
 use super::controller::Relay;
-use super::routine_uses::type_of;
 use crate::graph::Lit;
 use crate::number::Number;
 use ladder_analysis::values::compound::EnumId;
 use ladder_analysis::values::types::Scalar;
-use ladder_simulator::compiled::{Bit, Routine, TYPES, Width, Word};
+use ladder_simulator::compiled::{Bit, Routine, TYPES, Width, Word, type_of};
 use std::ops::Range;
 
 /// A range.

@@ -2,11 +2,10 @@
 
 use super::Scan;
 use super::ranges::{is_whole, width};
-use super::routine_uses::type_of;
 use crate::graph::Lit;
 use crate::number::Number;
 use ladder_analysis::values::types::Scalar;
-use ladder_simulator::compiled::{Bit, Routine, Test, Word};
+use ladder_simulator::compiled::{Bit, Routine, Test, Word, type_of};
 
 impl Scan<'_, '_> {
     /// The first element that compares with another as asked, after index y if NEXT is high. None: it is not followed.

@@ -2,7 +2,7 @@
 //! what is multiplied by and added to it reaches elements at equal distances.
 
 use super::unread::each_written;
-use super::uses::{Access, Cell, for_each_use, routine_uses};
+use super::uses::{Access, Cell};
 use crate::number::common;
 use ladder_simulator::compiled::{Code, Instr, IntegerOp, Memory as Banks, Routine, Width, Word};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -101,10 +101,11 @@ impl Reach {
                     note(cell, Access::Change);
                 });
             }
-            for_each_use(instr, &mut note);
+            instr.for_each_use(&mut note);
             if let Instr::Routine { routine, operands } = *instr {
                 // The words of ranges are tags.
-                routine_uses(routine, &code.operands[operands as usize..], &reach, &mut note);
+                let pool = &code.operands[operands as usize..];
+                routine.for_each_use(pool, &|words| reach.range(words), &mut note);
             }
         }
         let words = (0u32..).zip(&initial.words);
@@ -158,12 +159,12 @@ impl Reach {
                         let slots = self.array(*base, [*first, *last]);
                         self.add(Word(*start), slots);
                     }
-                    _ => routine_uses(routine, pool, &Reach::default(), &mut |cell, access| {
+                    _ => routine.for_each_use(pool, &|_| None, &mut |cell, access| {
                         self.forget(cell, access);
                     }),
                 }
             }
-            ref other => for_each_use(other, &mut |cell, access| self.forget(cell, access)),
+            ref other => other.for_each_use(&mut |cell, access| self.forget(cell, access)),
         }
     }
 

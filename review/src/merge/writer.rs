@@ -3,8 +3,7 @@
 use super::conflict::{Clash, Conflict};
 use super::{Merged, NotMerged, Sides};
 use crate::outline::{Entry, Kind, Outline};
-use ladder_analysis::Others;
-use ladder_analysis::{ContextOptions, context};
+use ladder_analysis::context;
 use ladder_syntax::TextRange;
 use std::sync::Arc;
 
@@ -146,10 +145,7 @@ impl<'o> Writer<'o> {
     /// The text, if it holds what it should.
     pub(super) fn finish(self) -> Result<Merged, NotMerged> {
         let parse = Arc::new(ladder_syntax::parse(&self.text));
-        let read = Outline::new(Arc::new(context(
-            &parse,
-            ContextOptions::new("", &Others::alone()),
-        )));
+        let read = Outline::new(Arc::new(context(&parse, "")));
         let mut found = Vec::new();
         flatten(&read.entries, &mut found);
         // The signs of conflicts are comments, too.

@@ -9,9 +9,8 @@ mod words;
 
 use crate::outline::Outline;
 pub(crate) use found::found;
-use ladder_analysis::Others;
+use ladder_analysis::context;
 use ladder_analysis::context::Context;
-use ladder_analysis::{ContextOptions, context};
 use ladder_format::{Options, apply};
 use ladder_ide::{Alone, RenameRefused, rename};
 use ladder_syntax::Name;
@@ -101,10 +100,7 @@ pub fn renamed(old: &Outline, new: &Outline) -> Option<Renamed> {
 
 /// What is known of a text in the place of another one.
 pub(crate) fn again(read: &Context, text: &str) -> Context {
-    context(
-        &Arc::new(ladder_syntax::parse(text)),
-        ContextOptions::new(&read.name, &Others::alone()),
-    )
+    context(&Arc::new(ladder_syntax::parse(text)), &read.name)
 }
 
 impl Rename {

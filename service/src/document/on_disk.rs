@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use ladder_analysis::context::Context;
-use ladder_analysis::{ContextOptions, context};
+use ladder_analysis::{AnalyzeOptions, context};
 use ladder_analysis::{Exported, Exports, exports};
 use ladder_syntax::Parse;
 use ladder_workspace::{Disk, Stamp};
@@ -103,7 +103,7 @@ impl OnDisk {
 
     fn read_context(&self, exported: &Arc<Exported>) -> Context {
         let others = exported.others_of(&self.name);
-        context(&self.parse(), ContextOptions::new(&self.name, &others))
+        context(&self.parse(), AnalyzeOptions::new(&self.name).among(&others))
     }
 }
 

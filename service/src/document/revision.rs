@@ -9,9 +9,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use ladder_analysis::context::Context;
 use ladder_analysis::program::Program;
-use ladder_analysis::{
-    AnalyzeOptions, ContextOptions, Linked, NotWhole, Others, RuleSettings, analyze, link_files,
-};
+use ladder_analysis::{AnalyzeOptions, Linked, NotWhole, Others, RuleSettings, analyze, link_files};
 use ladder_format::{Edit, Options, format};
 use ladder_notations::ReadError;
 use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES, Parse, TextRange, TextSize, parse};
@@ -165,7 +163,7 @@ impl Revision {
         };
         let first = self.first.get_or_init(|| {
             let parse = self.parse(None, Since::Unknown);
-            let options = ContextOptions::new(&name, &others);
+            let options = AnalyzeOptions::new(&name).among(&others);
             Some(Arc::new(ladder_analysis::context(&parse, options)))
         });
         Some((first.as_ref()?, false))
@@ -203,8 +201,8 @@ impl Revision {
         let known = before.as_ref().map(|(_, context)| &**context);
         let parse = self.parse(known, since);
         let read = |name: &str, others: &Others| {
-            let options = ContextOptions::new(name, others).after(known);
-            options.read_while(&parse, wanted).map(Arc::new)
+            let options = AnalyzeOptions::new(name).among(others).after_context(known);
+            options.context_while(&parse, wanted).map(Arc::new)
         };
         let context = match &self.place {
             Some(place) => {

@@ -4,6 +4,7 @@
 mod effects;
 mod instr;
 mod unread;
+mod uses;
 
 pub use instr::{Instr, NOTHING_SAVED};
 pub use unread::{Tracked, UnreadPlace};

@@ -7,8 +7,8 @@ use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::Scope;
 use ladder_analysis::networks::use_place::Use;
 use ladder_analysis::{
-    Analysis, AnalyzeOptions, ContextOptions, Diagnostic, Exported, Exports, Level, RuleSettings, Severity,
-    analyze, context, exports,
+    Analysis, AnalyzeOptions, Diagnostic, Exported, Exports, Level, RuleSettings, Severity, analyze, context,
+    exports,
 };
 use ladder_syntax::{Parse, TextRange, parse};
 use ladder_tests::generator::{Dice, Mode, program};
@@ -107,9 +107,11 @@ impl Files {
         for (name, open) in &self.open {
             let others = exported.others_of(name);
             let kept = show(&open.analysis);
-            let options = ContextOptions::new(name, &others).after(Some(&open.analysis.context));
-            let context = Arc::new(context(&open.parse, options));
-            let rules = AnalyzeOptions::new(name).with_rules(&self.settings);
+            let rules = AnalyzeOptions::new(name)
+                .among(&others)
+                .with_rules(&self.settings);
+            let known = rules.after_context(Some(&open.analysis.context));
+            let context = Arc::new(context(&open.parse, known));
             let without = rules.check_while(context, &|| true).expect("it is wanted");
             let without = show(&without);
             assert_eq!(

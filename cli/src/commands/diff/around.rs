@@ -61,11 +61,7 @@ impl<'g> Around<'g> {
 
     /// The entries of a text, and the program that it is with its other files. Where these do not fit together (copies of one
     /// file in a folder), the program that it is alone.
-    pub(super) fn outline(
-        &mut self,
-        file: &File,
-        text: &str,
-    ) -> Result<Outline, Failure> {
+    pub(super) fn outline(&mut self, file: &File, text: &str) -> Result<Outline, Failure> {
         let parse = || Arc::new(ladder_syntax::parse(text));
         let Some(At { path, seen }) = self.at(file)? else {
             let alone = analyze(&parse(), &file.name);
@@ -137,11 +133,7 @@ impl<'g> Around<'g> {
         })
     }
 
-    fn in_revision(
-        &mut self,
-        name: &str,
-        path: &str,
-    ) -> Result<Option<At>, Failure> {
+    fn in_revision(&mut self, name: &str, path: &str) -> Result<Option<At>, Failure> {
         let revision = match self.revisions.entry(name.to_owned()) {
             Entry::Occupied(entry) => entry.into_mut(),
             Entry::Vacant(entry) => entry.insert(Revision::read(name, &mut *self.git.objects()?).ok()),

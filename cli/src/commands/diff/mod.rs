@@ -149,7 +149,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     for pair in &pairs {
         read.add(pair)?;
     }
-    let Read { programs, settings, .. } = read;
+    let Read {
+        programs, settings, ..
+    } = read;
     let nothing = Outline::of_text("", "");
     let outline = |program| Option::map_or(program, &nothing, |program: &Program| &program.outline);
     let compared = programs.iter().map(|both| Compared {

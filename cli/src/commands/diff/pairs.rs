@@ -91,9 +91,7 @@ fn renamed(
         return Ok(HashMap::new());
     }
     let contents = |names: &[String], files: &BTreeMap<String, File>| -> Result<Vec<_>, Failure> {
-        let contents = names
-            .iter()
-            .map(|name| Ok(Lines::of(&files[name].bytes(git)?)));
+        let contents = names.iter().map(|name| Ok(Lines::of(&files[name].bytes(git)?)));
         contents.collect()
     };
     let (gone_lines, added_lines) = (contents(&gone, old)?, contents(&added, new)?);

@@ -4,10 +4,10 @@ use crate::comment;
 use crate::names;
 use crate::project::types::is_of_blocks;
 use crate::project::{Declared, Project, tag_ids};
-use ladder_analysis::written::type_spec::SpecKind;
 use ladder_analysis::program::{Tag, TagId};
 use ladder_analysis::values::compound::{Compound, EnumId};
 use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::written::type_spec::SpecKind;
 use std::collections::HashSet;
 
 /// A tag as it is declared, which may have several parts.
