@@ -1,11 +1,10 @@
 //! Where a tag is declared and used, and its rename everywhere.
 
-use super::super::{
-    prepare_scenario_rename, rename_in_scenario, scenario_definition, scenario_highlights,
-    scenario_references,
-};
+use super::super::{scenario_definition, scenario_highlights};
 use super::{Asked, HEAD, PLANT};
 use crate::fixture::Fixture;
+use crate::references::scenario_references;
+use crate::rename::{prepare_scenario_rename, rename_in_scenario};
 use expect_test::{Expect, expect};
 use ladder_format::{Options, apply};
 

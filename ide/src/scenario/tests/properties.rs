@@ -1,10 +1,9 @@
 //! Properties and assumptions: what is proposed, shown, found and renamed in them.
 
-use super::super::{
-    rename_in_scenario, scenario_definition, scenario_highlights, scenario_hover, scenario_outline,
-    scenario_references,
-};
+use super::super::{scenario_definition, scenario_highlights, scenario_hover, scenario_outline};
 use super::Asked;
+use crate::references::scenario_references;
+use crate::rename::rename_in_scenario;
 use expect_test::{Expect, expect};
 use ladder_format::{Options, apply};
 
