@@ -700,6 +700,84 @@ fn names_of_several_words() {
 }
 
 #[test]
+fn formulas() {
+    let formulas = [
+        "x ** y ** 2",
+        "-x ** 2 + -(y)",
+        "-5",
+        "x * -5 - (y - 1)",
+        "INT_TO_REAL(n + 1) * x",
+        "MAX(x, ABS(y))",
+        "x y",
+        "(x, y)",
+        "x + AND",
+        "(x",
+    ];
+    let mut drawn = String::from("leftPowerRail 1");
+    for (number, formula) in formulas.iter().enumerate() {
+        let (value, variable) = (10 + number, 30 + number);
+        drawn.push_str(&format!(
+            "\ninVariable {value} {formula}\nblock {} MOVE IN={value} / OUT\noutVariable {variable} from={} z",
+            50 + number,
+            50 + number
+        ));
+    }
+    body("n : INT\nx : REAL\ny : REAL\nz : REAL", &drawn, expect![[r#"
+        VAR
+            n : INT;
+            x : REAL;
+            y : REAL;
+            z : REAL;
+        END_VAR
+
+        +----------------------------------------------------[CALC]( z, (x ^ y) ^ 2 )--+
+
+        +----------------------------------------------------[CALC]( z, -x ^ 2 + -y )--+
+
+        +--------------------------------------------------------------[MOV]( z, -5 )--+
+
+        +-----------------------------------------------[CALC]( z, x * -5 - (y - 1) )--+
+
+        +----------------------------------------------------[CALC]( z, (n + 1) * x )--+
+
+        +-------------------------------------------------[CALC]( z, MAX(x, ABS(y)) )--+
+
+        +--# block MOVE: not translated #----------------------------------------------+
+
+        +--# block MOVE: not translated #--# output z: not translated #----------------+
+
+        +--# block MOVE: not translated #----------------------------------------------+
+
+        +--# block MOVE: not translated #--# output z: not translated #----------------+
+
+        +--# block MOVE: not translated #----------------------------------------------+
+
+        +--# block MOVE: not translated #--# output z: not translated #----------------+
+
+        +--# block MOVE: not translated #----------------------------------------------+
+
+        +--# block MOVE: not translated #--# output z: not translated #----------------+
+
+        # input x y: not translated #
+        # input (x, y): not translated #
+        # input x + AND: not translated #
+        # input (x: not translated #
+        refused input x y: it is part of what is not translated
+        refused block MOVE: it is no expression
+        refused output z: nothing holds what `MOVE` has at `OUT`
+        refused input (x, y): it is part of what is not translated
+        refused block MOVE: it is no expression
+        refused output z: nothing holds what `MOVE` has at `OUT`
+        refused input x + AND: it is part of what is not translated
+        refused block MOVE: something is missing in it
+        refused output z: nothing holds what `MOVE` has at `OUT`
+        refused input (x: it is part of what is not translated
+        refused block MOVE: its parentheses do not match
+        refused output z: nothing holds what `MOVE` has at `OUT`
+    "#]]);
+}
+
+#[test]
 fn eno_of_a_conversion_that_the_writer_added_is_that_of_the_function() {
     let body = "leftPowerRail 1
          contact 2 from=1 a
