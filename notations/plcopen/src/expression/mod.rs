@@ -55,12 +55,12 @@ impl Typed {
 
     /// Whether it is TRUE or FALSE, if it is one of them.
     pub(crate) fn truth(&self) -> Option<bool> {
-        match &self.value {
-            Expression::Literal(literal) => match literal.as_str() {
-                "TRUE" | "BOOL#TRUE" | "BOOL#1" => Some(true),
-                "FALSE" | "BOOL#FALSE" | "BOOL#0" => Some(false),
-                _ => None,
-            },
+        let Form::Literal(literal) = self.form() else {
+            return None;
+        };
+        match literal.as_str() {
+            "TRUE" | "BOOL#TRUE" | "BOOL#1" => Some(true),
+            "FALSE" | "BOOL#FALSE" | "BOOL#0" => Some(false),
             _ => None,
         }
     }

@@ -22,19 +22,13 @@ impl Body<'_> {
                 continue;
             };
             if let Some(ty) = state(self.shared, name) {
-                let is_named = |name: &&String| {
-                    let is_plain = name.chars().all(|c| c.is_alphanumeric() || c == '_');
-                    *name != "???" && (!is_plain || self.knows(name))
-                };
-                let instance = if let Some(instance) = instance.as_ref().filter(is_named) {
-                    self.variable(instance)
-                } else {
-                    let like = instance
-                        .as_deref()
-                        .filter(|name| *name != "???")
-                        .map(str::to_owned);
-                    let like = like.unwrap_or_else(|| name.to_lowercase());
-                    Ok(self.helper(&like, &ty, "a block that the project does not declare"))
+                let is_word = |name: &str| name.chars().all(|c| c.is_alphanumeric() || c == '_');
+                let instance = match instance.as_deref().filter(|name| *name != "???") {
+                    Some(instance) if !is_word(instance) || self.knows(instance) => self.variable(instance),
+                    like => {
+                        let like = like.map_or_else(|| name.to_lowercase(), str::to_owned);
+                        Ok(self.helper(&like, &ty, "a block that the project does not declare"))
+                    }
                 };
                 match instance {
                     Ok(instance) => drop(self.instances.insert(node, instance)),

@@ -427,9 +427,8 @@ impl Pencil<'_, '_> {
                 Ok(self.stand_in(start, node))
             }
             Kind::Contact(text, modifier) => {
-                if let Some(tag) = self.body.results.get(&end) {
-                    let contact = Block::contact(tag);
-                    return Ok(self.series(start, [contact], node));
+                if let Some(point) = self.held_before(end, start) {
+                    return Ok(point);
                 }
                 let before = self.pin(node, 0, start)?;
                 if self.body.is_refused(node) {
@@ -445,11 +444,8 @@ impl Pencil<'_, '_> {
                 Some(point) if start == RAIL => Ok(*point),
                 _ => self.pin(node, 0, start),
             },
-            Kind::Joint | Kind::Jump(..) | Kind::Return(_) => match self.body.results.get(&end) {
-                Some(tag) => {
-                    let contact = Block::contact(tag);
-                    Ok(self.series(start, [contact], node))
-                }
+            Kind::Joint | Kind::Jump(..) | Kind::Return(_) => match self.held_before(end, start) {
+                Some(point) => Ok(point),
                 None => self.pin(node, 0, start),
             },
             Kind::Value(text, negated) => self.value(end, text, *negated, start),
@@ -459,6 +455,12 @@ impl Pencil<'_, '_> {
             }
             Kind::Block { .. } => self.block_end(end, start),
         }
+    }
+
+    /// A contact on the tag that a network above put the power of an output into.
+    fn held_before(&mut self, end: End, start: usize) -> Option<usize> {
+        let contact = Block::contact(self.body.results.get(&end)?);
+        Some(self.series(start, [contact], end.node))
     }
 
     fn block_end(&mut self, end: End, start: usize) -> Result<usize, Refused> {
@@ -471,9 +473,8 @@ impl Pencil<'_, '_> {
             .get(end.output)
             .is_some_and(|output| output.negated);
         if !class.acts() {
-            if let Some(tag) = self.body.results.get(&end) {
-                let contact = Block::contact(tag);
-                return Ok(self.series(start, [contact], node));
+            if let Some(point) = self.held_before(end, start) {
+                return Ok(point);
             }
             let point = self.condition(node, class, start)?;
             return Ok(if is_negated {

@@ -722,7 +722,10 @@ fn formulas() {
             50 + number
         ));
     }
-    body("n : INT\nx : REAL\ny : REAL\nz : REAL", &drawn, expect![[r#"
+    body(
+        "n : INT\nx : REAL\ny : REAL\nz : REAL",
+        &drawn,
+        expect![[r#"
         VAR
             n : INT;
             x : REAL;
@@ -774,7 +777,8 @@ fn formulas() {
         refused input (x: it is part of what is not translated
         refused block MOVE: its parentheses do not match
         refused output z: nothing holds what `MOVE` has at `OUT`
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
