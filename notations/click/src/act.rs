@@ -6,12 +6,14 @@ use super::calc;
 use super::convert;
 use super::drum;
 use super::model::{
-    Bits, Coil, Condition, Constant, Counter, CounterKind, Instruction, Operand, Search, Timer, TimerKind,
-    Unit,
+    Bits, Coil, Condition, Constant, Counter, CounterKind, Instruction, Operand, Search, Shift, Timer,
+    TimerKind, Unit,
 };
-use super::operand::{Chain, fits, kind, literal, passes};
-use super::ranges::{self, array, range};
+use super::operand::{Chain, fits, kind, passes};
+use super::ranges::{self, array, element, range};
 use super::tags::Tags;
+use ladder_format::program::{self, Block, Expression, Literal, Path};
+use ladder_instructions::Op;
 
 /// What an instruction becomes.
 pub(super) struct Acts {
@@ -19,31 +21,34 @@ pub(super) struct Acts {
     pub(super) chain: Chain,
     /// Rungs of their own, right above: what pins and set points need.
     pub(super) above: Vec<Above>,
+    /// The same, right below: the clock and the reset of a shift register.
+    pub(super) after: Vec<Above>,
 }
 
 /// A rung of the importer's own.
 pub(super) struct Above {
     pub(super) condition: Condition,
-    pub(super) blocks: Vec<String>,
+    pub(super) blocks: Vec<Block>,
 }
 
 /// Why an instruction has no counterpart.
 pub(super) type Refusal = String;
 
-/// The blocks of an instruction. `oneshot`: an output is on for one scan.
+/// The blocks of an instruction. `oneshot`: it acts for one scan.
 pub(super) fn acts(tags: &mut Tags<'_>, what: &Instruction, oneshot: bool) -> Result<Acts, Refusal> {
     let mut acts = Acts {
         chain: Chain::default(),
         above: Vec::new(),
+        after: Vec::new(),
     };
     let chain = &mut acts.chain;
     match what {
         Instruction::Out(target) if oneshot && matches!(target.bits, Bits::One(_)) => {
-            coil(tags, chain, "(P)", target)?;
+            coil(tags, chain, Op::RisingCoil, target)?;
         }
-        Instruction::Out(target) => coil(tags, chain, "( )", target)?,
-        Instruction::Set(target) => coil(tags, chain, "(S)", target)?,
-        Instruction::Reset(target) => coil(tags, chain, "(R)", target)?,
+        Instruction::Out(target) => coil(tags, chain, Op::Coil, target)?,
+        Instruction::Set(target) => coil(tags, chain, Op::SetCoil, target)?,
+        Instruction::Reset(target) => coil(tags, chain, Op::ResetCoil, target)?,
         Instruction::Timer(timer) => self::timer(tags, &mut acts, timer)?,
         Instruction::Counter(counter) => self::counter(tags, &mut acts, counter)?,
         Instruction::Copy {
@@ -70,15 +75,14 @@ pub(super) fn acts(tags: &mut Tags<'_>, what: &Instruction, oneshot: bool) -> Re
         } => pack(tags, chain, (source, target), options.allow_whitespace)?,
         Instruction::Unpack { source, target, .. } => {
             array(target)?;
-            let source = chain.value(tags, &Operand::Tag(source.clone()), None);
-            chain.push(format!("[UNPACK]( {}, {source} )", range(target)));
+            chain.push(Op::Unpack, [range(target), tags.place(source)])?;
         }
         Instruction::Shift(shift) => {
             array(&shift.bits)?;
             if runs_down(&shift.bits) && shift.clock.is_none() {
                 return Err("nothing says what enters it, and [SHIFT] moves bits up".to_owned());
             }
-            self::shift(tags, &mut acts, shift);
+            self::shift(tags, &mut acts, shift)?;
         }
         Instruction::Search(search) => self::search(tags, chain, search)?,
         Instruction::Drum(drum) => drum::acts(tags, &mut acts, drum)?,
@@ -91,15 +95,19 @@ pub(super) fn acts(tags: &mut Tags<'_>, what: &Instruction, oneshot: bool) -> Re
             *chain = before;
             ranges::take_pointed(tags, chain, &math.target)?;
         }
-        Instruction::Call(name) => chain.push(format!("<CALL>( {name} )")),
+        Instruction::Call(name) => chain.blocks.push(Block::call(name)),
         Instruction::For(count) => {
-            let count = chain.value(tags, count, Some(Kind::Int));
-            chain.push(format!("<FOR>( {count} )"));
+            let count = chain.value(tags, count, Some(Kind::Int))?;
+            chain.push(Op::For, [count])?;
         }
-        Instruction::Next => chain.push("<NEXT>".to_owned()),
-        Instruction::End | Instruction::Return => chain.push("<RET>".to_owned()),
+        Instruction::Next => chain.push(Op::Next, program::Operand::NONE)?,
+        Instruction::End | Instruction::Return => chain.blocks.push(Block::ret()),
         Instruction::Nop => {}
         Instruction::Kept { why, .. } => return Err(why.clone()),
+    }
+    let blocks = &mut acts.chain.blocks;
+    if oneshot && !blocks.iter().any(|block| block.op() == Some(Op::RisingCoil)) {
+        blocks.insert(0, Block::of(Op::OneShotRising, program::Operand::NONE)?);
     }
     Ok(acts)
 }
@@ -115,17 +123,18 @@ pub(super) fn written(tag: &Tag) -> Result<(), Refusal> {
     }
 }
 
-fn coil(tags: &Tags<'_>, chain: &mut Chain, head: &str, coil: &Coil) -> Result<(), Refusal> {
-    match &coil.bits {
+fn coil(tags: &Tags<'_>, chain: &mut Chain, op: Op, coil: &Coil) -> Result<(), Refusal> {
+    let bits = match &coil.bits {
         Bits::One(tag) => {
             written(tag)?;
-            chain.push(format!("{head}( {} )", tags.text(tag)));
+            tags.place(tag)
         }
         Bits::Many(span) => {
             array(span)?;
-            chain.push(format!("{head}( {} )", range(span)));
+            range(span)
         }
-    }
+    };
+    chain.push(op, [bits])?;
     if coil.immediate {
         chain.remark = Some("outputs change at the end of the scan here".to_owned());
     }
@@ -139,7 +148,7 @@ pub(super) fn pin(
     of: &str,
     word: &str,
     condition: &Condition,
-) -> String {
+) -> Expression {
     use super::model::ContactKind;
     if let Some(seen) = tags.seen(condition) {
         return seen;
@@ -147,63 +156,71 @@ pub(super) fn pin(
     match condition {
         Condition::Contact(contact) if contact.kind == ContactKind::Open => {
             if let Bits::One(tag) = &contact.bits {
-                return tags.text(tag);
+                return tags.place(tag);
             }
         }
-        condition if condition.is_always() => return "SYS.ON".to_owned(),
+        condition if condition.is_always() => return Path::system("ON").into(),
         _ => {}
     }
     let helper = tags.helper(&format!("{of}_{word}"), "BOOL", format!("{word} of {of}"));
     acts.above.push(Above {
         condition: condition.clone(),
-        blocks: vec![format!("( )( {helper} )")],
+        blocks: vec![Block::coil(helper.clone())],
     });
     helper
 }
 
 fn timer(tags: &mut Tags<'_>, acts: &mut Acts, timer: &Timer) -> Result<(), Refusal> {
-    let head = match timer.kind {
-        TimerKind::On => "[TON]",
-        TimerKind::Off => "[TOF]",
-        TimerKind::RetentiveOn => "[RTO]",
-        TimerKind::RetentiveOff => "[RTOF]",
+    let op = match timer.kind {
+        TimerKind::On => Op::Ton,
+        TimerKind::Off => Op::Tof,
+        TimerKind::RetentiveOn => Op::Rto,
+        TimerKind::RetentiveOff => Op::Rtof,
     };
     let name = state(tags, &timer.tag)?;
     let setpoint = match &timer.setpoint {
-        Operand::Constant(Constant::Int(number)) => format!("T#{number}{}", timer.unit.suffix()),
+        Operand::Constant(Constant::Int(number)) => duration(*number, timer.unit)?,
         Operand::Constant(_) => return Err("a set point is a whole number or a DS address".to_owned()),
         // A plain integer counts the unit.
-        other => acts.chain.value(tags, other, None),
+        other => acts.chain.value(tags, other, None)?,
     };
-    let mut operands = format!("{name}, {setpoint}");
+    let mut operands = vec![Path::tag(&name).into(), setpoint.into()];
     if let Some(reset) = &timer.reset {
-        operands.push_str(&format!(", R := {}", pin(tags, acts, &name, "reset", reset)));
+        operands.push(given("R", pin(tags, acts, &name, "reset", reset)));
     }
     // A millisecond goes without saying.
     if timer.unit != Unit::Milliseconds {
-        operands.push_str(&format!(", B := T#1{}", timer.unit.suffix()));
+        operands.push(given("B", duration(1, timer.unit)?));
     }
-    acts.chain.push(format!("{head}( {operands} )"));
-    Ok(())
+    acts.chain.push(op, operands)
+}
+
+/// So many of a unit: `T#5s`
+pub(super) fn duration(number: i64, unit: Unit) -> Result<Expression, Refusal> {
+    Ok(Expression::literal(format!("T#{number}{}", unit.suffix()))?)
+}
+
+/// An operand by its name: `R := reset`
+pub(super) fn given(name: impl Into<String>, value: impl Into<Expression>) -> program::Operand {
+    program::Operand::Given(name.into(), value.into())
 }
 
 fn counter(tags: &mut Tags<'_>, acts: &mut Acts, counter: &Counter) -> Result<(), Refusal> {
-    let head = match counter.kind {
-        CounterKind::Up => "[CTU]",
-        CounterKind::Down => "[CTD]",
-        CounterKind::UpDown => "[CTUD]",
+    let op = match counter.kind {
+        CounterKind::Up => Op::Ctu,
+        CounterKind::Down => Op::Ctd,
+        CounterKind::UpDown => Op::Ctud,
     };
     let name = state(tags, &counter.tag)?;
-    let setpoint = acts.chain.value(tags, &counter.setpoint, Some(Kind::Int2));
-    let mut operands = format!("{name}, {setpoint}");
+    let setpoint = acts.chain.value(tags, &counter.setpoint, Some(Kind::Int2))?;
+    let mut operands = vec![Path::tag(&name).into(), setpoint.into()];
     if let Some(down) = &counter.count_down {
-        operands.push_str(&format!(", CD := {}", pin(tags, acts, &name, "down", down)));
+        operands.push(given("CD", pin(tags, acts, &name, "down", down)));
     }
     if let Some(reset) = &counter.reset {
-        operands.push_str(&format!(", R := {}", pin(tags, acts, &name, "reset", reset)));
+        operands.push(given("R", pin(tags, acts, &name, "reset", reset)));
     }
-    acts.chain.push(format!("{head}( {operands} )"));
-    Ok(())
+    acts.chain.push(op, operands)
 }
 
 /// The tag of a timer or counter.
@@ -234,17 +251,14 @@ fn copy(tags: &mut Tags<'_>, chain: &mut Chain, source: &Operand, target: &Opera
     let numbers = !matches!(to, Kind::Bit | Kind::Text)
         && !matches!(kind(source), Some(Kind::Bit | Kind::Text))
         && !matches!(source, Operand::Constant(Constant::Bit(_) | Constant::Text(_)));
-    let head = match (direct, numbers) {
-        (true, _) => "[MOV]",
-        (false, true) => "[TYP]",
+    let op = match (direct, numbers) {
+        (true, _) => Op::Mov,
+        (false, true) => Op::Typ,
         (false, false) => return Err("bits, numbers and texts do not turn into one another".to_owned()),
     };
-    let value = match source {
-        Operand::Constant(constant) if !direct => literal(constant, None),
-        other => chain.value(tags, other, Some(to)),
-    };
-    let place = chain.place(tags, target);
-    chain.push(format!("{head}( {place}, {value} )"));
+    let value = chain.value(tags, source, direct.then_some(to))?;
+    let place = chain.place(tags, target)?;
+    chain.push(op, [place, value])?;
     ranges::take_pointed(tags, chain, target)
 }
 
@@ -254,20 +268,15 @@ fn texts(tags: &Tags<'_>, chain: &mut Chain, text: &str, first: &Tag) -> Result<
     if !text.is_ascii() || characters.is_empty() {
         return Err("a text has one to a thousand characters of ASCII".to_owned());
     }
-    if characters.len() == 1 {
-        chain.push(format!(
-            "[MOV]( {}, {} )",
-            tags.text(first),
-            super::operand::string(text)
-        ));
-        return Ok(());
+    let character = |c: char| Expression::from(Literal::text(&c.to_string()));
+    if let [only] = characters[..] {
+        return chain.push(Op::Mov, [tags.place(first), character(only)]);
     }
     let start = tags
         .element(first)
         .ok_or("a text goes into several addresses, so the first must be given by its number")?;
     for (number, c) in (start.number..).zip(characters) {
-        let character = super::operand::string(&c.to_string());
-        chain.push(format!("[MOV]( TXT[{number}], {character} )"));
+        chain.push(Op::Mov, [element(Bank::Txt, number), character(c)])?;
     }
     Ok(())
 }
@@ -280,52 +289,64 @@ fn pack(
 ) -> Result<(), Refusal> {
     ranges::bring(tags, chain, source)?;
     written(target)?;
-    let place = tags.text(target);
+    let place = tags.place(target);
     if source.bank.kind() != Kind::Text {
-        chain.push(format!("[PACK]( {place}, {} )", range(source)));
-        return Ok(());
+        return chain.push(Op::Pack, [place, range(source)]);
     }
     let text = tags.helper("packed_text", "STRING[255]", "characters put together");
     let (first, last) = source.bounds();
     if source.len() > 32 {
         return Err("a number of more than 32 characters is not read".to_owned());
     }
-    let characters: Vec<String> = (first..=last).map(|number| format!("TXT[{number}]")).collect();
     let is_hex = target.bank.kind() == Kind::Hex;
     if is_hex && allow_whitespace {
         return Err("blanks around hexadecimal digits are not passed over here".to_owned());
     }
-    let base = is_hex.then(|| "'16#'".to_owned());
-    let parts: Vec<String> = base.into_iter().chain(characters).collect();
-    chain.push(match &parts[..] {
-        [one] => format!("[MOV]( {text}, {one} )"),
-        all => format!("[CONCAT]( {text}, {} )", all.join(", ")),
-    });
+    let base = is_hex.then(|| Literal::text("16#").into());
+    let characters = (first..=last).map(|number| element(Bank::Txt, number));
+    let parts = std::iter::once(text.clone()).chain(base).chain(characters);
+    let parts: Vec<Expression> = parts.collect();
+    chain.push(if parts.len() == 2 { Op::Mov } else { Op::Concat }, parts)?;
     // An address without a character is no part of a number.
     let length = tags.helper("packed_length", "INT", "length of characters put together");
-    let whole = source.len() + if is_hex { 3 } else { 0 };
-    chain.push(format!("[LEN]( {length}, {text} )"));
-    chain.push(format!("[EQ]( {length}, {whole} )"));
-    let head = if allow_whitespace { "[TYP]" } else { "[PACK]" };
-    chain.push(format!("{head}( {place}, {text} )"));
-    Ok(())
+    let whole = source.len() as i64 + if is_hex { 3 } else { 0 };
+    chain.push(Op::Len, [length.clone(), text.clone()])?;
+    chain.push(Op::Eq, [length, whole.into()])?;
+    let op = if allow_whitespace { Op::Typ } else { Op::Pack };
+    chain.push(op, [place, text])
 }
 
 /// The clock shifts, and the rung's power is what enters; without a clock the rung itself shifts.
-fn shift(tags: &mut Tags<'_>, acts: &mut Acts, shift: &super::model::Shift) {
+fn shift(tags: &mut Tags<'_>, acts: &mut Acts, shift: &Shift) -> Result<(), Refusal> {
     let bits = range(&shift.bits);
-    let first = tags.text(&Tag::number(shift.bits.bank, shift.bits.first));
-    match &shift.clock {
-        None => {
-            acts.chain.push(format!("[SHIFT]( {bits}, {first} )"));
-            let why = "nothing says what enters it: the rung shifts, and the first bit stays";
-            acts.chain.remark = Some(why.to_owned());
-        }
-        Some(_) => {
-            let data = tags.helper("shift_data", "BOOL", format!("data of {bits}"));
-            acts.chain.push(format!("( )( {data} )"));
-        }
+    if let Some(clock) = &shift.clock {
+        let data = tags.helper("shift_data", "BOOL", format!("data of {bits}"));
+        acts.chain.blocks.push(Block::coil(data.clone()));
+        let blocks = if runs_down(&shift.bits) {
+            shift_down(tags, &shift.bits, data)?
+        } else {
+            vec![Block::of(Op::Shift, [bits, data])?]
+        };
+        acts.after.push(Above {
+            condition: clock.clone(),
+            blocks,
+        });
+    } else {
+        let why = "nothing says what enters it: the rung shifts, and the first bit stays";
+        acts.chain.remark = Some(why.to_owned());
+        let first = tags.place(&Tag::number(shift.bits.bank, shift.bits.first));
+        acts.chain.push(Op::Shift, [bits, first])?;
     }
+    if let Some(reset) = &shift.reset {
+        let (first, last) = shift.bits.bounds();
+        let bank = shift.bits.bank;
+        let bits = range(&Span { bank, first, last });
+        acts.after.push(Above {
+            condition: reset.clone(),
+            blocks: vec![Block::of(Op::ResetCoil, [bits])?],
+        });
+    }
+    Ok(())
 }
 
 /// Whether a register shifts to lower numbers.
@@ -334,52 +355,19 @@ const fn runs_down(bits: &Span) -> bool {
 }
 
 /// `[SHIFT]` moves bits up only: downwards they are copied, and what enters is written after them.
-fn shift_down(tags: &Tags<'_>, bits: &Span, data: &str) -> Vec<String> {
-    let (bank, name) = (bits.bank, bits.bank.row().name);
-    let (low, high) = (bits.last, bits.first);
-    let first = tags.text(&Tag::number(bank, high));
-    vec![
-        "[OSR]".to_owned(),
-        format!(
-            "[BMOV]( {name}[{low}..{}], {name}[{}..{high}] )",
-            high - 1,
-            low + 1
-        ),
-        format!("[MOV]( {first}, {data} )"),
-    ]
-}
-
-/// The rungs after a shift register's own: its clock and its reset.
-pub(super) fn after(tags: &mut Tags<'_>, what: &Instruction) -> Vec<Above> {
-    let Instruction::Shift(shift) = what else {
-        return Vec::new();
+fn shift_down(tags: &Tags<'_>, bits: &Span, data: Expression) -> Result<Vec<Block>, Refusal> {
+    let of = |first, last| Span {
+        bank: bits.bank,
+        first,
+        last,
     };
-    let bits = range(&shift.bits);
-    let mut out = Vec::new();
-    if let Some(clock) = &shift.clock {
-        let data = tags.helper("shift_data", "BOOL", format!("data of {bits}"));
-        out.push(Above {
-            condition: clock.clone(),
-            blocks: if runs_down(&shift.bits) {
-                shift_down(tags, &shift.bits, &data)
-            } else {
-                vec![format!("[SHIFT]( {bits}, {data} )")]
-            },
-        });
-    }
-    if let Some(reset) = &shift.reset {
-        let (first, last) = shift.bits.bounds();
-        let bits = range(&Span {
-            bank: shift.bits.bank,
-            first,
-            last,
-        });
-        out.push(Above {
-            condition: reset.clone(),
-            blocks: vec![format!("(R)( {bits} )")],
-        });
-    }
-    out
+    let (low, high) = (bits.last, bits.first);
+    let first = tags.place(&Tag::number(bits.bank, high));
+    let mut chain = Chain::default();
+    chain.push(Op::OneShotRising, program::Operand::NONE)?;
+    chain.push(Op::Bmov, [range(&of(low, high - 1)), range(&of(low + 1, high))])?;
+    chain.push(Op::Mov, [first, data])?;
+    Ok(chain.blocks)
 }
 
 fn search(tags: &mut Tags<'_>, chain: &mut Chain, search: &Search) -> Result<(), Refusal> {
@@ -395,17 +383,17 @@ fn search(tags: &mut Tags<'_>, chain: &mut Chain, search: &Search) -> Result<(),
     {
         return Err("[SEARCH] looks for one character, not for a text".to_owned());
     }
-    let value = chain.value(tags, &search.value, Some(kind));
-    let mut operands = vec![
-        tags.text(&search.result),
-        search.relation.mnemonic().to_owned(),
-        value,
-        range(&search.among),
+    let value = chain.value(tags, &search.value, Some(kind))?;
+    let mut operands: Vec<program::Operand> = vec![
+        tags.place(&search.result).into(),
+        Path::tag(search.relation.mnemonic()).into(),
+        value.into(),
+        range(&search.among).into(),
     ];
     if search.continuous {
-        operands.push("NEXT := SYS.ON".to_owned());
+        operands.push(given("NEXT", Path::system("ON")));
     }
-    operands.push(format!("FOUND => {}", tags.text(&search.flag)));
-    chain.push(format!("[SEARCH]( {} )", operands.join(", ")));
-    Ok(())
+    let found = tags.place(&search.flag);
+    operands.push(program::Operand::Taken("FOUND".to_owned(), found));
+    chain.push(Op::Search, operands)
 }

@@ -1,11 +1,14 @@
 //! Formulas as `[CALC]` computes them.
 
+use super::act::Refusal;
 use super::bank::Kind;
-use super::formula::{self, Spelling};
-use super::model::{Constant, Formula, Function, Math, MathKind, Operand, Operator};
-use super::operand::{Chain, kind, literal};
+use super::formula;
+use super::model::{Constant, Formula, Function, Math, MathKind, Operand};
+use super::operand::{Chain, kind};
+use super::ranges::range;
 use super::tags::Tags;
-use std::cell::RefCell;
+use ladder_format::program::{Expression, Operator, Path, Sign};
+use ladder_instructions::Op;
 
 /// The blocks that compute a formula.
 pub(super) fn math(tags: &mut Tags<'_>, math: &Math) -> Result<Chain, String> {
@@ -17,9 +20,9 @@ pub(super) fn math(tags: &mut Tags<'_>, math: &Math) -> Result<Chain, String> {
         MathKind::Decimal => decimal(&math.formula, target)?,
         MathKind::Hex => Kind::Hex,
     };
-    let expression = expression(tags, &mut chain, &math.formula, constants);
-    let place = chain.place(tags, &math.target);
-    chain.push(format!("[CALC]( {place}, {expression} )"));
+    let value = expression(tags, &mut chain, &math.formula, constants)?;
+    let place = chain.place(tags, &math.target)?;
+    chain.push(Op::Calc, [place, value])?;
     Ok(chain)
 }
 
@@ -68,50 +71,44 @@ fn is_real(formula: &Formula) -> bool {
 }
 
 /// A formula as the expression of a `[CALC]`. What must be ready before it goes into the chain.
-fn expression(tags: &mut Tags<'_>, chain: &mut Chain, formula: &Formula, ty: Kind) -> String {
-    let formula = without_rotates(formula);
-    let both = RefCell::new((tags, chain));
-    let operand = |operand: &Operand| {
-        let (tags, chain) = &mut *both.borrow_mut();
-        match operand {
-            Operand::Constant(constant) => literal(constant, Some(ty)),
-            other => chain.value(tags, other, None),
+fn expression(
+    tags: &mut Tags<'_>,
+    chain: &mut Chain,
+    formula: &Formula,
+    ty: Kind,
+) -> Result<Expression, Refusal> {
+    let mut inner = |formula: &Formula| expression(tags, chain, formula, ty);
+    Ok(match formula {
+        Formula::Value(operand) => chain.value(tags, operand, Some(ty))?,
+        Formula::Pi => Path::tag("PI").into(),
+        Formula::Sum(span) => Expression::call("SUM", [range(span)]),
+        Formula::Negated(inside) => Expression::Unary(Sign::Minus, Box::new(inner(inside)?)),
+        Formula::Not(inside) => inner(inside)?.negated(),
+        Formula::Binary(left, operator, right) => {
+            let sign = operator.sign();
+            let operator = Operator::of(sign).ok_or_else(|| format!("`{sign}` has no counterpart here"))?;
+            inner(left)?.with(operator, inner(right)?)
         }
-    };
-    let spelling = Spelling {
-        operand: &operand,
-        sum: &|span| format!("SUM({})", super::ranges::range(span)),
-        binary: None,
-    };
-    formula::write(&formula, spelling)
-}
-
-/// A rotate by a number of places is two shifts.
-fn without_rotates(formula: &Formula) -> Formula {
-    let all = |inside: &Formula| Box::new(without_rotates(inside));
-    match formula {
-        Formula::Value(_) | Formula::Pi | Formula::Sum(_) => formula.clone(),
-        Formula::Negated(inside) => Formula::Negated(all(inside)),
-        Formula::Not(inside) => Formula::Not(all(inside)),
-        Formula::Binary(left, operator, right) => Formula::Binary(all(left), *operator, all(right)),
+        // A rotate by a number of places is two shifts.
         Formula::Call(function @ (Function::RotateLeft | Function::RotateRight), arguments) => {
             let [value, by] = &arguments[..] else {
-                return formula.clone();
+                return Err(format!(
+                    "`{}` takes a value and a number of places",
+                    function.name()
+                ));
             };
+            let (value, by) = (inner(value)?, inner(by)?);
             let (there, back) = match function {
-                Function::RotateLeft => (Operator::ShiftLeft, Operator::ShiftRight),
-                _ => (Operator::ShiftRight, Operator::ShiftLeft),
+                Function::RotateLeft => (Operator::Shl, Operator::Shr),
+                _ => (Operator::Shr, Operator::Shl),
             };
-            let width = Box::new(Formula::Value(Operand::Constant(Constant::Int(16))));
-            let rest = Formula::Binary(width, Operator::Subtract, all(by));
-            Formula::Binary(
-                Box::new(Formula::Binary(all(value), there, all(by))),
-                Operator::Or,
-                Box::new(Formula::Binary(all(value), back, Box::new(rest))),
-            )
+            let rest = Expression::from(16).with(Operator::Minus, by.clone());
+            let low = value.clone().with(back, rest);
+            value.with(there, by).with(Operator::Or, low)
         }
         Formula::Call(function, arguments) => {
-            Formula::Call(*function, arguments.iter().map(without_rotates).collect())
+            let arguments: Result<Vec<Expression>, Refusal> = arguments.iter().map(inner).collect();
+            Expression::call(function.name(), arguments?)
         }
-    }
+    })
 }

@@ -5,9 +5,11 @@ use super::address::Tag;
 use super::bank::{Bank, Kind};
 use super::conversion::Convert;
 use super::model::{Constant, Operand};
-use super::operand::{Chain, kind, string};
-use super::ranges::{bring_pointed, take_pointed};
+use super::operand::{Chain, kind};
+use super::ranges::{bring_pointed, element, take_pointed};
 use super::tags::Tags;
+use ladder_format::program::{Expression, Literal};
+use ladder_instructions::Op;
 
 /// How many addresses of its target a copy may write.
 pub(super) fn most(convert: Convert, source: &Operand) -> usize {
@@ -68,21 +70,21 @@ pub(super) fn copy(
     }
     bring_pointed(tags, chain, source)?;
     bring_pointed(tags, chain, target)?;
-    let value = chain.value(tags, source, Some(from));
+    let value = chain.value(tags, source, Some(from))?;
     match convert {
         Convert::Value => {
-            let place = chain.place(tags, target);
-            chain.push(format!("[TYP]( {place}, {value} )"));
+            let place = chain.place(tags, target)?;
+            chain.push(Op::Typ, [place, value])?;
         }
         Convert::Ascii => {
             let code = tags.helper("code", "INT", CODE);
             let all = characters(tags);
-            let place = chain.place(tags, target);
-            chain.push(format!("[FIND]( {code}, {all}, {value} )"));
+            let place = chain.place(tags, target)?;
+            chain.push(Op::Find, [code.clone(), all, value])?;
             // No character has the code of the first one, 0.
-            chain.push(format!("[SUB]( {code}, {code}, 1 )"));
-            chain.push(format!("[MAX]( {code}, {code}, 0 )"));
-            chain.push(format!("[MOV]( {place}, {code} )"));
+            chain.push(Op::Sub, [code.clone(), code.clone(), 1.into()])?;
+            chain.push(Op::Max, [code.clone(), code.clone(), 0.into()])?;
+            chain.push(Op::Mov, [place, code])?;
         }
         Convert::Binary => {
             let ty = match from {
@@ -92,34 +94,34 @@ pub(super) fn copy(
             };
             let code = tags.helper("character", ty, TO_CODE);
             let all = characters(tags);
-            let place = chain.place(tags, target);
-            chain.push(format!("[MOV]( {code}, {value} )"));
-            chain.push(format!("[AND]( {code}, {code}, 255 )"));
-            chain.push(format!("[LE]( {code}, 127 )"));
-            chain.push(format!("[ADD]( {code}, {code}, 1 )"));
-            chain.push(format!("[MID]( {place}, {all}, 1, {code} )"));
+            let place = chain.place(tags, target)?;
+            chain.push(Op::Mov, [code.clone(), value])?;
+            chain.push(Op::And, [code.clone(), code.clone(), 255.into()])?;
+            chain.push(Op::Le, [code.clone(), 127.into()])?;
+            chain.push(Op::Add, [code.clone(), code.clone(), 1.into()])?;
+            chain.push(Op::Mid, [place, all, 1.into(), code])?;
         }
         Convert::Text { .. } => {
             let Operand::Tag(first) = target else {
                 return Err("a number goes into several addresses, so the first must be fixed".to_owned());
             };
-            return number(tags, chain, (&value, from), first, convert);
+            return number(tags, chain, (value, from), first, convert);
         }
     }
     take_pointed(tags, chain, target)
 }
 
 /// The tag with all characters.
-fn characters(tags: &mut Tags<'_>) -> String {
+fn characters(tags: &mut Tags<'_>) -> Expression {
     let all: String = (0..=0x7F_u8).map(char::from).collect();
-    tags.constant("ascii", "STRING[128]", CHARACTERS, string(&all))
+    tags.constant("ascii", "STRING[128]", CHARACTERS, Some(Literal::text(&all)))
 }
 
 /// A number into as many characters as it has.
 fn number(
     tags: &mut Tags<'_>,
     chain: &mut Chain,
-    (value, from): (&str, Kind),
+    (value, from): (Expression, Kind),
     first: &Tag,
     convert: Convert,
 ) -> Result<(), Refusal> {
@@ -149,29 +151,31 @@ fn number(
         format!("{NUMBER}, {}", convert.grid()),
     );
     let length = tags.helper("number_length", "INT", LENGTH);
-    chain.push(format!("[TYP]( {text}, {value} )"));
+    let literal = |text: &str| Expression::from(Literal::text(text));
+    chain.push(Op::Typ, [text.clone(), value])?;
     if !suppress_zero {
         let sign = tags.helper("number_sign", "STRING[1]", SIGN);
-        let zeros = "0".repeat(digits);
-        chain.push(format!("[FIND]( {length}, {text}, '-' )"));
-        chain.push(format!("[LEFT]( {sign}, {text}, {length} )"));
-        chain.push(format!("[DELETE]( {text}, {text}, {length}, 1 )"));
-        chain.push(format!("[CONCAT]( {text}, '{zeros}', {text} )"));
-        chain.push(format!("[RIGHT]( {text}, {text}, {digits} )"));
-        chain.push(format!("[CONCAT]( {text}, {sign}, {text} )"));
+        let zeros = literal(&"0".repeat(digits));
+        chain.push(Op::Find, [length.clone(), text.clone(), literal("-")])?;
+        chain.push(Op::Left, [sign.clone(), text.clone(), length.clone()])?;
+        chain.push(Op::Delete, [text.clone(), text.clone(), length.clone(), 1.into()])?;
+        chain.push(Op::Concat, [text.clone(), zeros, text.clone()])?;
+        chain.push(Op::Right, [text.clone(), text.clone(), (digits as i64).into()])?;
+        chain.push(Op::Concat, [text.clone(), sign, text.clone()])?;
     }
     if let Some(code) = termination {
-        let character = string(&char::from(code).to_string());
-        chain.push(format!("[CONCAT]( {text}, {text}, {character} )"));
+        let character = literal(&char::from(code).to_string());
+        chain.push(Op::Concat, [text.clone(), text.clone(), character])?;
     }
-    chain.push(format!("[LEN]( {length}, {text} )"));
+    chain.push(Op::Len, [length.clone(), text.clone()])?;
     let most = most + u16::from(termination.is_some());
     let last = start.number.saturating_add(most - 1).min(Bank::Txt.last());
-    for (at, place) in (1..).zip(start.number..=last) {
+    for (at, place) in (1_i64..).zip(start.number..=last) {
         if at > 1 {
-            chain.push(format!("[GE]( {length}, {at} )"));
+            chain.push(Op::Ge, [length.clone(), at.into()])?;
         }
-        chain.push(format!("[MID]( TXT[{place}], {text}, 1, {at} )"));
+        let place = element(Bank::Txt, place);
+        chain.push(Op::Mid, [place, text.clone(), 1.into(), at.into()])?;
     }
     Ok(())
 }

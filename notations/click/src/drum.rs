@@ -1,13 +1,18 @@
 //! Drums. Ladder text has none, so each kind of drum, of so many steps and outputs, becomes a block that is defined in front
 //! of the program; a drum is one call of it, with its events or times and its pattern as operands.
 
-use super::act::{Acts, Refusal, pin, written};
+use super::act::{Acts, Refusal, duration, given, pin, written};
 use super::bank::{Bank, Kind};
 use super::model::{Drum, Operand, Steps};
 use super::operand::{kind, passes};
 use super::tags::Tags;
 use ladder_format::Circuit;
-use ladder_format::program::{Declaration, Drawing, Element, Item, Network, Section, SectionKind};
+use ladder_format::program::{
+    Block, Declaration, Drawing, Element, Expression, Invalid, Item, Literal, Network, Path, Section,
+    SectionKind,
+};
+use ladder_instructions::Op;
+use std::collections::btree_map::Entry;
 
 /// What drums that share a block have in common.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -27,15 +32,16 @@ impl Shape {
         }
     }
 
-    /// The name of its block, with the `$`.
+    /// The name of its block, without the `$`.
     fn name(self) -> String {
         let kind = if self.is_timed { "Time" } else { "Event" };
-        format!("${kind}Drum{}x{}", self.steps, self.outputs)
+        format!("{kind}Drum{}x{}", self.steps, self.outputs)
     }
 
-    /// The shape whose block has this name.
+    /// The shape whose block has this name, with the `$`.
     pub(super) fn named(name: &str) -> Option<Shape> {
-        let (kind, size) = name.strip_prefix('$')?.split_once("Drum")?;
+        let name = name.strip_prefix('$')?;
+        let (kind, size) = name.split_once("Drum")?;
         let (steps, outputs) = size.split_once('x')?;
         let shape = Shape {
             is_timed: kind == "Time",
@@ -45,54 +51,51 @@ impl Shape {
         (shape.name() == name).then_some(shape)
     }
 
-    /// What ends a step is `t1` or `e1`.
-    const fn letter(self) -> char {
-        if self.is_timed { 't' } else { 'e' }
-    }
-
-    /// `e1, e2, e3`
-    fn list(letter: char, count: usize) -> String {
-        let names: Vec<String> = (1..=count).map(|number| format!("{letter}{number}")).collect();
-        names.join(", ")
+    /// What ends its steps: `e1, e2, e3`, or `t1, t2, t3`.
+    fn ends(self) -> Vec<String> {
+        numbered(if self.is_timed { "t" } else { "e" }, self.steps)
     }
 
     /// Its block, as a text defines it.
-    pub(super) fn definition(self) -> Item {
-        // What a drum may lack is given a value: it is called without it.
-        let initial = |ty: &str, names: &str| match (ty, names) {
-            ("BOOL", "jump, jog") => Some("FALSE".to_owned()),
-            ("INT", "jump_to") => Some("0".to_owned()),
-            _ => None,
-        };
-        let section = |kind, declarations: &[(&str, &str)]| {
+    fn definition(self) -> Result<Item, Invalid> {
+        let section = |kind, declarations: &[(Vec<String>, &str)]| {
             let mut section = Section::new(kind);
-            section.declarations = declarations
-                .iter()
-                .map(|(names, ty)| Declaration {
-                    names: names.split(", ").map(str::to_owned).collect(),
-                    initial: initial(ty, names),
-                    ..Declaration::new("", *ty)
-                })
-                .collect();
+            let declared = declarations.iter().map(|(names, ty)| Declaration {
+                names: names.clone(),
+                // What a drum may lack is given a value: it is called without it.
+                initial: match names[0].as_str() {
+                    "jump" => Some("FALSE".to_owned()),
+                    "jump_to" => Some("0".to_owned()),
+                    _ => None,
+                },
+                ..Declaration::new("", *ty)
+            });
+            section.declarations = declared.collect();
             Item::Section(section)
         };
-        let steps = self.steps;
-        let ends = Shape::list(self.letter(), steps);
-        let patterns = Shape::list('p', steps);
-        let outputs = Shape::list('q', self.outputs);
-        let mut inputs = vec![("reset", "BOOL"), ("jump, jog", "BOOL"), ("jump_to", "INT")];
-        let mut state = vec![("now", "INT"), ("valid, came, acts", "BOOL"), ("pattern", "WORD")];
-        let mut places = vec![("step", "INT"), ("done", "BOOL")];
+        let named = |names: &str, ty| (names.split(", ").map(str::to_owned).collect(), ty);
+        let mut inputs = vec![
+            named("reset", "BOOL"),
+            named("jump, jog", "BOOL"),
+            named("jump_to", "INT"),
+        ];
+        let flags = named("valid, came, acts", "BOOL");
+        let mut state = vec![named("now", "INT"), flags, named("pattern", "WORD")];
+        let mut places = vec![named("step", "INT"), named("done", "BOOL")];
         if self.is_timed {
-            inputs.extend([("unit", "TIME"), (&ends, "DINT")]);
-            state.extend([("moved", "BOOL"), ("clock", "RTO"), ("preset", "DINT")]);
-            places.push(("acc", "INT"));
+            inputs.extend([named("unit", "TIME"), (self.ends(), "DINT")]);
+            state.extend([
+                named("moved", "BOOL"),
+                named("clock", "RTO"),
+                named("preset", "DINT"),
+            ]);
+            places.push(named("acc", "INT"));
         } else {
-            inputs.push((&ends, "BOOL"));
-            state.extend([("before", "INT"), ("event, was", "BOOL")]);
+            inputs.push((self.ends(), "BOOL"));
+            state.extend([named("before", "INT"), named("event, was", "BOOL")]);
         }
-        inputs.push((&patterns, "WORD"));
-        places.push((&outputs, "BOOL"));
+        inputs.push((numbered("p", self.steps), "WORD"));
+        places.push((numbered("q", self.outputs), "BOOL"));
         let items = vec![
             section(SectionKind::VarInput, &inputs),
             section(SectionKind::VarInOut, &places),
@@ -100,89 +103,144 @@ impl Shape {
         ];
         let mut rungs = Rungs {
             items,
-            moves: self.is_timed.then_some("[MOV]( moved, TRUE )"),
+            moves: self.is_timed,
         };
-        self.body(&mut rungs, &ends, &patterns);
-        Item::Block {
-            header: format!("[{}]", self.name()),
+        self.body(&mut rungs)?;
+        Ok(Item::Block {
+            header: format!("[${}]", self.name()),
             items: rungs.items,
-        }
+        })
     }
 
     /// The networks of its block.
-    fn body(self, rungs: &mut Rungs, ends: &str, patterns: &str) {
-        let last = self.steps;
+    fn body(self, rungs: &mut Rungs) -> Result<(), Invalid> {
+        use Op::{Coil, Contact, Eq, Ge, Le, Lt, Mov, Mux, Ne, NegatedContact, RisingContact, Rto, Sel};
+        let last = self.steps as i64;
+        let now = || tag("now");
+        let accumulated = || Path::tag("clock").member("ACC");
+        let next = || Block::of(Op::Add, [now(), now(), 1.into()]);
+        // Of several values for a step each, that of the step.
+        let chosen = |to: &str, none: Expression, of: Vec<String>| {
+            let values = of.iter().map(|name| tag(name));
+            Block::of(Mux, [tag(to), now(), none].into_iter().chain(values))
+        };
         // A step that there is not is the first one, and nothing ends in the scan that finds it.
-        rungs.add(&[
-            "[GE]( step, 1 )",
-            &format!("[LE]( step, {last} )"),
-            "( )( valid )",
-        ]);
-        rungs.add(&["[SEL]( now, valid, 1, step )"]);
+        rungs.add([
+            two(Ge, tag("step"), 1),
+            two(Le, tag("step"), last),
+            one(Coil, "valid"),
+        ])?;
+        rungs.add([Block::of(Sel, [now(), tag("valid"), 1.into(), tag("step")])])?;
         if self.is_timed {
-            rungs.add(&["[ ]( EN )", "[/]( valid )", "( )( moved )"]);
+            rungs.add([
+                one(Contact, "EN"),
+                one(NegatedContact, "valid"),
+                one(Coil, "moved"),
+            ])?;
             // The program may have written the time.
-            rungs.add(&["[NE]( clock.ACC, acc )", "[MOV]( clock.ACC, acc )"]);
-            rungs.add(&["[ ]( EN )", "[RTO]( clock, T#32767d, B := unit )"]);
-            let choose = format!("[MUX]( preset, now, 0, {ends} )");
-            rungs.add(&["[ ]( EN )", &choose, "[GE]( clock.ACC, preset )", "( )( came )"]);
+            rungs.add([
+                two(Ne, accumulated(), tag("acc")),
+                two(Mov, accumulated(), tag("acc")),
+            ])?;
+            let longest = Expression::literal("T#32767d")?;
+            let clock = [tag("clock").into(), longest.into(), given("B", tag("unit"))];
+            rungs.add([one(Contact, "EN"), Block::of(Rto, clock)])?;
+            rungs.add([
+                one(Contact, "EN"),
+                chosen("preset", 0.into(), self.ends()),
+                two(Ge, accumulated(), tag("preset")),
+                one(Coil, "came"),
+            ])?;
         } else {
-            rungs.add(&[&format!("[MUX]( event, now, FALSE, {ends} )")]);
-            let in_step = ["[ ]( valid )", "[EQ]( before, now )"];
-            rungs.add(&[
-                "[ ]( EN )",
-                in_step[0],
-                in_step[1],
-                "[ ]( event )",
-                "[/]( was )",
-                "( )( came )",
-            ]);
+            rungs.add([chosen("event", bit(false), self.ends())])?;
+            rungs.add([
+                one(Contact, "EN"),
+                one(Contact, "valid"),
+                two(Eq, tag("before"), now()),
+                one(Contact, "event"),
+                one(NegatedContact, "was"),
+                one(Coil, "came"),
+            ])?;
         }
-        let (at_last, on) = (format!("[EQ]( now, {last} )"), format!("[LT]( now, {last} )"));
-        rungs.add(&["[ ]( came )", &at_last, "[MOV]( done, TRUE )"]);
-        rungs.add_move(&["[ ]( came )", &on, "[ADD]( now, now, 1 )"]);
-        rungs.add_move(&["[ ]( reset )", "[MOV]( now, 1 )", "[MOV]( done, FALSE )"]);
-        let upto = format!("[LE]( jump_to, {last} )");
-        rungs.add_move(&[
-            "[ ]( EN )",
-            "[P]( jump )",
-            "[GE]( jump_to, 1 )",
-            &upto,
-            "[MOV]( now, jump_to )",
-        ]);
-        rungs.add_move(&["[ ]( EN )", "[P]( jog )", &on, "[ADD]( now, now, 1 )"]);
+        rungs.add([
+            one(Contact, "came"),
+            two(Eq, now(), last),
+            two(Mov, tag("done"), bit(true)),
+        ])?;
+        rungs.add_move([one(Contact, "came"), two(Lt, now(), last), next()])?;
+        let not_done = two(Mov, tag("done"), bit(false));
+        rungs.add_move([one(Contact, "reset"), two(Mov, now(), 1), not_done])?;
+        rungs.add_move([
+            one(Contact, "EN"),
+            one(RisingContact, "jump"),
+            two(Ge, tag("jump_to"), 1),
+            two(Le, tag("jump_to"), last),
+            two(Mov, now(), tag("jump_to")),
+        ])?;
+        rungs.add_move([
+            one(Contact, "EN"),
+            one(RisingContact, "jog"),
+            two(Lt, now(), last),
+            next(),
+        ])?;
         if self.is_timed {
-            rungs.add(&["[ ]( moved )", "(RES)( clock )"]);
+            rungs.add([one(Contact, "moved"), one(Op::Res, "clock")])?;
         } else {
-            rungs.add(&[
-                &format!("[MUX]( was, now, FALSE, {ends} )"),
-                "[MOV]( before, now )",
-            ]);
+            rungs.add([
+                chosen("was", bit(false), self.ends()),
+                two(Mov, tag("before"), now()),
+            ])?;
         }
-        let either = ["[ ]( EN )", "[ ]( reset )"].map(|contact| series(&[contact]));
+        let either = ["EN", "reset"].map(|name| series([one(Contact, name)]));
+        let either = either.into_iter().collect::<Result<_, _>>()?;
         rungs.network(Circuit::Series(vec![
-            Circuit::Parallel(either.to_vec()),
-            series(&["( )( acts )"]),
+            Circuit::Parallel(either),
+            series([one(Coil, "acts")])?,
         ]));
-        let pattern = format!("[MUX]( pattern, now, 0, {patterns} )");
-        rungs.add(&["[ ]( acts )", &pattern, "[MOV]( step, now )"]);
+        let pattern = chosen("pattern", 0.into(), numbered("p", self.steps));
+        rungs.add([one(Contact, "acts"), pattern, two(Mov, tag("step"), now())])?;
         if self.is_timed {
-            rungs.add(&["[ ]( acts )", "[MOV]( acc, clock.ACC )"]);
+            rungs.add([one(Contact, "acts"), two(Mov, tag("acc"), accumulated())])?;
         }
-        for output in 0..self.outputs {
-            rungs.add(&[
-                "[ ]( acts )",
-                &format!("[MOV]( q{}, pattern.{output} )", output + 1),
-            ]);
+        for (output, name) in (0..).zip(numbered("q", self.outputs)) {
+            rungs.add([
+                one(Contact, "acts"),
+                two(Mov, tag(&name), Path::tag("pattern").bit(output)),
+            ])?;
         }
+        Ok(())
     }
+}
+
+/// A block of the definition, if it can be one.
+type Made = Result<Block, Invalid>;
+
+fn one(op: Op, name: &str) -> Made {
+    Block::of(op, [tag(name)])
+}
+
+fn two(op: Op, left: impl Into<Expression>, right: impl Into<Expression>) -> Made {
+    Block::of(op, [left.into(), right.into()])
+}
+
+fn bit(on: bool) -> Expression {
+    Literal::from(on).into()
+}
+
+fn tag(name: &str) -> Expression {
+    Path::tag(name).into()
+}
+
+/// `e1`, `e2`, `e3`
+fn numbered(letter: &str, count: usize) -> Vec<String> {
+    (1..=count).map(|number| format!("{letter}{number}")).collect()
 }
 
 /// The networks of a block that is being defined.
 struct Rungs {
     items: Vec<Item>,
-    /// What is done in each move to another step.
-    moves: Option<&'static str>,
+    /// Whether each move to another step is noted.
+    moves: bool,
 }
 
 impl Rungs {
@@ -194,19 +252,21 @@ impl Rungs {
         }));
     }
 
-    fn add(&mut self, blocks: &[&str]) {
-        self.network(series(blocks));
+    fn add(&mut self, blocks: impl IntoIterator<Item = Made>) -> Result<(), Invalid> {
+        self.network(series(blocks)?);
+        Ok(())
     }
 
-    fn add_move(&mut self, blocks: &[&str]) {
-        let all: Vec<&str> = blocks.iter().copied().chain(self.moves).collect();
-        self.add(&all);
+    fn add_move(&mut self, blocks: impl IntoIterator<Item = Made>) -> Result<(), Invalid> {
+        let moved = self.moves.then(|| two(Op::Mov, tag("moved"), bit(true)));
+        self.add(blocks.into_iter().chain(moved))
     }
 }
 
-fn series(blocks: &[&str]) -> Circuit<Element> {
-    let element = |block: &&str| Circuit::Element(Element::block(*block, None));
-    Circuit::Series(blocks.iter().map(element).collect())
+fn series(blocks: impl IntoIterator<Item = Made>) -> Result<Circuit<Element>, Invalid> {
+    let element = |block: Made| Ok(Circuit::Element(Element::of(block?, None)));
+    let elements: Result<_, Invalid> = blocks.into_iter().map(element).collect();
+    Ok(Circuit::Series(elements?))
 }
 
 /// The patterns of the steps as numbers, whose lowest bit is the first output.
@@ -266,55 +326,57 @@ pub(super) fn acts(tags: &mut Tags<'_>, acts: &mut Acts, drum: &Drum) -> Result<
         return Err(why.to_owned());
     }
     let shape = Shape::of(drum);
-    tags.drums.push(shape);
-    let of = format!("drum{}", tags.drums.len());
-    let mut operands: Vec<String> = Vec::new();
+    if let Entry::Vacant(new) = tags.drum_blocks.entry(shape) {
+        new.insert(shape.definition()?);
+    }
+    tags.drums += 1;
+    let of = format!("drum{}", tags.drums);
+    let mut operands = Vec::new();
     let pins = [("reset", &drum.reset), ("jump", &drum.jump), ("jog", &drum.jog)];
     for (name, condition) in pins {
         if let Some(condition) = condition {
-            operands.push(format!("{name} := {}", pin(tags, acts, &of, name, condition)));
+            operands.push(given(name, pin(tags, acts, &of, name, condition)));
         }
     }
     if let Some(step) = &drum.jump_step {
-        operands.push(format!("jump_to := {}", number(tags, acts, step, Kind::Int)?));
+        operands.push(given("jump_to", number(tags, acts, step, Kind::Int)?));
     }
+    let ends = shape.ends().into_iter();
     match &drum.steps {
         Steps::Events(events) => {
-            for (at, event) in (1..).zip(events) {
+            for ((at, name), event) in (1..).zip(ends).zip(events) {
                 let event = pin(tags, acts, &of, &format!("event{at}"), event);
-                operands.push(format!("e{at} := {event}"));
+                operands.push(given(name, event));
             }
         }
         Steps::Times { presets, unit, .. } => {
-            operands.push(format!("unit := T#1{}", unit.suffix()));
-            for (at, preset) in (1..).zip(presets) {
-                operands.push(format!("t{at} := {}", number(tags, acts, preset, Kind::Int2)?));
+            operands.push(given("unit", duration(1, *unit)?));
+            for (name, preset) in ends.zip(presets) {
+                operands.push(given(name, number(tags, acts, preset, Kind::Int2)?));
             }
         }
     }
-    for (at, pattern) in (1..).zip(&drum.pattern) {
-        operands.push(format!("p{at} := 2#{pattern:0width$b}", width = shape.outputs));
+    for (name, pattern) in numbered("p", shape.steps).into_iter().zip(&drum.pattern) {
+        let bits = format!("2#{pattern:0width$b}", width = shape.outputs);
+        operands.push(given(name, Expression::literal(bits)?));
     }
-    let mut place = |name: &str, tag| -> Result<(), Refusal> {
-        written(tag)?;
-        operands.push(format!("{name} := {}", tags.text(tag)));
-        Ok(())
+    let accumulator = match &drum.steps {
+        Steps::Times { accumulator, .. } => Some(("acc".to_owned(), accumulator)),
+        Steps::Events(_) => None,
     };
-    place("step", &drum.current_step)?;
-    place("done", &drum.completion_flag)?;
-    if let Steps::Times { accumulator, .. } = &drum.steps {
-        place("acc", accumulator)?;
+    let places = [("step", &drum.current_step), ("done", &drum.completion_flag)];
+    let places = places.map(|(name, place)| (name.to_owned(), place));
+    let outputs = numbered("q", shape.outputs).into_iter().zip(&drum.outputs);
+    for (name, place) in places.into_iter().chain(accumulator).chain(outputs) {
+        written(place)?;
+        operands.push(given(name, tags.place(place)));
     }
-    for (at, output) in (1..).zip(&drum.outputs) {
-        place(&format!("q{at}"), output)?;
-    }
-    acts.chain
-        .push(format!("[{}]( {} )", shape.name(), operands.join(", ")));
+    acts.chain.blocks.push(Block::user(shape.name(), operands)?);
     Ok(())
 }
 
 /// A whole number where one is asked for.
-fn number(tags: &mut Tags<'_>, acts: &mut Acts, value: &Operand, most: Kind) -> Result<String, Refusal> {
+fn number(tags: &mut Tags<'_>, acts: &mut Acts, value: &Operand, most: Kind) -> Result<Expression, Refusal> {
     let goes = match value {
         Operand::Constant(constant) => super::operand::fits(constant, most),
         other => kind(other).is_some_and(|from| from != Kind::Hex && passes(from, most)),
@@ -322,7 +384,7 @@ fn number(tags: &mut Tags<'_>, acts: &mut Acts, value: &Operand, most: Kind) -> 
     if !goes {
         return Err("the steps and times of a drum are whole numbers, or addresses of DS".to_owned());
     }
-    Ok(acts.chain.value(tags, value, Some(most)))
+    acts.chain.value(tags, value, Some(most))
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use super::address::{Address, Span, Tag};
 use super::bank::Bank;
 use super::conversion::Convert;
+use ladder_instructions::{Op, by_op};
 use ladder_notation::LineColumn;
 
 /// A whole program.
@@ -162,13 +163,13 @@ pub(super) enum Relation {
 }
 
 impl Relation {
-    pub(super) const ALL: [(Relation, &'static str, &'static str); 6] = [
-        (Relation::Eq, "==", "EQ"),
-        (Relation::Ne, "!=", "NE"),
-        (Relation::Lt, "<", "LT"),
-        (Relation::Le, "<=", "LE"),
-        (Relation::Gt, ">", "GT"),
-        (Relation::Ge, ">=", "GE"),
+    pub(super) const ALL: [(Relation, &'static str, Op); 6] = [
+        (Relation::Eq, "==", Op::Eq),
+        (Relation::Ne, "!=", Op::Ne),
+        (Relation::Lt, "<", Op::Lt),
+        (Relation::Le, "<=", Op::Le),
+        (Relation::Gt, ">", Op::Gt),
+        (Relation::Ge, ">=", Op::Ge),
     ];
 
     /// As Python and the grid write it: `==`.
@@ -178,14 +179,26 @@ impl Relation {
 
     /// As ladder text writes it: `EQ`.
     pub(super) fn mnemonic(self) -> &'static str {
+        by_op(self.op()).mnemonic
+    }
+
+    /// The comparison of ladder text.
+    pub(super) fn op(self) -> Op {
         Relation::ALL[self as usize].2
+    }
+
+    /// The one that an instruction of ladder text compares by.
+    pub(super) fn of(op: Op) -> Option<Relation> {
+        let row = Relation::ALL.iter().find(|row| row.2 == op)?;
+        Some(row.0)
     }
 
     /// Either of these, whatever the case. A single `=` is Click's own.
     pub(super) fn named(text: &str) -> Option<Relation> {
         let text = if text == "=" { "==" } else { text };
         let mut all = Relation::ALL.iter();
-        let row = all.find(|(_, sign, mnemonic)| *sign == text || mnemonic.eq_ignore_ascii_case(text))?;
+        let row =
+            all.find(|(relation, sign, _)| *sign == text || relation.mnemonic().eq_ignore_ascii_case(text))?;
         Some(row.0)
     }
 }

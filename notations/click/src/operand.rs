@@ -1,10 +1,13 @@
 //! Values and places as ladder text writes them.
 
+use super::act::Refusal;
 use super::bank::Kind;
-use super::model::{Constant, Operand};
+use super::model::{Constant, Operand, Pointer};
 use super::tags::Tags;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::real_text;
+use ladder_format::program::{self, Block, Expression, Literal, Path};
+use ladder_instructions::Op;
 
 /// What a value is, if it is not a constant.
 pub(super) fn kind(operand: &Operand) -> Option<Kind> {
@@ -45,19 +48,26 @@ pub(super) fn fits(constant: &Constant, kind: Kind) -> bool {
 }
 
 /// A constant where a kind of value is asked for. What does not fit is written as it is: the place then says so.
-pub(super) fn literal(constant: &Constant, kind: Option<Kind>) -> String {
-    match (constant, kind) {
-        (Constant::Bit(true), _) | (Constant::Int(1), Some(Kind::Bit)) => "TRUE".to_owned(),
-        (Constant::Bit(false), _) | (Constant::Int(0), Some(Kind::Bit)) => "FALSE".to_owned(),
-        (Constant::Int(number), _) => number.to_string(),
+///
+/// # Errors
+///
+/// Click has no such value.
+pub(super) fn literal(constant: &Constant, kind: Option<Kind>) -> Result<Literal, Refusal> {
+    Ok(match (constant, kind) {
+        (Constant::Bit(on), _) => Literal::from(*on),
+        (Constant::Int(number @ 0..=1), Some(Kind::Bit)) => Literal::from(*number == 1),
+        (Constant::Int(number), _) => Literal::from(*number),
         // The same bits, with a sign.
-        (Constant::Hex(number @ 0..=0xFFFF), Some(Kind::Int)) => (*number as u16 as i16).to_string(),
-        (Constant::Hex(number), Some(Kind::Int2)) => (*number as i32).to_string(),
-        (Constant::Hex(number), Some(Kind::Float)) => number.to_string(),
-        (Constant::Hex(number), _) => format!("16#{number:04X}"),
-        (Constant::Float(number), _) => real(*number),
-        (Constant::Text(text), _) => string(text),
-    }
+        (Constant::Hex(number @ 0..=0xFFFF), Some(Kind::Int)) => {
+            Literal::from(i64::from(*number as u16 as i16))
+        }
+        (Constant::Hex(number), Some(Kind::Int2)) => Literal::from(i64::from(*number as i32)),
+        (Constant::Hex(number), Some(Kind::Float)) => Literal::from(i64::from(*number)),
+        (Constant::Hex(number), _) => Literal::read(format!("16#{number:04X}"))?,
+        (Constant::Float(number), _) => Literal::read(real(*number))?,
+        (Constant::Text(text), _) if text.is_ascii() => Literal::text(text),
+        (Constant::Text(_), _) => return Err("Click's texts are ASCII".to_owned()),
+    })
 }
 
 /// A real, with a point.
@@ -77,25 +87,10 @@ pub(super) fn shortest(number: f64) -> f64 {
     number
 }
 
-/// A string of ladder text. What is not a printable ASCII is given by its code.
-pub(super) fn string(text: &str) -> String {
-    let mut out = String::from("'");
-    for c in text.chars() {
-        match c {
-            '\'' | '$' => out.extend(['$', c]),
-            // A comment begins nowhere inside a string, but people read it more easily so.
-            ' '..='~' => out.push(c),
-            c => out.push_str(&format!("${:02X}", u32::from(c).min(0xFF))),
-        }
-    }
-    out.push('\'');
-    out
-}
-
 /// Blocks one after the other, as they come to be: what an instruction needs before it, then itself.
 #[derive(Debug, Default)]
 pub(super) struct Chain {
-    pub(super) blocks: Vec<String>,
+    pub(super) blocks: Vec<Block>,
     /// Why it does not say quite the same.
     pub(super) remark: Option<String>,
     /// How many pointers have something added to them.
@@ -103,42 +98,55 @@ pub(super) struct Chain {
 }
 
 impl Chain {
-    pub(super) fn push(&mut self, block: String) {
-        self.blocks.push(block);
+    /// Adds an instruction.
+    pub(super) fn push<O: Into<program::Operand>>(
+        &mut self,
+        op: Op,
+        operands: impl IntoIterator<Item = O>,
+    ) -> Result<(), Refusal> {
+        self.blocks.push(Block::of(op, operands)?);
+        Ok(())
     }
 
     /// A value where a kind of value is asked for, or none in particular.
-    pub(super) fn value(&mut self, tags: &mut Tags<'_>, operand: &Operand, kind: Option<Kind>) -> String {
+    pub(super) fn value(
+        &mut self,
+        tags: &mut Tags<'_>,
+        operand: &Operand,
+        kind: Option<Kind>,
+    ) -> Result<Expression, Refusal> {
         match operand {
-            Operand::Constant(constant) => literal(constant, kind),
-            other => self.place(tags, other),
+            Operand::Constant(constant) => Ok(literal(constant, kind)?.into()),
+            Operand::Tag(tag) => Ok(tags.place(tag)),
+            Operand::Pointer(pointer) => self.pointed(tags, pointer),
         }
     }
 
-    /// A place where a value goes. A constant, which is none, is written as it is.
-    pub(super) fn place(&mut self, tags: &mut Tags<'_>, operand: &Operand) -> String {
+    /// A place where a value goes.
+    pub(super) fn place(&mut self, tags: &mut Tags<'_>, operand: &Operand) -> Result<Expression, Refusal> {
         match operand {
-            Operand::Constant(constant) => literal(constant, None),
-            Operand::Tag(tag) => tags.text(tag),
-            Operand::Pointer(pointer) => {
-                let by = tags.text(&pointer.by);
-                let index = match pointer.offset {
-                    0 => by,
-                    offset => {
-                        // An instruction may have two of them, and both are ready before it reads.
-                        let what = match self.pointers {
-                            0 => "a pointer and what is added to it",
-                            _ => "another pointer and what is added to it",
-                        };
-                        self.pointers += 1;
-                        let index = tags.helper("pointer", "DINT", what);
-                        self.push(format!("[ADD]( {index}, {by}, {offset} )"));
-                        index
-                    }
-                };
-                format!("{}[{index}]", pointer.bank.array())
-            }
+            Operand::Constant(_) => Err("a constant cannot be written".to_owned()),
+            other => self.value(tags, other, None),
         }
+    }
+
+    fn pointed(&mut self, tags: &mut Tags<'_>, pointer: &Pointer) -> Result<Expression, Refusal> {
+        let by = tags.place(&pointer.by);
+        let index = match pointer.offset {
+            0 => by,
+            offset => {
+                // An instruction may have two of them, and both are ready before it reads.
+                let what = match self.pointers {
+                    0 => "a pointer and what is added to it",
+                    _ => "another pointer and what is added to it",
+                };
+                self.pointers += 1;
+                let index = tags.helper("pointer", "DINT", what);
+                self.push(Op::Add, [index.clone(), by, i64::from(offset).into()])?;
+                index
+            }
+        };
+        Ok(Path::tag(pointer.bank.array()).index([index]).into())
     }
 }
 
@@ -148,12 +156,18 @@ mod tests {
 
     #[test]
     fn constants_take_the_kind_of_their_place() {
-        let hex = Constant::Hex(0xFFFF);
-        assert_eq!(literal(&hex, Some(Kind::Hex)), "16#FFFF");
-        assert_eq!(literal(&hex, Some(Kind::Int)), "-1");
-        assert_eq!(literal(&hex, Some(Kind::Int2)), "65535");
-        assert_eq!(literal(&Constant::Int(1), Some(Kind::Bit)), "TRUE");
-        assert_eq!(literal(&Constant::Float(1e30), None), "1.0e30");
-        assert_eq!(literal(&Constant::Text("a'$\n".to_owned()), None), "'a$'$$$0A'");
+        let check = |constant: Constant, kind, expected: &str| {
+            assert_eq!(
+                literal(&constant, kind).as_ref().map(Literal::as_str),
+                Ok(expected)
+            );
+        };
+        check(Constant::Hex(0xFFFF), Some(Kind::Hex), "16#FFFF");
+        check(Constant::Hex(0xFFFF), Some(Kind::Int), "-1");
+        check(Constant::Hex(0xFFFF), Some(Kind::Int2), "65535");
+        check(Constant::Int(1), Some(Kind::Bit), "TRUE");
+        check(Constant::Float(1e30), None, "1.0e30");
+        check(Constant::Text("a'$\n".to_owned()), None, "'a$'$$$0A'");
+        assert!(literal(&Constant::Text("é".to_owned()), None).is_err());
     }
 }

@@ -9,16 +9,23 @@ use super::address::{Span, Tag};
 use super::bank::{Bank, Kind};
 use super::formula;
 use super::model::{Constant, Formula, Operand, Pointer};
-use super::operand::{Chain, fits, kind, literal, passes};
+use super::operand::{Chain, fits, kind, passes};
 use super::tags::Tags;
+use ladder_format::program::{Expression, Path};
+use ladder_instructions::Op;
 
 /// A block between kinds of more addresses is not copied: each takes a block of its own.
 pub(super) const MOST_CONVERTED: usize = 200;
 
-/// A range as ladder text writes it.
-pub(super) fn range(span: &Span) -> String {
-    let (first, last) = (span.first, span.last);
-    format!("{}[{first}..{last}]", span.bank.array())
+/// An element of the array that a bank is: `DS[3]`
+pub(super) fn element(bank: Bank, number: u16) -> Expression {
+    Path::tag(bank.array()).index([i64::from(number)]).into()
+}
+
+/// A part of that array: `DS[3..9]`
+pub(super) fn range(span: &Span) -> Expression {
+    let (first, last) = (i64::from(span.first), i64::from(span.last));
+    Path::tag(span.bank.array()).range(first, last).into()
 }
 
 /// Whether the addresses of a bank belong to blocks.
@@ -37,7 +44,7 @@ pub(super) fn array(span: &Span) -> Result<(), Refusal> {
 /// Brings what the blocks of a range hold into their array.
 pub(super) fn bring(tags: &mut Tags<'_>, chain: &mut Chain, span: &Span) -> Result<(), Refusal> {
     for (element, value) in tags.copies(span)? {
-        chain.push(format!("[MOV]( {element}, {value} )"));
+        chain.push(Op::Mov, [element, value])?;
     }
     Ok(())
 }
@@ -45,7 +52,7 @@ pub(super) fn bring(tags: &mut Tags<'_>, chain: &mut Chain, span: &Span) -> Resu
 /// Takes what an array holds to the blocks of a range.
 fn take(tags: &mut Tags<'_>, chain: &mut Chain, span: &Span) -> Result<(), Refusal> {
     for (element, value) in tags.copies(span)? {
-        chain.push(format!("[MOV]( {value}, {element} )"));
+        chain.push(Op::Mov, [value, element])?;
     }
     Ok(())
 }
@@ -114,12 +121,11 @@ pub(super) fn block_copy(
     if from != to && !(is_number(from) && is_number(to)) {
         return Err("bits, numbers and texts do not turn into one another".to_owned());
     }
+    let moves = if passes(from, to) { Op::Mov } else { Op::Typ };
     let Some(first) = tags.address(target).map(|address| address.number) else {
         if source.len() == 1 {
-            let head = if passes(from, to) { "[MOV]" } else { "[TYP]" };
             let source = Tag::number(source.bank, source.first);
-            chain.push(format!("{head}( {}, {} )", tags.text(target), tags.text(&source)));
-            return Ok(());
+            return chain.push(moves, [tags.place(target), tags.place(&source)]);
         }
         return Err("the first of several addresses must be given by its number".to_owned());
     };
@@ -131,21 +137,15 @@ pub(super) fn block_copy(
     };
     bring(tags, chain, source)?;
     if from == to {
-        chain.push(format!(
-            "[BMOV]( {}[{first}], {} )",
-            span.bank.array(),
-            range(source)
-        ));
+        chain.push(Op::Bmov, [element(span.bank, first), range(source)])?;
     } else {
         if source.len() > MOST_CONVERTED {
             return Err(format!(
                 "more than {MOST_CONVERTED} addresses do not turn into another kind at once: make several blocks of it"
             ));
         }
-        let head = if passes(from, to) { "[MOV]" } else { "[TYP]" };
-        let names = (span.bank.array(), source.bank.array());
         for (to, from) in (first..=last).zip(source.first..) {
-            chain.push(format!("{head}( {}[{to}], {}[{from}] )", names.0, names.1));
+            chain.push(moves, [element(span.bank, to), element(source.bank, from)])?;
         }
     }
     take(tags, chain, &span)
@@ -168,15 +168,12 @@ pub(super) fn fill(
         (_, None) => false,
     };
     if direct {
-        let value = chain.value(tags, source, Some(to));
-        chain.push(format!("[FILL]( {}, {value} )", range(target)));
+        let value = chain.value(tags, source, Some(to))?;
+        chain.push(Op::Fill, [range(target), value])?;
         return take(tags, chain, target);
     }
     let between = tags.helper("fill_value", to.iec(), "a value that fills a range");
-    let value = match source {
-        Operand::Constant(constant) => literal(constant, None),
-        other => chain.value(tags, other, None),
-    };
+    let value = chain.value(tags, source, None)?;
     let from_number = kind(source).map_or(
         !matches!(source, Operand::Constant(Constant::Bit(_) | Constant::Text(_))),
         is_number,
@@ -184,7 +181,7 @@ pub(super) fn fill(
     if !is_number(to) || !from_number {
         return Err("bits, numbers and texts do not turn into one another".to_owned());
     }
-    chain.push(format!("[TYP]( {between}, {value} )"));
-    chain.push(format!("[FILL]( {}, {between} )", range(target)));
+    chain.push(Op::Typ, [between.clone(), value])?;
+    chain.push(Op::Fill, [range(target), between])?;
     take(tags, chain, target)
 }

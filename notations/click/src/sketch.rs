@@ -4,17 +4,17 @@ mod contacts;
 
 use super::act::{self, Above};
 use super::bank::{Bank, Writer};
-use super::drum::Shape;
 use super::dsl::spell;
 use super::model::{Action, CopyOptions, Instruction, Program, Routine, Rung};
 use super::order::{self, Part};
 use super::tags::Tags;
 use super::uses::{Access, What, uses};
 use ladder_format::Circuit;
-use ladder_format::program::{Drawing, Element, Item, Network};
+use ladder_format::program::{Block, Drawing, Element, Item, Network};
+use ladder_instructions::Op;
 use ladder_notation::names::Names;
 use ladder_notation::{LineColumn, Reading};
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{HashMap, HashSet};
 
 /// The whole program.
 pub(super) fn sketch(program: &Program) -> Reading {
@@ -82,9 +82,8 @@ impl Sketcher<'_> {
         for section in self.tags.sections() {
             items.push(Item::Section(section));
         }
-        let drums: BTreeSet<Shape> = self.tags.drums.iter().copied().collect();
-        for shape in drums {
-            items.extend([Item::Blank, shape.definition()]);
+        for definition in self.tags.drum_blocks.into_values() {
+            items.extend([Item::Blank, definition]);
         }
         items.append(&mut self.items);
         self.reading.program.items = items;
@@ -169,7 +168,7 @@ impl Sketcher<'_> {
                     .approximated(routine.place, &routine.name, why);
             }
             let origin = self.reading.origin(routine.place);
-            let block = Element::block(format!("<FUN>( {name} )"), Some(origin));
+            let block = Element::of(Block::function(&name), Some(origin));
             self.items.push(Item::Network(Network {
                 comments: routine.comments.clone(),
                 drawing: Drawing::Circuit(Circuit::Element(block)),
@@ -198,7 +197,7 @@ impl Sketcher<'_> {
             let helper = self.tags.helper("seen", "BOOL", what);
             above.push(Above {
                 condition: condition.clone(),
-                blocks: vec![format!("( )( {helper} )")],
+                blocks: vec![Block::coil(helper.clone())],
             });
             self.tags.late.push((condition.clone(), helper));
         }
@@ -256,9 +255,11 @@ impl Sketcher<'_> {
             drawing: Drawing::Circuit(Circuit::Series(parts)),
         }));
         for network in after {
-            let blocks = network.blocks.iter();
-            let reset = blocks.filter_map(|block| block.strip_prefix("(R)( "));
-            let said = reset.map(|bits| format!("reset of {}", bits.trim_end_matches([' ', ')'])));
+            let resets = network
+                .blocks
+                .iter()
+                .filter(|block| block.op() == Some(Op::ResetCoil));
+            let said = resets.filter_map(|reset| Some(format!("reset of {}", reset.only()?)));
             let said: Vec<String> = said.collect();
             let condition = self.seen(&network.condition, rung.place);
             self.own_network(said, condition, network.blocks, rung.place);
@@ -270,13 +271,10 @@ impl Sketcher<'_> {
         &mut self,
         comments: Vec<String>,
         condition: Circuit<Element>,
-        blocks: Vec<String>,
+        blocks: Vec<Block>,
         place: LineColumn,
     ) {
-        let mut parts = vec![condition];
-        let origin = Some(self.reading.origin(place));
-        let blocks = blocks.into_iter();
-        parts.extend(blocks.map(|block| Circuit::Element(Element::block(block, origin))));
+        let parts = vec![condition, self.series(place, blocks)];
         self.items.push(Item::Blank);
         self.items.push(Item::Network(Network {
             comments,
@@ -297,13 +295,10 @@ impl Sketcher<'_> {
         let mut out = Vec::new();
         match self.acts(action) {
             Ok(acts) => {
-                let inside =
-                    action.oneshot && !acts.chain.blocks.iter().any(|block| block.starts_with("(P)"));
-                let before = inside.then(|| "[OSR]".to_owned());
-                let blocks = before.into_iter().chain(acts.chain.blocks);
-                out.extend(blocks.map(|block| Circuit::Element(Element::block(block, origin))));
+                let blocks = acts.chain.blocks.into_iter();
+                out.extend(blocks.map(|block| Circuit::Element(Element::of(block, origin))));
                 above.extend(acts.above);
-                after.extend(act::after(&mut self.tags, &action.what));
+                after.extend(acts.after);
                 match acts.chain.remark {
                     Some(why) => self.reading.report.approximated(place, shown, why),
                     None => self.reading.report.translated(place, shown),
@@ -314,17 +309,21 @@ impl Sketcher<'_> {
                     Instruction::Kept { text, .. } => text.clone(),
                     _ => shown,
                 };
-                out.push(Circuit::Element(Element::comment(
-                    &format!("click: {kept}"),
-                    origin,
-                )));
-                self.reading.report.refused(place, kept, why);
+                out.push(Circuit::Element(self.refused(place, kept, why)));
             }
         }
         if let Some(comment) = &action.comment {
             out.push(Circuit::Element(Element::comment(comment, origin)));
         }
         out
+    }
+
+    /// A comment in the place of what has no counterpart.
+    fn refused(&mut self, place: LineColumn, shown: String, why: String) -> Element {
+        let origin = Some(self.reading.origin(place));
+        let comment = Element::comment(&format!("click: {shown}"), origin);
+        self.reading.report.refused(place, shown, why);
+        comment
     }
 
     fn acts(&mut self, action: &Action) -> Result<act::Acts, String> {

@@ -6,8 +6,9 @@ use super::address::{Address, Span, Tag, Which};
 use super::bank::Bank;
 use super::drum::Shape;
 use super::model::{Condition, Constant, CounterKind, Instruction, Nickname, Program, TimerKind};
-use super::ranges::is_of_blocks;
+use super::ranges::{element, is_of_blocks};
 use super::uses::{Access, Use, What, uses};
+use ladder_format::program::{Expression, Item, Literal, Path};
 use ladder_instructions::Op;
 use ladder_notation::names::Names;
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
@@ -26,7 +27,7 @@ struct Helper {
     ty: String,
     /// What it is for.
     what: String,
-    initial: Option<String>,
+    initial: Option<Literal>,
 }
 
 /// The tags of a program.
@@ -50,29 +51,30 @@ pub(super) struct Tags<'p> {
     ranged: HashMap<Bank, Vec<bool>>,
     pointed: HashSet<Bank>,
     /// The conditions of the rung that is being made which are checked before it acts, and the tags that hold them.
-    pub(super) late: Vec<(Condition, String)>,
+    pub(super) late: Vec<(Condition, Expression)>,
     /// Banks of timers and counters that are arrays too, and how many copies of elements that takes.
     copied: BTreeSet<Bank>,
     copies: usize,
     /// Banks of the controller that the program writes.
     written: HashSet<Bank>,
-    /// The drums so far.
-    pub(super) drums: Vec<Shape>,
+    /// How many drums there are so far, and the blocks that they call.
+    pub(super) drums: usize,
+    pub(super) drum_blocks: BTreeMap<Shape, Item>,
 }
 
 /// More copies of what timers and counters hold are not made.
 const MOST_COPIES: usize = 20_000;
 
-/// Bits of the controller that ladder text has of its own.
+/// Bits of the controller that ladder text has of its own, by their names in `SYS`.
 const SYSTEM: &[(u16, &str)] = &[
-    (1, "SYS.ON"),
-    (2, "SYS.FIRST_SCAN"),
-    (4, "SYS.CLOCK_10MS"),
-    (5, "SYS.CLOCK_100MS"),
-    (6, "SYS.CLOCK_500MS"),
-    (7, "SYS.CLOCK_1S"),
-    (8, "SYS.CLOCK_1M"),
-    (9, "SYS.CLOCK_1H"),
+    (1, "ON"),
+    (2, "FIRST_SCAN"),
+    (4, "CLOCK_10MS"),
+    (5, "CLOCK_100MS"),
+    (6, "CLOCK_500MS"),
+    (7, "CLOCK_1S"),
+    (8, "CLOCK_1M"),
+    (9, "CLOCK_1H"),
 ];
 
 /// Whether the profile knows an address of the controller itself in the arrays SC and SD.
@@ -85,14 +87,15 @@ pub(super) const fn is_known(bank: Bank, number: u16) -> bool {
 }
 
 /// The system bit with a number, as ladder text has it.
-pub(super) fn system(number: u16) -> Option<&'static str> {
+pub(super) fn system(number: u16) -> Option<Path> {
     let row = SYSTEM.iter().find(|(own, _)| *own == number)?;
-    Some(row.1)
+    Some(Path::system(row.1))
 }
 
 /// The number of the system bit that a tag of the system is.
 pub(super) fn system_number(tag: &str) -> Option<u16> {
-    let row = SYSTEM.iter().find(|(_, own)| own.eq_ignore_ascii_case(tag))?;
+    let (_, name) = tag.split_once('.')?;
+    let row = SYSTEM.iter().find(|(_, own)| own.eq_ignore_ascii_case(name))?;
     Some(row.0)
 }
 
@@ -292,22 +295,23 @@ impl<'p> Tags<'p> {
     }
 
     /// A tag where its bit or value is read or written: `DS[1]`, `Level`, `T1.DN`, `SYS.ON`.
-    pub(super) fn text(&self, tag: &Tag) -> String {
-        match (tag.bank, self.state(tag)) {
-            (Bank::T | Bank::Ct, Some(state)) => return format!("{}.DN", state.name),
-            (Bank::Td | Bank::Ctd, Some(state)) => return format!("{}.ACC", state.name),
-            _ => {}
+    pub(super) fn place(&self, tag: &Tag) -> Expression {
+        if let Some(state) = self.state(tag) {
+            let value = matches!(tag.bank, Bank::Td | Bank::Ctd);
+            return Path::tag(&state.name)
+                .member(if value { "ACC" } else { "DN" })
+                .into();
         }
         let tag = self.canonical(tag);
         if let Some(name) = self.own_by_tag.get(&tag) {
-            return name.clone();
+            return Path::tag(name).into();
         }
         match &tag.which {
-            Which::Number(number) if tag.bank == Bank::Sc && system(*number).is_some() => {
-                system(*number).unwrap_or_default().to_owned()
-            }
-            Which::Number(number) => format!("{}[{number}]", tag.bank.row().name),
-            Which::Nickname(name) => name.clone(),
+            Which::Number(number) => match system(*number).filter(|_| tag.bank == Bank::Sc) {
+                Some(system) => system.into(),
+                None => element(tag.bank, *number),
+            },
+            Which::Nickname(name) => Path::tag(name).into(),
         }
     }
 
@@ -333,7 +337,7 @@ impl<'p> Tags<'p> {
     }
 
     /// The tag that holds what a condition was before its rung acts.
-    pub(super) fn seen(&self, condition: &Condition) -> Option<String> {
+    pub(super) fn seen(&self, condition: &Condition) -> Option<Expression> {
         let found = self.late.iter().find(|(late, _)| late == condition)?;
         Some(found.1.clone())
     }
@@ -343,7 +347,7 @@ impl<'p> Tags<'p> {
     /// # Errors
     ///
     /// The program has so many of them that it would grow out of all proportion.
-    pub(super) fn copies(&mut self, span: &Span) -> Result<Vec<(String, String)>, String> {
+    pub(super) fn copies(&mut self, span: &Span) -> Result<Vec<(Expression, Expression)>, String> {
         if !is_of_blocks(span.bank) {
             return Ok(Vec::new());
         }
@@ -360,10 +364,10 @@ impl<'p> Tags<'p> {
                 let Which::Number(number) = key.which else {
                     continue;
                 };
-                out.push((format!("{}[{number}]", span.bank.array()), self.text(&tag)));
+                out.push((element(span.bank, number), self.place(&tag)));
             }
         }
-        out.sort_by_key(|(element, _)| element.len());
+        out.sort_by_cached_key(|(element, _)| element.to_string().len());
         self.copies += out.len();
         if self.copies > MOST_COPIES {
             return Err("the program takes timers and counters as ranges too often".to_owned());
@@ -372,30 +376,32 @@ impl<'p> Tags<'p> {
     }
 
     /// Makes a tag of the importer's own. `what` says what it is for, and is how it is known again.
-    pub(super) fn helper(&mut self, like: &str, ty: &str, what: impl Into<String>) -> String {
-        let what = what.into();
-        let key = (ty.to_owned(), what.clone());
-        if let Some(name) = self.helper_names.get(&key) {
-            return name.clone();
-        }
-        let name = self.names.fresh(like);
-        self.helper_names.insert(key, name.clone());
-        self.helpers.push(Helper {
-            name: name.clone(),
-            ty: ty.to_owned(),
-            what,
-            initial: None,
-        });
-        name
+    pub(super) fn helper(&mut self, like: &str, ty: &str, what: impl Into<String>) -> Expression {
+        self.constant(like, ty, what, None)
     }
 
     /// As [`Tags::helper`], with a value that stays.
-    pub(super) fn constant(&mut self, like: &str, ty: &str, what: &str, value: String) -> String {
-        let name = self.helper(like, ty, what);
-        if let Some(own) = self.helpers.iter_mut().find(|helper| helper.name == name) {
-            own.initial = Some(value);
+    pub(super) fn constant(
+        &mut self,
+        like: &str,
+        ty: &str,
+        what: impl Into<String>,
+        initial: Option<Literal>,
+    ) -> Expression {
+        let key = (ty.to_owned(), what.into());
+        if let Some(name) = self.helper_names.get(&key) {
+            return Path::tag(name).into();
         }
-        name
+        let name = self.names.fresh(like);
+        self.helper_names.insert(key.clone(), name.clone());
+        let (ty, what) = key;
+        self.helpers.push(Helper {
+            name: name.clone(),
+            ty,
+            what,
+            initial,
+        });
+        Path::tag(name).into()
     }
 
     /// The names that had to change: as the DSL has them, and as they are here.

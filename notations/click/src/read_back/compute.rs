@@ -1,11 +1,10 @@
 //! Searches, formulas, and blocks that are formulas in Click.
 
 use super::Back;
-use super::condition::relation_of;
 use super::value::Refusal;
 use crate::bank::Kind;
 use crate::calc;
-use crate::model::{Formula, Instruction, Math, MathKind, Operator, Search};
+use crate::model::{Formula, Instruction, Math, MathKind, Operator, Relation, Search};
 use crate::operand::kind;
 use ladder_analysis::program::{Argument, Bound};
 use ladder_instructions::Op;
@@ -16,7 +15,7 @@ impl Back<'_> {
             return Err("the search lacks operands".to_owned());
         };
         let relation = match relation.argument {
-            Argument::Operator(op) => relation_of(op),
+            Argument::Operator(op) => Relation::of(op),
             _ => None,
         };
         let name_of = |bound: &Bound| bound.operand.map_or("", |operand| operand.name);

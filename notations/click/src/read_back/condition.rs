@@ -56,7 +56,7 @@ impl Back<'_> {
             Some(Op::RisingContact) => ContactKind::Rising,
             Some(Op::FallingContact) => ContactKind::Falling,
             other => {
-                let relation = other.and_then(relation_of).ok_or("it is not a contact")?;
+                let relation = other.and_then(Relation::of).ok_or("it is not a contact")?;
                 let [left, right] = &block.arguments[..] else {
                     return Err("Click compares two values".to_owned());
                 };
@@ -84,16 +84,4 @@ pub(super) fn all(mut conditions: Vec<Condition>) -> Condition {
 
 pub(super) fn is_bare(part: &Circuit<usize>) -> bool {
     matches!(part, Circuit::Series(parts) if parts.is_empty())
-}
-
-pub(super) fn relation_of(op: Op) -> Option<Relation> {
-    Some(match op {
-        Op::Eq => Relation::Eq,
-        Op::Ne => Relation::Ne,
-        Op::Lt => Relation::Lt,
-        Op::Le => Relation::Le,
-        Op::Gt => Relation::Gt,
-        Op::Ge => Relation::Ge,
-        _ => return None,
-    })
 }

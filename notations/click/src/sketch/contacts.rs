@@ -1,25 +1,23 @@
 //! What lets power through, as the elements of a sketch.
 
+use super::super::act::Refusal;
 use super::super::address::Tag;
-use super::super::bank::Bank;
-use super::super::bank::Kind;
+use super::super::bank::{Bank, Kind};
 use super::super::dsl::spell;
-use super::super::model::{Bits, Condition, Constant, Contact, ContactKind, Operand};
-use super::super::operand::{Chain, kind, literal};
-use super::super::ranges;
+use super::super::model::{Bits, Comparison, Condition, Constant, Contact, ContactKind, Operand};
+use super::super::operand::{Chain, kind};
+use super::super::ranges::range;
 use super::Sketcher;
 use ladder_format::Circuit;
-use ladder_format::program::Element;
+use ladder_format::program::{Block, Element, Expression};
+use ladder_instructions::Op;
 use ladder_notation::LineColumn;
 
 impl Sketcher<'_> {
     /// A condition, or the tag that holds what it was before the rung acts.
     pub(super) fn seen(&mut self, condition: &Condition, place: LineColumn) -> Circuit<Element> {
         match self.tags.seen(condition) {
-            Some(helper) => {
-                let block = format!("[ ]( {helper} )");
-                self.series(place, vec![block])
-            }
+            Some(helper) => self.series(place, vec![Block::contact(helper)]),
             None => self.condition(condition),
         }
     }
@@ -39,60 +37,78 @@ impl Sketcher<'_> {
                 }
                 Circuit::Parallel(branches)
             }
-            Condition::Contact(contact) => self.contact(contact),
+            Condition::Contact(contact) => {
+                let blocks = self.contact(contact);
+                self.checked(condition, contact.place, blocks)
+            }
             Condition::Compare(comparison) => {
-                let mut chain = Chain::default();
-                let sides = [&comparison.left, &comparison.right];
-                let [left, right] = [(0, 1), (1, 0)].map(|(side, other)| {
-                    let other = kind(sides[other]);
-                    match (sides[side], other) {
-                        // An integer is compared with a real as one.
-                        (Operand::Constant(number @ Constant::Float(_)), Some(Kind::Int)) => {
-                            format!("REAL#{}", literal(number, None))
-                        }
-                        (Operand::Constant(number @ Constant::Float(_)), Some(Kind::Int2)) => {
-                            format!("LREAL#{}", literal(number, None))
-                        }
-                        (value, other) => chain.value(&mut self.tags, value, other),
-                    }
-                });
-                chain.push(format!("[{}]( {left}, {right} )", comparison.relation.mnemonic()));
-                let text = spell::condition(condition);
-                self.reading.report.translated(comparison.place, text);
-                self.series(comparison.place, chain.blocks)
+                let blocks = self.comparison(comparison);
+                self.checked(condition, comparison.place, blocks)
             }
         }
     }
 
-    pub(super) fn series(&mut self, place: LineColumn, blocks: Vec<String>) -> Circuit<Element> {
-        let origin = Some(self.reading.origin(place));
-        let elements = blocks
-            .into_iter()
-            .map(|block| Circuit::Element(Element::block(block, origin)));
-        Circuit::Series(elements.collect())
+    /// A contact or comparison, or a comment in its place.
+    fn checked(
+        &mut self,
+        condition: &Condition,
+        place: LineColumn,
+        blocks: Result<Vec<Block>, Refusal>,
+    ) -> Circuit<Element> {
+        let shown = spell::condition(condition);
+        match blocks {
+            Ok(blocks) => {
+                self.reading.report.translated(place, shown);
+                self.series(place, blocks)
+            }
+            Err(why) => Circuit::Element(self.refused(place, shown, why)),
+        }
     }
 
-    pub(super) fn contact(&mut self, contact: &Contact) -> Circuit<Element> {
-        let head = match contact.kind {
-            ContactKind::Open => "[ ]",
-            ContactKind::Closed => "[/]",
-            ContactKind::Rising => "[P]",
-            ContactKind::Falling => "[N]",
+    fn comparison(&mut self, comparison: &Comparison) -> Result<Vec<Block>, Refusal> {
+        let mut chain = Chain::default();
+        let mut side = |value: &Operand, other: &Operand| {
+            let asked = kind(other);
+            // An integer is compared with a real as one.
+            let ty = match (value, asked) {
+                (Operand::Constant(Constant::Float(_)), Some(Kind::Int)) => "REAL",
+                (Operand::Constant(Constant::Float(_)), Some(Kind::Int2)) => "LREAL",
+                _ => return chain.value(&mut self.tags, value, asked),
+            };
+            let number = chain.value(&mut self.tags, value, None)?;
+            Ok(Expression::literal(format!("{ty}#{number}"))?)
         };
-        let shown = spell::condition(&Condition::Contact(contact.clone()));
-        self.reading.report.translated(contact.place, shown);
-        let blocks = match &contact.bits {
-            Bits::One(tag) => vec![format!("{head}( {} )", self.tags.text(tag))],
+        let left = side(&comparison.left, &comparison.right)?;
+        let right = side(&comparison.right, &comparison.left)?;
+        chain.push(comparison.relation.op(), [left, right])?;
+        Ok(chain.blocks)
+    }
+
+    pub(super) fn series(&mut self, place: LineColumn, blocks: Vec<Block>) -> Circuit<Element> {
+        let origin = Some(self.reading.origin(place));
+        let elements = blocks.into_iter().map(|block| Element::of(block, origin));
+        Circuit::Series(elements.map(Circuit::Element).collect())
+    }
+
+    fn contact(&self, contact: &Contact) -> Result<Vec<Block>, Refusal> {
+        let op = match contact.kind {
+            ContactKind::Open => Op::Contact,
+            ContactKind::Closed => Op::NegatedContact,
+            ContactKind::Rising => Op::RisingContact,
+            ContactKind::Falling => Op::FallingContact,
+        };
+        let bits = match &contact.bits {
+            Bits::One(tag) => vec![self.tags.place(tag)],
             // Each timer is a tag of its own, and no part of an array.
             Bits::Many(span) if matches!(span.bank, Bank::T | Bank::Ct) => {
                 let (first, last) = span.bounds();
                 let numbers = (first..=last).filter(|number| span.bank.has(*number));
                 let tags = numbers.map(|number| Tag::number(span.bank, number));
-                tags.map(|tag| format!("{head}( {} )", self.tags.text(&tag)))
-                    .collect()
+                tags.map(|tag| self.tags.place(&tag)).collect()
             }
-            Bits::Many(span) => vec![format!("{head}( {} )", ranges::range(span))],
+            Bits::Many(span) => vec![range(span)],
         };
-        self.series(contact.place, blocks)
+        let blocks = bits.into_iter().map(|bit| Ok(Block::of(op, [bit])?));
+        blocks.collect()
     }
 }

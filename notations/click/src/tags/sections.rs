@@ -34,7 +34,7 @@ impl Tags<'_> {
         for helper in &self.helpers {
             let mut declaration = Declaration::new(&helper.name, &helper.ty);
             declaration.comment = Some(format!("helper: {}", helper.what));
-            declaration.initial.clone_from(&helper.initial);
+            declaration.initial = helper.initial.as_ref().map(|initial| initial.as_str().to_owned());
             sections.push(Bank::C, false, declaration, self);
         }
         sections.all()
@@ -45,13 +45,9 @@ impl Tags<'_> {
         let retentive = nickname.and_then(|nickname| nickname.retentive);
         declaration.comment = self.said(tag, &declaration.names[0]);
         let initial = nickname.and_then(|nickname| nickname.initial.as_ref());
-        if let Some(initial) = initial.filter(|initial| !is_zero(initial)) {
-            declaration.initial = Some(literal(initial, Some(tag.bank.kind())));
-        }
-        let is_block = matches!(tag.bank, Bank::T | Bank::Ct);
-        if is_block {
-            declaration.initial = None;
-        }
+        let initial = initial.filter(|initial| !is_zero(initial) && !matches!(tag.bank, Bank::T | Bank::Ct));
+        let initial = initial.and_then(|initial| literal(initial, Some(tag.bank.kind())).ok());
+        declaration.initial = initial.map(|initial| initial.as_str().to_owned());
         sections.push(
             tag.bank,
             retentive.unwrap_or(tag.bank.row().retentive),
