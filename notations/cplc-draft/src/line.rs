@@ -1,5 +1,6 @@
 //! One line of a drawing in the draft.
 
+use ladder_format::program::Literal;
 use ladder_notation::{LineColumn, ReadError};
 
 /// A longer line is not read.
@@ -153,13 +154,7 @@ fn is_literal(text: &str) -> bool {
         Some(number) if number.starts_with('-') => return false,
         number => number.unwrap_or(text),
     };
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '+' | '-' | '#');
-    let reads = || {
-        ladder_syntax::parse(&format!("+--[MOV]( y, {number} )--+"))
-            .errors()
-            .is_empty()
-    };
-    number.starts_with(|c: char| c.is_ascii_digit() || c == '-') && number.chars().all(is_plain) && reads()
+    number.starts_with(|c: char| c.is_ascii_digit() || c == '-') && Literal::read(number).is_ok()
 }
 
 /// What is between the bracket that a text begins with and its partner, and the length of it all.

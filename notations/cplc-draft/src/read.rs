@@ -3,7 +3,10 @@
 use super::header::{self, Entry};
 use super::line::{self, Block, Piece};
 use ladder_analysis::Severity;
-use ladder_format::program::{Declaration, Drawing, Element, Item, Network, RungPiece, Section, SectionKind};
+use ladder_format::program::{
+    self, Declaration, Drawing, Element, Expression, Item, Network, Path, RungPiece, Section, SectionKind,
+};
+use ladder_instructions::{Op, by_op};
 use ladder_notation::names::Names;
 use ladder_notation::{Finding, LineColumn, ReadError, Reading};
 use ladder_syntax::{LineIndex, TextSize};
@@ -175,17 +178,15 @@ impl File {
     }
 
     /// What a timer's or counter's names are read as.
-    fn states(&self) -> HashMap<String, String> {
+    fn states(&self) -> HashMap<String, Member> {
         let mut states = HashMap::new();
         for block in self.blocks() {
             let Some((_, amount)) = state(&block.head) else {
                 continue;
             };
             if let [name, _, current, ..] = &block.operands[..] {
-                states.insert(name.clone(), format!("{name}.Q"));
-                states
-                    .entry(current.clone())
-                    .or_insert(format!("{name}.{amount}"));
+                states.insert(name.clone(), (name.clone(), "Q"));
+                states.entry(current.clone()).or_insert((name.clone(), amount));
             }
         }
         states
@@ -210,14 +211,17 @@ impl File {
     }
 }
 
-/// The type of the tag of a timer or counter, and the member that its third operand shows.
-fn state(head: &str) -> Option<(&'static str, &'static str)> {
+/// A timer or counter, and what of it is meant.
+type Member = (String, &'static str);
+
+/// A timer or counter, and the member that its third operand shows.
+fn state(head: &str) -> Option<(Op, &'static str)> {
     Some(match head {
-        "TON" => ("TON", "ET"),
-        "TOF" => ("TOF", "ET"),
-        "RTO" => ("RTO", "ET"),
-        "CTU" => ("CTU", "CV"),
-        "CTD" => ("CTD", "CV"),
+        "TON" => (Op::Ton, "ET"),
+        "TOF" => (Op::Tof, "ET"),
+        "RTO" => (Op::Rto, "ET"),
+        "CTU" => (Op::Ctu, "CV"),
+        "CTD" => (Op::Ctd, "CV"),
         _ => return None,
     })
 }
@@ -238,7 +242,7 @@ struct Reader {
     reading: Reading,
     names: Names,
     uses: HashMap<String, usize>,
-    states: HashMap<String, String>,
+    states: HashMap<String, Member>,
     /// The types of names that no header declares, as their places ask for.
     types: BTreeMap<String, (&'static str, LineColumn)>,
 }
@@ -265,10 +269,9 @@ impl Reader {
     fn block(&mut self, block: &Block, out: &mut Vec<RungPiece>) {
         let origin = Some(self.reading.origin(block.place));
         match self.translated(block) {
-            Ok(texts) => {
-                for text in texts {
-                    out.push(RungPiece::Element(Element::block(text, origin)));
-                }
+            Ok(made) => {
+                let elements = made.into_iter().map(|block| Element::of(block, origin));
+                out.extend(elements.map(RungPiece::Element));
             }
             Err(why) => {
                 self.reading.report.refused(block.place, &block.text, &why);
@@ -284,7 +287,7 @@ impl Reader {
     }
 
     /// The blocks of ladder text that say what one of the draft says.
-    fn translated(&mut self, block: &Block) -> Result<Vec<String>, String> {
+    fn translated(&mut self, block: &Block) -> Result<Vec<program::Block>, String> {
         let place = block.place;
         let operands = &block.operands;
         let wants = |count: usize, names: &str| {
@@ -297,58 +300,67 @@ impl Reader {
             ))
         };
         let head = block.head.as_str();
-        let shown = match (block.bracket, head) {
-            ('[', "" | "/") | ('(', "" | "S" | "R") => {
-                wants(1, "one, the tag")?;
-                let tag = self.operand(&operands[0], "BOOL", place);
-                let head = if head.is_empty() { " " } else { head };
-                let close = if block.bracket == '[' { ']' } else { ')' };
-                self.reading.report.translated(place, &block.text);
-                return Ok(vec![format!("{}{head}{close}( {tag} )", block.bracket)]);
-            }
-            ('[', "OSR" | "OSF") => {
-                wants(1, "one, its name")?;
-                format!("[{head}]")
-            }
-            ('[', "EQU" | "NEQ" | "GRT" | "GEQ" | "LES" | "LEQ") => {
-                wants(3, "a name and two operands")?;
-                let (a, b) = (
-                    self.operand(&operands[1], "DINT", place),
-                    self.operand(&operands[2], "DINT", place),
-                );
-                let head = match head {
-                    "EQU" => "EQ",
-                    "NEQ" => "NE",
-                    "GRT" => "GT",
-                    "GEQ" => "GE",
-                    "LES" => "LT",
-                    _ => "LE",
-                };
-                format!("[{head}]( {a}, {b} )")
-            }
-            ('[', "ADD" | "SUB" | "MUL" | "DIV") => {
-                wants(4, "a name, two operands and the result")?;
-                let [a, b, y] = [1, 2, 3].map(|index| self.operand(&operands[index], "DINT", place));
-                format!("[{head}]( {y}, {a}, {b} )")
-            }
-            ('[', head) => match state(head) {
-                Some((ty, _)) => return self.state(block, ty),
-                None => return Err("the draft has no such block".to_owned()),
-            },
+        let of_tag = match (block.bracket, head) {
+            ('[', "") => Some(Op::Contact),
+            ('[', "/") => Some(Op::NegatedContact),
+            ('(', "") => Some(Op::Coil),
+            ('(', "S") => Some(Op::SetCoil),
+            ('(', "R") => Some(Op::ResetCoil),
+            ('[', _) => None,
             _ => return Err("the draft has no such block".to_owned()),
         };
-        let name = &operands[0];
-        if self.uses.get(base(name)).copied().unwrap_or_default() < 2 {
+        if let Some(op) = of_tag {
+            wants(1, "one, the tag")?;
+            let made = program::Block::of(op, [self.operand(&operands[0], "BOOL", place)?])?;
             self.reading.report.translated(place, &block.text);
-            return Ok(vec![shown]);
+            return Ok(vec![made]);
         }
-        // Other rungs read whether it let power through.
-        let coil = self.operand(name, "BOOL", place);
+        let op = match head {
+            "OSR" => Op::OneShotRising,
+            "OSF" => Op::OneShotFalling,
+            "EQU" => Op::Eq,
+            "NEQ" => Op::Ne,
+            "GRT" => Op::Gt,
+            "GEQ" => Op::Ge,
+            "LES" => Op::Lt,
+            "LEQ" => Op::Le,
+            "ADD" => Op::Add,
+            "SUB" => Op::Sub,
+            "MUL" => Op::Mul,
+            "DIV" => Op::Div,
+            head => match state(head) {
+                Some((op, _)) => return Ok(vec![self.state(block, op)?]),
+                None => return Err("the draft has no such block".to_owned()),
+            },
+        };
+        // After its name; the result comes first here.
+        let order: &[usize] = match op {
+            Op::OneShotRising | Op::OneShotFalling => {
+                wants(1, "one, its name")?;
+                &[]
+            }
+            Op::Add | Op::Sub | Op::Mul | Op::Div => {
+                wants(4, "a name, two operands and the result")?;
+                &[3, 1, 2]
+            }
+            _ => {
+                wants(3, "a name and two operands")?;
+                &[1, 2]
+            }
+        };
+        let values = order.iter().map(|at| self.operand(&operands[*at], "DINT", place));
+        let values: Result<Vec<Expression>, String> = values.collect();
+        let mut made = vec![program::Block::of(op, values?)?];
+        let name = &operands[0];
+        // Other rungs may read whether it let power through.
+        if self.uses.get(base(name)).copied().unwrap_or_default() > 1 {
+            made.push(program::Block::coil(self.operand(name, "BOOL", place)?));
+        }
         self.reading.report.translated(place, &block.text);
-        Ok(vec![shown, format!("( )( {coil} )")])
+        Ok(made)
     }
 
-    fn state(&mut self, block: &Block, ty: &'static str) -> Result<Vec<String>, String> {
+    fn state(&mut self, block: &Block, op: Op) -> Result<program::Block, String> {
         let [name, reset, _, preset] = &block.operands[..] else {
             return Err(format!(
                 "it has {} operands; the draft gives it a name, a reset, what it has reached, and a preset",
@@ -359,37 +371,46 @@ impl Reader {
             return Err(format!("`{name}` is not a name"));
         }
         let place = block.place;
-        let tag = self.names.spell(base(name)).to_owned();
-        self.types.insert(base(name).to_owned(), (ty, place));
-        let preset = self.operand(preset, "DINT", place);
-        let reset = if is_name(reset) {
-            format!(", R := {}", self.operand(reset, "BOOL", place))
-        } else {
-            String::new()
-        };
-        match ty {
-            "RTO" => self.reading.report.approximated(
+        let tag = Path::tag(self.names.spell(base(name)));
+        self.types
+            .insert(base(name).to_owned(), (by_op(op).mnemonic, place));
+        let mut operands = vec![tag.into(), self.operand(preset, "DINT", place)?.into()];
+        if is_name(reset) {
+            let reset = self.operand(reset, "BOOL", place)?;
+            operands.push(program::Operand::Given("R".to_owned(), reset));
+        }
+        let made = program::Block::of(op, operands)?;
+        match op {
+            Op::Rto => self.reading.report.approximated(
                 place,
                 &block.text,
                 "in the draft power passes it at all times, here when the time has run",
             ),
             _ => self.reading.report.translated(place, &block.text),
         }
-        Ok(vec![format!("[{ty}]( {tag}, {preset}{reset} )")])
+        Ok(made)
     }
 
     /// An operand as ladder text has it.
-    fn operand(&mut self, operand: &str, ty: &'static str, place: LineColumn) -> String {
+    fn operand(&mut self, operand: &str, ty: &'static str, place: LineColumn) -> Result<Expression, String> {
         if !is_name(operand) {
-            return operand.strip_prefix('+').unwrap_or(operand).to_owned();
+            return Ok(Expression::literal(operand.strip_prefix('+').unwrap_or(operand))?);
         }
-        if let Some(member) = self.states.get(operand) {
-            let (name, member) = member.split_once('.').unwrap_or((member, "Q"));
-            return format!("{}.{member}", self.names.spell(name));
+        if let Some((name, member)) = self.states.get(operand) {
+            return Ok(Path::tag(self.names.spell(name)).member(*member).into());
         }
         let name = base(operand);
         self.types.entry(name.to_owned()).or_insert((ty, place));
-        format!("{}{}", self.names.spell(name), &operand[name.len()..])
+        let path = Path::tag(self.names.spell(name));
+        let index = operand[name.len()..].trim().strip_prefix('[');
+        Ok(match index.and_then(|index| index.strip_suffix(']')) {
+            Some(index) => {
+                let number = Expression::literal(index);
+                path.index([number.unwrap_or_else(|_| Path::tag(index).into())])
+            }
+            None => path,
+        }
+        .into())
     }
 
     /// The sections: what the headers declare, then what only the drawing names.
@@ -399,11 +420,11 @@ impl Reader {
             let mut section = Section::new(kind);
             for entry in entries.iter().filter(|entry| entry.section == kind) {
                 declared.insert(entry.name.clone());
-                if self.states.contains_key(&entry.name) {
+                if let Some((name, member)) = self.states.get(&entry.name) {
                     self.reading.report.approximated(
                         entry.place,
                         &entry.text,
-                        format!("it is `{}` here", self.states[&entry.name]),
+                        format!("it is `{name}.{member}` here"),
                     );
                     continue;
                 }

@@ -3,7 +3,9 @@
 use super::word::{Element, Name, Word, WordKind, words};
 use ladder_analysis::Severity;
 use ladder_format::Circuit;
-use ladder_format::program::{Declaration, Drawing, Element as Block, Item, Network, Section, SectionKind};
+use ladder_format::program::{
+    Block, Declaration, Drawing, Element as Drawn, Item, Network, Path, Section, SectionKind,
+};
 use ladder_notation::{Finding, LineColumn, ReadError, Reading};
 use std::collections::BTreeMap;
 
@@ -79,18 +81,18 @@ struct Tag {
 /// What is read of an expression without its parentheses.
 #[derive(Default)]
 struct Level {
-    branches: Vec<Vec<Circuit<Block>>>,
+    branches: Vec<Vec<Circuit<Drawn>>>,
     /// A branch has several parts next to another branch, and no parentheses say so.
     is_mixed: bool,
 }
 
 impl Level {
-    fn branch(&mut self, first: Circuit<Block>) {
+    fn branch(&mut self, first: Circuit<Drawn>) {
         self.is_mixed |= self.branches.last().is_some_and(|branch| branch.len() > 1);
         self.branches.push(vec![first]);
     }
 
-    fn in_series(&mut self, part: Circuit<Block>) {
+    fn in_series(&mut self, part: Circuit<Drawn>) {
         self.is_mixed |= self.branches.len() > 1;
         if let Some(branch) = self.branches.last_mut() {
             branch.push(part);
@@ -106,13 +108,13 @@ impl Level {
         }
     }
 
-    fn circuit(mut self) -> Circuit<Block> {
+    fn circuit(mut self) -> Circuit<Drawn> {
         self.close();
         in_series(self.branches.pop().unwrap_or_default())
     }
 }
 
-fn in_series(mut parts: Vec<Circuit<Block>>) -> Circuit<Block> {
+fn in_series(mut parts: Vec<Circuit<Drawn>>) -> Circuit<Drawn> {
     match parts.pop() {
         Some(part) if parts.is_empty() => part,
         last => {
@@ -134,7 +136,7 @@ struct Reader<'w> {
 
 impl Reader<'_> {
     /// `start` any `end`
-    fn program(&mut self) -> Result<Circuit<Block>, ReadError> {
+    fn program(&mut self) -> Result<Circuit<Drawn>, ReadError> {
         self.expect(WordKind::Start, "a program begins with `start`")?;
         self.elements = 0;
         let first = self.at;
@@ -148,7 +150,7 @@ impl Reader<'_> {
         Ok(circuit)
     }
 
-    fn any(&mut self) -> Result<Circuit<Block>, ReadError> {
+    fn any(&mut self) -> Result<Circuit<Drawn>, ReadError> {
         let start = self.place();
         let mut whole = Level::default();
         loop {
@@ -182,7 +184,7 @@ impl Reader<'_> {
         matches!(first, Some(WordKind::Element(element)) if element.is_coil())
     }
 
-    fn one(&mut self) -> Result<Circuit<Block>, ReadError> {
+    fn one(&mut self) -> Result<Circuit<Drawn>, ReadError> {
         let place = self.place();
         match self.next() {
             Some(WordKind::Open) if self.depth == DEEPEST => Err(ReadError::at(
@@ -214,7 +216,7 @@ impl Reader<'_> {
         place: LineColumn,
         element: Element,
         name: Name,
-    ) -> Result<Circuit<Block>, ReadError> {
+    ) -> Result<Circuit<Drawn>, ReadError> {
         self.elements += 1;
         if self.elements > MOST_ELEMENTS {
             let message = format!(
@@ -269,10 +271,9 @@ impl Reader<'_> {
         };
         self.reading.report.translated(place, shown);
         let origin = self.reading.origin(place);
-        Ok(Circuit::Element(Block::block(
-            format!("{}( {called} )", element.block()),
-            Some(origin),
-        )))
+        let block = Block::of(element.op(), [Path::tag(called)]);
+        let block = block.map_err(|why| ReadError::at(place, why))?;
+        Ok(Circuit::Element(Drawn::of(block, Some(origin))))
     }
 
     /// The paper's checks of a whole program, which is between two words.

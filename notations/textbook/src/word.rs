@@ -1,5 +1,6 @@
 //! The words of the textbook grammar.
 
+use ladder_instructions::Op;
 use ladder_notation::{LineColumn, ReadError};
 
 /// What a word is.
@@ -50,13 +51,13 @@ impl Element {
         matches!(self, Element::ActiveCoil | Element::InactiveCoil)
     }
 
-    /// The brackets of ladder text.
-    pub(super) const fn block(self) -> &'static str {
+    /// The instruction of ladder text.
+    pub(super) const fn op(self) -> Op {
         match self {
-            Element::OpenContact => "[ ]",
-            Element::ClosedContact => "[/]",
-            Element::ActiveCoil => "( )",
-            Element::InactiveCoil => "(/)",
+            Element::OpenContact => Op::Contact,
+            Element::ClosedContact => Op::NegatedContact,
+            Element::ActiveCoil => Op::Coil,
+            Element::InactiveCoil => Op::NegatedCoil,
         }
     }
 }

@@ -184,13 +184,8 @@ impl Writer<'_> {
         let BlockKind::Instruction(row) = block.kind else {
             return Err(only.to_owned());
         };
-        let element = match row.op {
-            Op::Contact => Element::OpenContact,
-            Op::NegatedContact => Element::ClosedContact,
-            Op::Coil => Element::ActiveCoil,
-            Op::NegatedCoil => Element::InactiveCoil,
-            _ => return Err(format!("the grammar has no `{}`; {only}", row.block())),
-        };
+        let element = Element::ALL.into_iter().find(|element| element.op() == row.op);
+        let element = element.ok_or_else(|| format!("the grammar has no `{}`; {only}", row.block()))?;
         let tag = operand(block).ok_or(only)?;
         let name = self.names.get(&tag).cloned().unwrap_or_default();
         let is_input = !element.is_coil() && name.starts_with('I');
