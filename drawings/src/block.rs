@@ -1,6 +1,7 @@
 //! Blocks: what is written in a box, or between the brackets of one, as a block of ladder text.
 
 use crate::operand::{Operands, duration};
+use ladder_format::program::{self, Block, Expression, Path};
 use ladder_instructions::{Accepts, Instruction, Operand, Presence, Shape, lookup};
 
 /// What is given to a block, by what it is called there.
@@ -59,14 +60,14 @@ pub(crate) fn written(
     name: Option<&str>,
     mut given: Vec<Given>,
     operands: &mut Operands,
-) -> Result<String, String> {
+) -> Result<Block, String> {
     // Nothing is next to a pin without a value.
     given.retain(|it| !it.value.is_empty());
     let time_base = given
         .iter()
         .position(|it| it.name.eq_ignore_ascii_case("TIME BASE"));
     let time_base = time_base.map(|at| given.remove(at).value);
-    let mut texts = Vec::new();
+    let mut list: Vec<program::Operand> = Vec::new();
     for (number, operand) in row.operands.iter().enumerate() {
         let is_state = matches!(operand.accepts, Accepts::State(_));
         let found = given.iter().position(|it| is_called(operand.name, &it.name));
@@ -93,16 +94,17 @@ pub(crate) fn written(
             match operand.presence {
                 Presence::Named | Presence::Trailing => continue,
                 _ if is_state => {
-                    texts.push(operands.fresh(&format!("{}_1", row.mnemonic.to_ascii_lowercase())));
+                    let name = operands.fresh(&format!("{}_1", row.mnemonic.to_ascii_lowercase()));
+                    list.push(Path::tag(name).into());
                     continue;
                 }
                 _ => return Err(format!("its operand {} is not in the drawing", operand.name)),
             }
         };
-        let text = self::text(operand, &value, time_base.as_deref(), operands)?;
-        texts.push(match operand.presence {
-            Presence::Named => format!("{} := {text}", operand.name),
-            _ => text,
+        let value = held(operand, &value, time_base.as_deref(), operands)?;
+        list.push(match operand.presence {
+            Presence::Named => program::Operand::Given(operand.name.to_owned(), value),
+            _ => value.into(),
         });
         let Presence::Repeated { group, .. } = operand.presence else {
             continue;
@@ -116,7 +118,7 @@ pub(crate) fn written(
                 break;
             };
             let value = given.remove(at).value;
-            texts.push(self::text(operand, &value, None, operands)?);
+            list.push(held(operand, &value, None, operands)?.into());
         }
     }
     given.retain(|it| !is_shown(it));
@@ -128,26 +130,23 @@ pub(crate) fn written(
         };
         return Err(format!("[{}] has no operand `{what}`", row.mnemonic));
     }
-    match texts[..] {
-        [] => Ok(format!("[{}]", row.mnemonic)),
-        _ => Ok(format!("[{}]( {} )", row.mnemonic, texts.join(", "))),
-    }
+    Ok(Block::of(row.op, list)?)
 }
 
-/// An operand of ladder text.
-fn text(
+/// What an operand holds.
+fn held(
     operand: &Operand,
     value: &str,
     time_base: Option<&str>,
     operands: &mut Operands,
-) -> Result<String, String> {
-    let text = match operand.accepts {
-        Accepts::State(_) => operands.tag(value),
+) -> Result<Expression, String> {
+    let held = match operand.accepts {
+        Accepts::State(_) => operands.tag(value).map(Expression::from),
         Accepts::Duration => with_base(value, time_base).or_else(|| operands.time(value)),
         Accepts::Expression => operands.expression(value),
         _ => operands.value(value),
     };
-    text.ok_or_else(|| format!("`{value}` is not a name or a value"))
+    held.ok_or_else(|| format!("`{value}` is not a name or a value"))
 }
 
 /// What a box only shows: names of its power, and how far it has come, which begins with 0.
@@ -160,13 +159,13 @@ fn is_shown(given: &Given) -> bool {
 }
 
 /// A number of time bases, as older controllers have it: a base of 1.0 or 0.01 seconds.
-fn with_base(preset: &str, base: Option<&str>) -> Option<String> {
+fn with_base(preset: &str, base: Option<&str>) -> Option<Expression> {
     let preset: f64 = preset.trim().parse().ok()?;
     let base: f64 = base?.trim().trim_end_matches(['s', ' ']).parse().ok()?;
     let milliseconds = (preset * base * 1000.0).round();
     (0.0..1e15)
         .contains(&milliseconds)
-        .then(|| format!("T#{milliseconds}ms"))
+        .then(|| Expression::literal(format!("T#{milliseconds}ms")).ok())?
 }
 
 /// Whether what is between the brackets is a block without one of its operands, which is above it then.
@@ -186,7 +185,7 @@ pub(crate) fn in_brackets(
     inside: &str,
     name: Option<&str>,
     operands: &mut Operands,
-) -> Option<Result<String, String>> {
+) -> Option<Result<Block, String>> {
     if let Some(compared) = comparison(inside, name) {
         let (row, given) = compared;
         return Some(written(row, None, given, operands));

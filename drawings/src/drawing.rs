@@ -214,9 +214,12 @@ impl Reader {
                     let origin = Some(self.read.places.len() as u32 - 1);
                     let text = symbol.shown.clone();
                     RungPiece::Element(match &symbol.written {
-                        Ok(block) => {
+                        Ok(part) => {
                             self.read.shown.push(Shown { place, text });
-                            program::Element::block(block, origin)
+                            program::Element {
+                                part: part.clone(),
+                                origin,
+                            }
                         }
                         Err(why) => {
                             let why = why.clone();

@@ -2,7 +2,8 @@
 
 use crate::block;
 use crate::operand::Operands;
-use ladder_instructions::{Role, Shape, known_elsewhere, lookup};
+use ladder_format::program::{Block, Operand};
+use ladder_instructions::{Op, Role, Shape, known_elsewhere, lookup};
 
 /// What is written next to an element: above it, and below it.
 #[derive(Debug, Clone, Copy, Default)]
@@ -12,18 +13,18 @@ pub(crate) struct Labels<'l> {
 }
 
 /// What a contact does with power, by what is between its bars.
-fn contact_mark(inside: &str) -> Option<&'static str> {
+fn contact_mark(inside: &str) -> Option<Op> {
     Some(match inside {
-        "" | "─" | "━" => "[ ]",
-        "/" => "[/]",
-        "P" | "↑" | "^" => "[P]",
-        "N" | "↓" => "[N]",
+        "" | "─" | "━" => Op::Contact,
+        "/" => Op::NegatedContact,
+        "P" | "↑" | "^" => Op::RisingContact,
+        "N" | "↓" => Op::FallingContact,
         _ => return None,
     })
 }
 
 /// What a coil does, by what is between its parentheses: as in ladder text, or by a name that it has elsewhere.
-fn coil_mark(inside: &str) -> Option<String> {
+fn coil_mark(inside: &str) -> Option<Op> {
     let inside = match inside {
         "↑" => "P",
         "↓" => "N",
@@ -37,7 +38,7 @@ fn coil_mark(inside: &str) -> Option<String> {
     }
     let own = lookup(Shape::Coil, inside).next();
     let row = own.or_else(|| known_elsewhere(inside).filter(|row| row.shape == Shape::Coil))?;
-    Some(row.block())
+    Some(row.op)
 }
 
 /// A contact with what is between its bars.
@@ -45,7 +46,7 @@ fn coil_mark(inside: &str) -> Option<String> {
 /// # Errors
 ///
 /// If no tag tells what it reads, or what is inside is not known.
-pub(crate) fn contact(inside: &str, labels: Labels<'_>, operands: &mut Operands) -> Result<String, String> {
+pub(crate) fn contact(inside: &str, labels: Labels<'_>, operands: &mut Operands) -> Result<Block, String> {
     let says = inside.trim();
     if let Some(mark) = contact_mark(says) {
         let Some(name) = labels.above else {
@@ -57,16 +58,16 @@ pub(crate) fn contact(inside: &str, labels: Labels<'_>, operands: &mut Operands)
         return named(mark, name, operands);
     }
     if let Some(label) = says.strip_suffix(':') {
-        return named("<LBL>", label, operands);
+        return named(Op::Lbl, label, operands);
     }
     if let Some(name) = prefixed(says, &["/", "!", "NOT ", "XIO "]) {
-        return named("[/]", name, operands);
+        return named(Op::NegatedContact, name, operands);
     }
     if let Some(written) = block::in_brackets(&compared_below(says, labels), labels.above, operands) {
         return written;
     }
     no_flow(says)?;
-    named("[ ]", prefixed(says, &["XIC "]).unwrap_or(says), operands)
+    named(Op::Contact, prefixed(says, &["XIC "]).unwrap_or(says), operands)
 }
 
 /// A word of the program flow is no name: what it does elsewhere is not what `<END>` or `<RET>` does here.
@@ -118,7 +119,7 @@ fn compared_below(says: &str, labels: Labels<'_>) -> String {
 /// # Errors
 ///
 /// As [`contact`].
-pub(crate) fn coil(inside: &str, labels: Labels<'_>, operands: &mut Operands) -> Result<String, String> {
+pub(crate) fn coil(inside: &str, labels: Labels<'_>, operands: &mut Operands) -> Result<Block, String> {
     let says = inside.trim();
     if let Some(mark) = coil_mark(says) {
         let Some(name) = labels.above else {
@@ -127,23 +128,23 @@ pub(crate) fn coil(inside: &str, labels: Labels<'_>, operands: &mut Operands) ->
                 _ => format!("no name is above this coil, and `{says}` inside tells only its kind"),
             });
         };
-        return named(&mark, name, operands);
+        return named(mark, name, operands);
     }
     if let Some(label) = prefixed(says, &["JMP "]) {
-        return named("<JMP>", label, operands);
+        return named(Op::Jmp, label, operands);
     }
     if let Some((mark, name)) = says.split_once([' ', ':'])
         && let Some(mark) = coil_mark(mark.trim())
     {
-        return named(&mark, name, operands);
+        return named(mark, name, operands);
     }
     if let Some(written) = block::in_brackets(says, labels.above, operands) {
         return written;
     }
     no_flow(says)?;
     match prefixed(says, &["/", "!", "~", "NOT "]) {
-        Some(name) => named("(/)", name, operands),
-        None => named("( )", says, operands),
+        Some(name) => named(Op::NegatedCoil, name, operands),
+        None => named(Op::Coil, says, operands),
     }
 }
 
@@ -152,7 +153,7 @@ pub(crate) fn coil(inside: &str, labels: Labels<'_>, operands: &mut Operands) ->
 /// # Errors
 ///
 /// If it is not known.
-pub(crate) fn flow(inside: &str, operands: &mut Operands) -> Result<String, String> {
+pub(crate) fn flow(inside: &str, operands: &mut Operands) -> Result<Block, String> {
     let says = inside.trim();
     let (word, rest) = says.split_once(' ').unwrap_or((says, ""));
     let word = if word.eq_ignore_ascii_case("RETURN") {
@@ -163,11 +164,11 @@ pub(crate) fn flow(inside: &str, operands: &mut Operands) -> Result<String, Stri
     let row = lookup(Shape::Function, word).next();
     let row = row.ok_or_else(|| format!("`<{says}>` is not known"))?;
     if rest.trim().is_empty() {
-        return Ok(row.block());
+        return Ok(Block::of(row.op, Operand::NONE)?);
     }
     let operand = operands.value(rest);
     let operand = operand.ok_or_else(|| format!("`{}` is not a name or a value", rest.trim()))?;
-    Ok(format!("{}( {operand} )", row.block()))
+    Ok(Block::of(row.op, [operand])?)
 }
 
 fn prefixed<'t>(text: &'t str, prefixes: &[&str]) -> Option<&'t str> {
@@ -181,11 +182,11 @@ fn prefixed<'t>(text: &'t str, prefixes: &[&str]) -> Option<&'t str> {
 /// A name has no more words: `Stop button`. Three are an instruction that is not known, with its operands.
 const WORDS: usize = 2;
 
-fn named(mark: &str, name: &str, operands: &mut Operands) -> Result<String, String> {
+fn named(op: Op, name: &str, operands: &mut Operands) -> Result<Block, String> {
     let is_short = name.split_whitespace().count() <= WORDS;
     let tag = is_short.then(|| operands.tag(name)).flatten();
     let tag = tag.ok_or_else(|| format!("`{}` is no name of a tag", name.trim()))?;
-    Ok(format!("{mark}( {tag} )"))
+    Ok(Block::of(op, [tag])?)
 }
 
 #[cfg(test)]
@@ -236,6 +237,7 @@ mod tests {
             ("TON T1", "", "its operand PT is not in the drawing"),
         ] {
             let found = contact(inside, labels(above), &mut operands);
+            let found = found.map(|block| block.to_string());
             assert_eq!(found.unwrap_or_else(|why| why), expected, "[{inside}] {above}");
         }
     }
@@ -265,6 +267,7 @@ mod tests {
             ),
         ] {
             let found = coil(inside, labels(above), &mut operands);
+            let found = found.map(|block| block.to_string());
             assert_eq!(found.unwrap_or_else(|why| why), expected, "({inside}) {above}");
         }
     }
@@ -281,7 +284,8 @@ mod tests {
                 above: Some("level"),
                 below: Some("300"),
             };
-            assert_eq!(contact(inside, labels, &mut operands).as_deref(), Ok(expected));
+            let found = contact(inside, labels, &mut operands).map(|block| block.to_string());
+            assert_eq!(found.as_deref(), Ok(expected));
         }
     }
 }

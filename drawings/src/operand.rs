@@ -1,7 +1,7 @@
 //! Names and values of a drawing as operands of ladder text.
 
 use ladder_format::names::Names;
-use ladder_syntax::{SyntaxKind, is_identifier, is_reserved, parse};
+use ladder_format::program::{Expression, Literal, Path, Sign};
 
 /// The members of timers and counters that controllers call with `/` too: `T4:0/DN`.
 const MEMBERS: [&str; 10] = ["EN", "TT", "DN", "CU", "CD", "ACC", "PRE", "Q", "ET", "CV"];
@@ -15,19 +15,13 @@ pub(crate) struct Operands {
 
 impl Operands {
     /// A tag, as it is written: `Start`, `%I0.3`, `T4:0/DN`, `Stop button`. None: it is no name.
-    pub(crate) fn tag(&mut self, written: &str) -> Option<String> {
+    pub(crate) fn tag(&mut self, written: &str) -> Option<Path> {
         let written = written.trim();
         if let Some(address) = written.strip_prefix('%') {
-            return address_of(address);
+            return address_of(address).map(Path::tag);
         }
-        let is_part = || {
-            matches!(
-                kind(written),
-                Some(SyntaxKind::INDEX_EXPR | SyntaxKind::MEMBER_EXPR)
-            )
-        };
-        if is_path(written) || written.contains(['[', '.']) && is_part() {
-            return Some(written.to_owned());
+        if let Ok(Expression::Path(path)) = Expression::read(written) {
+            return Some(path);
         }
         if !written.chars().any(char::is_alphabetic) || written.contains(['=', '<', '>', '"', '\'']) {
             return None;
@@ -35,35 +29,34 @@ impl Operands {
         if let Some((timer, member)) = written.rsplit_once(['/', '.'])
             && MEMBERS.iter().any(|known| known.eq_ignore_ascii_case(member))
         {
-            return Some(format!("{}.{member}", self.names.spell(timer)));
+            return Some(Path::tag(self.names.spell(timer)).member(member));
         }
-        Some(self.names.spell(written).to_owned())
+        Some(Path::tag(self.names.spell(written)))
     }
 
-    /// A tag or a number. None: it is neither.
-    pub(crate) fn value(&mut self, written: &str) -> Option<String> {
+    /// A tag or a literal. None: it is neither.
+    pub(crate) fn value(&mut self, written: &str) -> Option<Expression> {
         let written = written.trim();
-        if is_number(written) || duration(written).is_some() || is_literal(written) {
-            return Some(written.to_owned());
+        match Expression::read(written) {
+            Ok(value) if is_literal(&value) => Some(value),
+            // `5 s` is no name.
+            _ if duration(written).is_some() => None,
+            _ => self.tag(written).map(Expression::from),
         }
-        self.tag(written)
     }
 
     /// What is calculated, or a value.
-    pub(crate) fn expression(&mut self, written: &str) -> Option<String> {
-        match kind(written) {
-            Some(_) => Some(written.trim().to_owned()),
-            None => self.value(written),
-        }
+    pub(crate) fn expression(&mut self, written: &str) -> Option<Expression> {
+        let read = Expression::read(written).ok();
+        read.or_else(|| self.value(written))
     }
 
     /// A tag or a time: `T#5s`, `5 s`, `5000` (milliseconds).
-    pub(crate) fn time(&mut self, written: &str) -> Option<String> {
-        let written = written.trim();
-        if let Some(time) = duration(written) {
-            return Some(time);
+    pub(crate) fn time(&mut self, written: &str) -> Option<Expression> {
+        match duration(written) {
+            Some(time) => Some(time.into()),
+            None => self.value(written),
         }
-        self.value(written)
     }
 
     /// A name of the reader's own.
@@ -85,26 +78,6 @@ impl Operands {
     }
 }
 
-/// `a`, `t.DN`, `a[3].b`.
-fn is_path(written: &str) -> bool {
-    let mut parts = written.split('.');
-    let is_part = |part: &str| {
-        let (name, index) = part
-            .split_once('[')
-            .map_or((part, None), |(name, rest)| (name, Some(rest)));
-        let index = index.is_none_or(|rest| {
-            rest.strip_suffix(']')
-                .is_some_and(|index| is_identifier(index) || is_number(index))
-        });
-        index && is_identifier(name)
-    };
-    parts
-        .next()
-        .is_some_and(|first| is_part(first) && !is_reserved(first))
-        && parts.all(|part| is_part(part) || part.bytes().all(|digit| digit.is_ascii_digit()))
-        && !written.ends_with('.')
-}
-
 /// `IX0.3`; a bit may be written without its `X`.
 fn address_of(address: &str) -> Option<String> {
     let address = address.to_ascii_uppercase();
@@ -121,55 +94,16 @@ fn address_of(address: &str) -> Option<String> {
     is_place.then(|| format!("%{area}{size}{place}"))
 }
 
-fn is_number(written: &str) -> bool {
-    let digits = written.strip_prefix(['-', '+']).unwrap_or(written);
-    let is_decimal = digits.starts_with(|c: char| c.is_ascii_digit())
-        && digits.ends_with(|c: char| c.is_ascii_digit())
-        && digits
-            .bytes()
-            .all(|c| c.is_ascii_digit() || c == b'.' || c == b'_')
-        && digits.matches('.').count() < 2;
-    let radix = |written: &str| {
-        let (radix, rest) = written.split_once('#')?;
-        let known = matches!(radix, "2" | "8" | "16") && !rest.is_empty();
-        Some(known && rest.bytes().all(|c| c.is_ascii_hexdigit() || c == b'_'))
-    };
-    is_decimal || radix(digits).unwrap_or(false)
-}
-
-/// What an operand of ladder text is that is written so.
-fn kind(written: &str) -> Option<SyntaxKind> {
-    if written.contains(['\n', '\r']) {
-        return None;
-    }
-    let parsed = parse(&format!("+--[CALC]( y, {written} )--+"));
-    let line = parsed.lines().first().filter(|line| line.errors.is_empty())?;
-    let tree = line.syntax();
-    let list = tree
-        .descendants()
-        .find(|node| node.kind() == SyntaxKind::OPERAND_LIST)?;
-    let mut operands = list.children().skip(1);
-    let operand = operands
-        .next()
-        .filter(|operand| operand.text() == written.trim())?;
-    operands.next().is_none().then(|| operand.kind())
-}
-
 /// `-1.5e-3`, `INT#-5`, `T#-5s`, `TRUE`, `'text'`.
-fn is_literal(written: &str) -> bool {
-    let digits = written.strip_prefix('-').unwrap_or(written).trim_start();
-    let is_plain = || {
-        let number = digits.replace('_', "");
-        number.starts_with(|c: char| c.is_ascii_digit()) && number.parse::<f64>().is_ok()
-    };
-    let is_word = ["TRUE", "FALSE"]
-        .iter()
-        .any(|word| word.eq_ignore_ascii_case(written));
-    (is_word || digits.contains(['#', '\'']) || is_plain()) && kind(digits) == Some(SyntaxKind::LITERAL_EXPR)
+fn is_literal(value: &Expression) -> bool {
+    match value {
+        Expression::Unary(Sign::Minus, inside) => matches!(**inside, Expression::Literal(_)),
+        value => matches!(value, Expression::Literal(_)),
+    }
 }
 
 /// `T#5s`, `TIME#1h30m`, `5 s`, `2.5sec`, `10 min`.
-pub(crate) fn duration(written: &str) -> Option<String> {
+pub(crate) fn duration(written: &str) -> Option<Literal> {
     let lower = written.trim().to_ascii_lowercase();
     let bare = ["time#", "t#"]
         .iter()
@@ -193,11 +127,9 @@ pub(crate) fn duration(written: &str) -> Option<String> {
         out.push_str(known);
         rest = &rest[unit..];
     }
-    (is_first_digit(&out)).then(|| format!("T#{out}"))
-}
-
-fn is_first_digit(text: &str) -> bool {
-    text.starts_with(|c: char| c.is_ascii_digit())
+    Literal::read(format!("T#{out}"))
+        .ok()
+        .filter(|_| out.starts_with(|c: char| c.is_ascii_digit()))
 }
 
 #[cfg(test)]
@@ -221,7 +153,8 @@ mod tests {
             ("???", None),
             ("5", None),
         ] {
-            assert_eq!(operands.tag(written).as_deref(), expected, "{written}");
+            let tag = operands.tag(written).map(|tag| tag.to_string());
+            assert_eq!(tag.as_deref(), expected, "{written}");
         }
         for (written, expected) in [
             ("T#5S", Some("T#5s")),
@@ -233,10 +166,11 @@ mod tests {
             ("5 apples", Some("_5_apples")),
             ("-", None),
         ] {
-            assert_eq!(operands.time(written).as_deref(), expected, "{written}");
+            let time = operands.time(written).map(|time| time.to_string());
+            assert_eq!(time.as_deref(), expected, "{written}");
         }
-        assert_eq!(operands.value("16#FF").as_deref(), Some("16#FF"));
         for written in [
+            "16#FF",
             "-2.5",
             "-1.5e-3",
             "INT#-5",
@@ -247,8 +181,10 @@ mod tests {
             "'it$'s'",
             "FALSE",
         ] {
-            assert_eq!(operands.value(written).as_deref(), Some(written));
+            let value = operands.value(written).map(|value| value.to_string());
+            assert_eq!(value.as_deref(), Some(written));
         }
-        assert_eq!(operands.expression("-a + 3 * -b").as_deref(), Some("-a + 3 * -b"));
+        let expression = operands.expression("-a + 3 * -b").map(|value| value.to_string());
+        assert_eq!(expression.as_deref(), Some("-a + 3 * -b"));
     }
 }

@@ -12,6 +12,8 @@ use crate::sides::Sides;
 use crate::symbol::{self, Symbol, SymbolKind};
 use crate::text::{self, Phrase};
 use crate::wires;
+use ladder_format::program::{self, Block};
+use ladder_syntax::parse;
 
 /// What was made of the lines.
 #[derive(Debug, Default)]
@@ -32,7 +34,7 @@ pub(crate) struct Element {
     /// As it is drawn, with what is written about it.
     pub(crate) shown: String,
     /// As a block of ladder text, or why it is none.
-    pub(crate) written: Result<String, String>,
+    pub(crate) written: Result<program::Part, String>,
 }
 
 /// In which form an element is drawn.
@@ -156,12 +158,14 @@ pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
             below: label.1.as_ref().map(|phrase| phrase.text.as_str()),
         };
         let drawn = sheet.text(symbol.line, symbol.from, symbol.to);
-        let written = match &symbol.kind {
-            SymbolKind::Contact(inside) => element::contact(inside, label, operands),
-            SymbolKind::Coil(inside) => element::coil(inside, label, operands),
-            SymbolKind::Flow(inside) => element::flow(inside, operands),
-            SymbolKind::Own => Ok(drawn.clone()),
-            SymbolKind::Frame(number) => sides[*number].written(&frames[*number], label.above, operands),
+        let block = match &symbol.kind {
+            SymbolKind::Contact(inside) => Some(element::contact(inside, label, operands)),
+            SymbolKind::Coil(inside) => Some(element::coil(inside, label, operands)),
+            SymbolKind::Flow(inside) => Some(element::flow(inside, operands)),
+            SymbolKind::Own => None,
+            SymbolKind::Frame(number) => {
+                Some(sides[*number].written(&frames[*number], label.above, operands))
+            }
         };
         Element {
             line: symbol.line,
@@ -177,7 +181,10 @@ pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
                 Some(above) => format!("{} {above}", drawn.trim()),
                 None => drawn.trim().to_owned(),
             },
-            written: written.and_then(whole),
+            written: match block {
+                Some(block) => block.map(program::Part::Block),
+                None => own(drawn),
+            },
         }
     });
     let elements = elements.collect();
@@ -188,13 +195,14 @@ pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
     }
 }
 
-/// A block that has no error on a rung.
-fn whole(block: String) -> Result<String, String> {
-    let errors = ladder_syntax::parse(&format!("+--{block}--+")).errors();
-    if errors.is_empty() {
-        return Ok(block);
+/// A block that is drawn as ladder text has it. One that the table does not have, or spells otherwise, stays as it is.
+fn own(text: String) -> Result<program::Part, String> {
+    let letters = |text: &str| text.split_whitespace().collect::<String>();
+    match Block::read(&text) {
+        Ok(block) if letters(&block.to_string()) == letters(&text) => Ok(program::Part::Block(block)),
+        _ if parse(&format!("+--{text}--+")).errors().is_empty() => Ok(program::Part::Text(text)),
+        _ => Err("what is between its brackets is not known".to_owned()),
     }
-    Err("what is between its brackets is not known".to_owned())
 }
 
 fn form(kind: &SymbolKind, has_name_above: bool, first: char) -> Form {

@@ -3,76 +3,77 @@
 //! A block there hands on the power that it gets. What hands on something else here, as a timer its output, is drawn on a branch of
 //! its own before what follows it; in the middle of a branch, where that is another rung, it is not read.
 
-use crate::block;
 use crate::neutral::{Instruction, Part, parse};
 use crate::operand::Operands;
 use ladder_format::Circuit;
-use ladder_format::program::{Drawing, Element, Item, Network, ProgramSketch};
-use ladder_instructions::{Shape, known_elsewhere, lookup};
+use ladder_format::program::{
+    self, Block, Drawing, Element, Expression, Item, Network, Operand, ProgramSketch,
+};
+use ladder_instructions::{Op, Shape, by_op, known_elsewhere, lookup};
 
-/// How the operands of an instruction become those of a block.
+/// The block of an instruction, and how its operands become those of the block.
 #[derive(Debug, Clone, Copy)]
 enum Order {
     /// A tag.
-    Tag,
-    /// A tag that keeps an edge: the block keeps it by itself.
+    Tag(Op),
+    /// A tag that keeps an edge: the one-shot keeps it by itself.
     Storage,
     /// Values that are compared.
-    Compared,
+    Compared(Op),
     /// Timer, preset, what has run so far; the older spelling has a time base before the preset.
-    Timer,
+    Timer(Op),
     /// Counter, preset, what was counted so far.
-    Counter,
+    Counter(Op),
     /// Values, then the tag for the result.
-    ResultLast,
+    ResultLast(Op),
     /// The tag that becomes 0.
     Cleared,
     /// None: it is a wire.
     Nothing,
 }
 
-/// The instructions that are read: their name, the block, its operands, and whether both hand on the same power.
-const KNOWN: [(&str, &str, Order, bool); 40] = [
-    ("XIC", "[ ]", Order::Tag, true),
-    ("XIO", "[/]", Order::Tag, true),
-    ("OTE", "( )", Order::Tag, true),
-    ("OTL", "(S)", Order::Tag, false),
-    ("OTU", "(R)", Order::Tag, false),
-    ("RES", "(RES)", Order::Tag, true),
-    ("ONS", "[OSR]", Order::Storage, true),
-    ("TON", "[TON]", Order::Timer, false),
-    ("TOF", "[TOF]", Order::Timer, false),
-    ("RTO", "[RTO]", Order::Timer, false),
-    ("CTU", "[CTU]", Order::Counter, false),
-    ("CTD", "[CTD]", Order::Counter, false),
-    ("EQU", "[EQ]", Order::Compared, true),
-    ("EQ", "[EQ]", Order::Compared, true),
-    ("NEQ", "[NE]", Order::Compared, true),
-    ("NE", "[NE]", Order::Compared, true),
-    ("GRT", "[GT]", Order::Compared, true),
-    ("GT", "[GT]", Order::Compared, true),
-    ("GEQ", "[GE]", Order::Compared, true),
-    ("GE", "[GE]", Order::Compared, true),
-    ("LES", "[LT]", Order::Compared, true),
-    ("LT", "[LT]", Order::Compared, true),
-    ("LEQ", "[LE]", Order::Compared, true),
-    ("LE", "[LE]", Order::Compared, true),
-    ("MOV", "[MOV]", Order::ResultLast, true),
-    ("MOVE", "[MOV]", Order::ResultLast, true),
-    ("ADD", "[ADD]", Order::ResultLast, true),
-    ("SUB", "[SUB]", Order::ResultLast, true),
-    ("MUL", "[MUL]", Order::ResultLast, true),
-    ("DIV", "[DIV]", Order::ResultLast, true),
-    ("MOD", "[MOD]", Order::ResultLast, true),
-    ("AND", "[AND]", Order::ResultLast, true),
-    ("OR", "[OR]", Order::ResultLast, true),
-    ("XOR", "[XOR]", Order::ResultLast, true),
-    ("NOT", "[NOT]", Order::ResultLast, true),
-    ("ABS", "[ABS]", Order::ResultLast, true),
-    ("SQR", "[SQRT]", Order::ResultLast, true),
-    ("SQRT", "[SQRT]", Order::ResultLast, true),
-    ("CLR", "[MOV]", Order::Cleared, true),
-    ("NOP", "", Order::Nothing, true),
+/// The instructions that are read: their name, the block with its operands, and whether both hand on the same power.
+const KNOWN: [(&str, Order, bool); 40] = [
+    ("XIC", Order::Tag(Op::Contact), true),
+    ("XIO", Order::Tag(Op::NegatedContact), true),
+    ("OTE", Order::Tag(Op::Coil), true),
+    ("OTL", Order::Tag(Op::SetCoil), false),
+    ("OTU", Order::Tag(Op::ResetCoil), false),
+    ("RES", Order::Tag(Op::Res), true),
+    ("ONS", Order::Storage, true),
+    ("TON", Order::Timer(Op::Ton), false),
+    ("TOF", Order::Timer(Op::Tof), false),
+    ("RTO", Order::Timer(Op::Rto), false),
+    ("CTU", Order::Counter(Op::Ctu), false),
+    ("CTD", Order::Counter(Op::Ctd), false),
+    ("EQU", Order::Compared(Op::Eq), true),
+    ("EQ", Order::Compared(Op::Eq), true),
+    ("NEQ", Order::Compared(Op::Ne), true),
+    ("NE", Order::Compared(Op::Ne), true),
+    ("GRT", Order::Compared(Op::Gt), true),
+    ("GT", Order::Compared(Op::Gt), true),
+    ("GEQ", Order::Compared(Op::Ge), true),
+    ("GE", Order::Compared(Op::Ge), true),
+    ("LES", Order::Compared(Op::Lt), true),
+    ("LT", Order::Compared(Op::Lt), true),
+    ("LEQ", Order::Compared(Op::Le), true),
+    ("LE", Order::Compared(Op::Le), true),
+    ("MOV", Order::ResultLast(Op::Mov), true),
+    ("MOVE", Order::ResultLast(Op::Mov), true),
+    ("ADD", Order::ResultLast(Op::Add), true),
+    ("SUB", Order::ResultLast(Op::Sub), true),
+    ("MUL", Order::ResultLast(Op::Mul), true),
+    ("DIV", Order::ResultLast(Op::Div), true),
+    ("MOD", Order::ResultLast(Op::Mod), true),
+    ("AND", Order::ResultLast(Op::And), true),
+    ("OR", Order::ResultLast(Op::Or), true),
+    ("XOR", Order::ResultLast(Op::Xor), true),
+    ("NOT", Order::ResultLast(Op::Not), true),
+    ("ABS", Order::ResultLast(Op::Abs), true),
+    ("SQR", Order::ResultLast(Op::Sqrt), true),
+    ("SQRT", Order::ResultLast(Op::Sqrt), true),
+    ("CLR", Order::Cleared, true),
+    ("NOP", Order::Nothing, true),
 ];
 
 /// Rungs with more text than this are not pasted.
@@ -87,21 +88,20 @@ pub struct RungText {
     pub problems: Vec<String>,
 }
 
-fn known(name: &str) -> Option<&'static (&'static str, &'static str, Order, bool)> {
+fn known(name: &str) -> Option<&'static (&'static str, Order, bool)> {
     KNOWN.iter().find(|(known, ..)| known.eq_ignore_ascii_case(name))
 }
 
 /// How many operands there are where no parentheses are around them.
 fn operands(name: &str) -> Option<usize> {
-    let (.., order, _) = known(name)?;
+    let (_, order, _) = known(name)?;
     Some(match order {
-        Order::Tag | Order::Storage | Order::Cleared => 1,
-        Order::Compared => 2,
-        Order::Timer => 4,
-        Order::Counter => 3,
+        Order::Tag(_) | Order::Storage | Order::Cleared => 1,
+        Order::Compared(_) => 2,
+        Order::Timer(_) => 4,
+        Order::Counter(_) => 3,
         Order::Nothing => 0,
-        Order::ResultLast if matches!(name, "MOV" | "MOVE" | "NOT" | "ABS" | "SQR" | "SQRT") => 2,
-        Order::ResultLast => 3,
+        Order::ResultLast(op) => by_op(*op).required(),
     })
 }
 
@@ -205,7 +205,7 @@ impl Reader {
                 }
                 Part::Instruction(instruction) => instruction,
             };
-            let (element, passes) = match self.element(instruction) {
+            let (part, passes) = match self.part(instruction) {
                 Ok(Some(read)) => read,
                 Ok(None) => continue,
                 Err(why) => {
@@ -213,7 +213,7 @@ impl Reader {
                     continue;
                 }
             };
-            let element = Circuit::Element(Element::block(element, None));
+            let element = Circuit::Element(Element { part, origin: None });
             match (passes || ends, is_last) {
                 (true, _) => made.push(element),
                 (false, true) => {
@@ -231,56 +231,61 @@ impl Reader {
     }
 
     /// An instruction as a block, and whether that hands on the same power. None: it does nothing.
-    fn element(&mut self, instruction: &Instruction<'_>) -> Result<Option<(String, bool)>, String> {
-        let Some((_, block, order, passes)) = known(instruction.name) else {
+    fn part(&mut self, instruction: &Instruction<'_>) -> Result<Option<(program::Part, bool)>, String> {
+        let Some((_, order, passes)) = known(instruction.name) else {
             return Err(unknown(instruction));
         };
         let given = &instruction.operands[..];
         let cannot = || format!("the operands of `{}` cannot be read", instruction.text);
-        let list = match (order, given) {
+        let block = match (*order, given) {
             (Order::Nothing, _) => return Ok(None),
-            (Order::Storage, _) => return Ok(Some(((*block).to_owned(), *passes))),
-            (Order::Tag, [tag]) => vec![self.operands.tag(tag)],
-            (Order::Cleared, [tag]) => vec![self.operands.tag(tag), Some("0".to_owned())],
-            (Order::Compared, [a, b]) => vec![self.operands.value(a), self.operands.value(b)],
-            (Order::Timer, [timer]) => vec![self.operands.tag(timer), Some(UNKNOWN.to_owned())],
-            (Order::Timer, [timer, preset, ..]) if given.len() < 4 => {
-                vec![self.operands.tag(timer), preset_time(preset, "0.001")]
+            (Order::Storage, _) => Block::of(Op::OneShotRising, Operand::NONE)?,
+            (Order::Timer(op) | Order::Counter(op), [state] | [state, UNKNOWN, ..])
+            | (Order::Timer(op), [state, _, UNKNOWN, _]) => {
+                let state = self.operands.tag(state).ok_or_else(cannot)?;
+                let open = format!("{}( {state}, {UNKNOWN} )", by_op(op).block());
+                return Ok(Some((program::Part::Text(open), *passes)));
             }
-            (Order::Timer, [timer, base, preset, _]) => {
-                vec![self.operands.tag(timer), preset_time(preset, base)]
+            (order, given) => {
+                let (op, list) = self.list(order, given).ok_or_else(cannot)?;
+                Block::of(op, list)?
             }
-            (Order::Counter, [counter]) => vec![self.operands.tag(counter), Some(UNKNOWN.to_owned())],
-            (Order::Counter, [counter, preset, ..]) if given.len() < 4 => {
-                let preset = match *preset {
-                    UNKNOWN => Some(UNKNOWN.to_owned()),
-                    preset => self.operands.value(preset),
-                };
-                vec![self.operands.tag(counter), preset]
-            }
-            (Order::ResultLast, [values @ .., result])
-                if block::row(&block[1..block.len() - 1]).is_some_and(|row| row.takes(given.len())) =>
-            {
-                let result = self.operands.tag(result);
-                let values = values.iter().map(|value| self.operands.value(value));
-                std::iter::once(result).chain(values).collect()
-            }
-            _ => return Err(cannot()),
         };
-        let list: Option<Vec<String>> = list.into_iter().collect();
-        let list = list.ok_or_else(cannot)?.join(", ");
-        Ok(Some((format!("{block}( {list} )"), *passes)))
+        Ok(Some((program::Part::Block(block), *passes)))
+    }
+
+    /// The block of an instruction, with its operands. None: it has no such operands.
+    fn list(&mut self, order: Order, given: &[&str]) -> Option<(Op, Vec<Expression>)> {
+        let mut tag = |written: &str| self.operands.tag(written).map(Expression::from);
+        Some(match (order, given) {
+            (Order::Tag(op), [only]) => (op, vec![tag(only)?]),
+            (Order::Cleared, [only]) => (Op::Mov, vec![tag(only)?, 0.into()]),
+            (Order::Compared(op), [a, b]) => (op, vec![self.operands.value(a)?, self.operands.value(b)?]),
+            (Order::Timer(op), [timer, preset, ..]) if given.len() < 4 => {
+                (op, vec![tag(timer)?, preset_time(preset, "0.001")?])
+            }
+            (Order::Timer(op), [timer, base, preset, _]) => {
+                (op, vec![tag(timer)?, preset_time(preset, base)?])
+            }
+            (Order::Counter(op), [counter, preset, ..]) if given.len() < 4 => {
+                (op, vec![tag(counter)?, self.operands.value(preset)?])
+            }
+            (Order::ResultLast(op), [values @ .., result]) if by_op(op).takes(given.len()) => {
+                let result = tag(result)?;
+                let values = values.iter().map(|value| self.operands.value(value));
+                let list: Option<Vec<Expression>> = std::iter::once(Some(result)).chain(values).collect();
+                (op, list?)
+            }
+            _ => return None,
+        })
     }
 }
 
-/// What is not on the clipboard.
+/// What is not on the clipboard. It is written in the block: what is missing there is an error that says what to write.
 const UNKNOWN: &str = "?";
 
 /// A preset that counts in units of so many seconds.
-fn preset_time(preset: &str, base: &str) -> Option<String> {
-    if preset == UNKNOWN {
-        return Some(UNKNOWN.to_owned());
-    }
+fn preset_time(preset: &str, base: &str) -> Option<Expression> {
     let count: u64 = preset.parse().ok()?;
     let unit = match base {
         "0.001" | ".001" => 1,
@@ -290,10 +295,11 @@ fn preset_time(preset: &str, base: &str) -> Option<String> {
         _ => return None,
     };
     let milliseconds = count.checked_mul(unit)?;
-    Some(match milliseconds % 1000 {
+    let time = match milliseconds % 1000 {
         0 => format!("T#{}s", milliseconds / 1000),
         _ => format!("T#{milliseconds}ms"),
-    })
+    };
+    Expression::literal(time).ok()
 }
 
 fn unknown(instruction: &Instruction<'_>) -> String {

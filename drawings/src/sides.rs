@@ -7,6 +7,7 @@ use crate::operand::Operands;
 use crate::sheet::{Sheet, is_wire};
 use crate::text::is_sign;
 use crate::wires::Wires;
+use ladder_format::program::Block;
 
 /// What is next to a box.
 #[derive(Debug, Default)]
@@ -88,7 +89,7 @@ impl Sides {
         frame: &Frame,
         name: Option<&str>,
         operands: &mut Operands,
-    ) -> Result<String, String> {
+    ) -> Result<Block, String> {
         if let Some(problem) = &self.problem {
             return Err(problem.clone());
         }
