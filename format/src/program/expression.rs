@@ -237,7 +237,10 @@ impl Expression {
                 let own = match step {
                     Step::Member(_) | Step::Bit(_) => Some(0),
                     Step::Index(indices) => all(indices.iter()),
-                    Step::Range(range) => Some(inside(&range.0)? + inside(&range.1)?),
+                    Step::Range(before, range) => {
+                        let bounds = inside(&range.0)? + inside(&range.1)?;
+                        Some(bounds + all(before.iter())?)
+                    }
                 };
                 Some(sum + 1 + own?)
             }),

@@ -23,8 +23,8 @@ pub enum Step {
     Bit(u32),
     /// `[i, j]`
     Index(Vec<Expression>),
-    /// `[3..9]`, with the first and the last element
-    Range(Box<(Expression, Expression)>),
+    /// `[i, 3..9]`: indices of other dimensions, then the first and the last element
+    Range(Vec<Expression>, Box<(Expression, Expression)>),
 }
 
 impl Path {
@@ -62,7 +62,7 @@ impl Path {
     /// `self[3..9]`
     #[must_use]
     pub fn range(self, first: impl Into<Expression>, last: impl Into<Expression>) -> Path {
-        self.with(Step::Range(Box::new((first.into(), last.into()))))
+        self.with(Step::Range(Vec::new(), Box::new((first.into(), last.into()))))
     }
 
     /// The path with one more step.
@@ -81,7 +81,7 @@ impl Path {
     pub fn indices(&self) -> impl Iterator<Item = &Expression> {
         self.steps.iter().flat_map(|step| match step {
             Step::Index(indices) => indices.iter().collect(),
-            Step::Range(range) => vec![&range.0, &range.1],
+            Step::Range(before, range) => before.iter().chain([&range.0, &range.1]).collect(),
             Step::Member(_) | Step::Bit(_) => Vec::new(),
         })
     }
@@ -89,7 +89,7 @@ impl Path {
     pub(super) fn indices_mut(&mut self) -> impl Iterator<Item = &mut Expression> {
         self.steps.iter_mut().flat_map(|step| match step {
             Step::Index(indices) => indices.iter_mut().collect(),
-            Step::Range(range) => vec![&mut range.0, &mut range.1],
+            Step::Range(before, range) => before.iter_mut().chain([&mut range.0, &mut range.1]).collect(),
             Step::Member(_) | Step::Bit(_) => Vec::new(),
         })
     }
@@ -123,7 +123,10 @@ impl Display for Path {
                 Step::Member(name) => write!(f, ".{name}"),
                 Step::Bit(number) => write!(f, ".{number}"),
                 Step::Index(indices) => write!(f, "[{}]", List(indices)),
-                Step::Range(range) => write!(f, "[{}..{}]", range.0, range.1),
+                Step::Range(before, range) => {
+                    let comma = if before.is_empty() { "" } else { ", " };
+                    write!(f, "[{}{comma}{}..{}]", List(before), range.0, range.1)
+                }
             }?;
         }
         Ok(())

@@ -128,16 +128,23 @@ fn path(of: ast::Expression<'_>) -> Option<Path> {
 }
 
 fn subscripts(index: ast::IndexExpression<'_>) -> Option<Step> {
-    let subscripts: Vec<Subscript<'_>> = index.subscripts().collect();
-    if let [Subscript::Range(range)] = subscripts[..] {
-        let bounds = (expression(range.first()?)?, expression(range.last()?)?);
-        return Some(Step::Range(Box::new(bounds)));
+    let (mut indices, mut range) = (Vec::new(), None);
+    for subscript in index.subscripts() {
+        match subscript {
+            Subscript::Index(index) if range.is_none() => indices.push(expression(index)?),
+            Subscript::Range(bounds) if range.is_none() => {
+                range = Some(Box::new((
+                    expression(bounds.first()?)?,
+                    expression(bounds.last()?)?,
+                )));
+            }
+            _ => return None,
+        }
     }
-    let indices = subscripts.into_iter().map(|subscript| match subscript {
-        Subscript::Index(index) => expression(index),
-        Subscript::Range(_) => None,
-    });
-    indices.collect::<Option<Vec<_>>>().map(Step::Index)
+    Some(match range {
+        Some(range) => Step::Range(indices, range),
+        None => Step::Index(indices),
+    })
 }
 
 #[cfg(test)]
@@ -157,6 +164,7 @@ mod tests {
             "[CALC]( y, a - (b - c) * (-1.5) )",
             "[CALC]( y, (a < b) = (c < d) )",
             "[FILL]( data[0..9], MIN(a, 16#FF) )",
+            "[FILL]( grid[i, 0..9], 1 )",
             "[FMT]( 'it$'s $N', value )",
             "[$Rinse]( first, go := a, done => b )",
             "[$Rinse]",
