@@ -257,7 +257,7 @@ fn copy(tags: &mut Tags<'_>, chain: &mut Chain, source: &Operand, target: &Opera
         (false, false) => return Err("bits, numbers and texts do not turn into one another".to_owned()),
     };
     let value = chain.value(tags, source, direct.then_some(to))?;
-    let place = chain.place(tags, target)?;
+    let place = chain.value(tags, target, None)?;
     chain.push(op, [place, value])?;
     ranges::take_pointed(tags, chain, target)
 }

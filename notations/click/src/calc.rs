@@ -21,7 +21,7 @@ pub(super) fn math(tags: &mut Tags<'_>, math: &Math) -> Result<Chain, String> {
         MathKind::Hex => Kind::Hex,
     };
     let value = expression(tags, &mut chain, &math.formula, constants)?;
-    let place = chain.place(tags, &math.target)?;
+    let place = chain.value(tags, &math.target, None)?;
     chain.push(Op::Calc, [place, value])?;
     Ok(chain)
 }

@@ -73,13 +73,13 @@ pub(super) fn copy(
     let value = chain.value(tags, source, Some(from))?;
     match convert {
         Convert::Value => {
-            let place = chain.place(tags, target)?;
+            let place = chain.value(tags, target, None)?;
             chain.push(Op::Typ, [place, value])?;
         }
         Convert::Ascii => {
             let code = tags.helper("code", "INT", CODE);
             let all = characters(tags);
-            let place = chain.place(tags, target)?;
+            let place = chain.value(tags, target, None)?;
             chain.push(Op::Find, [code.clone(), all, value])?;
             // No character has the code of the first one, 0.
             chain.push(Op::Sub, [code.clone(), code.clone(), 1.into()])?;
@@ -94,7 +94,7 @@ pub(super) fn copy(
             };
             let code = tags.helper("character", ty, TO_CODE);
             let all = characters(tags);
-            let place = chain.place(tags, target)?;
+            let place = chain.value(tags, target, None)?;
             chain.push(Op::Mov, [code.clone(), value])?;
             chain.push(Op::And, [code.clone(), code.clone(), 255.into()])?;
             chain.push(Op::Le, [code.clone(), 127.into()])?;

@@ -114,99 +114,68 @@ impl Shape {
 
     /// The networks of its block.
     fn body(self, rungs: &mut Rungs) -> Result<(), Invalid> {
-        use Op::{Coil, Contact, Eq, Ge, Le, Lt, Mov, Mux, Ne, NegatedContact, RisingContact, Rto, Sel};
+        use Op::{Eq, Ge, Le, Lt, Mov, Ne};
         let last = self.steps as i64;
         let now = || tag("now");
-        let accumulated = || Path::tag("clock").member("ACC");
+        let elapsed = || Path::tag("clock").member("ACC");
+        let on = |name| Block::of(Op::Contact, [tag(name)]);
+        let off = |name| Block::of(Op::NegatedContact, [tag(name)]);
+        let rises = |name| Block::of(Op::RisingContact, [tag(name)]);
+        let coil = |name| Block::of(Op::Coil, [tag(name)]);
+        let no = || Expression::from(Literal::from(false));
         let next = || Block::of(Op::Add, [now(), now(), 1.into()]);
         // Of several values for a step each, that of the step.
         let chosen = |to: &str, none: Expression, of: Vec<String>| {
             let values = of.iter().map(|name| tag(name));
-            Block::of(Mux, [tag(to), now(), none].into_iter().chain(values))
+            Block::of(Op::Mux, [tag(to), now(), none].into_iter().chain(values))
         };
         // A step that there is not is the first one, and nothing ends in the scan that finds it.
-        rungs.add([
-            two(Ge, tag("step"), 1),
-            two(Le, tag("step"), last),
-            one(Coil, "valid"),
-        ])?;
-        rungs.add([Block::of(Sel, [now(), tag("valid"), 1.into(), tag("step")])])?;
+        rungs.add([of(Ge, tag("step"), 1), of(Le, tag("step"), last), coil("valid")])?;
+        rungs.add([Block::of(Op::Sel, [now(), tag("valid"), 1.into(), tag("step")])])?;
         if self.is_timed {
-            rungs.add([
-                one(Contact, "EN"),
-                one(NegatedContact, "valid"),
-                one(Coil, "moved"),
-            ])?;
+            rungs.add([on("EN"), off("valid"), coil("moved")])?;
             // The program may have written the time.
-            rungs.add([
-                two(Ne, accumulated(), tag("acc")),
-                two(Mov, accumulated(), tag("acc")),
-            ])?;
+            rungs.add([of(Ne, elapsed(), tag("acc")), of(Mov, elapsed(), tag("acc"))])?;
             let longest = Expression::literal("T#32767d")?;
             let clock = [tag("clock").into(), longest.into(), given("B", tag("unit"))];
-            rungs.add([one(Contact, "EN"), Block::of(Rto, clock)])?;
-            rungs.add([
-                one(Contact, "EN"),
-                chosen("preset", 0.into(), self.ends()),
-                two(Ge, accumulated(), tag("preset")),
-                one(Coil, "came"),
-            ])?;
+            rungs.add([on("EN"), Block::of(Op::Rto, clock)])?;
+            let preset = chosen("preset", 0.into(), self.ends());
+            rungs.add([on("EN"), preset, of(Ge, elapsed(), tag("preset")), coil("came")])?;
         } else {
-            rungs.add([chosen("event", bit(false), self.ends())])?;
-            rungs.add([
-                one(Contact, "EN"),
-                one(Contact, "valid"),
-                two(Eq, tag("before"), now()),
-                one(Contact, "event"),
-                one(NegatedContact, "was"),
-                one(Coil, "came"),
-            ])?;
+            rungs.add([chosen("event", no(), self.ends())])?;
+            let same = of(Eq, tag("before"), now());
+            rungs.add([on("EN"), on("valid"), same, on("event"), off("was"), coil("came")])?;
         }
-        rungs.add([
-            one(Contact, "came"),
-            two(Eq, now(), last),
-            two(Mov, tag("done"), bit(true)),
-        ])?;
-        rungs.add_move([one(Contact, "came"), two(Lt, now(), last), next()])?;
-        let not_done = two(Mov, tag("done"), bit(false));
-        rungs.add_move([one(Contact, "reset"), two(Mov, now(), 1), not_done])?;
+        let done = |done: bool| of(Mov, tag("done"), Literal::from(done));
+        rungs.add([on("came"), of(Eq, now(), last), done(true)])?;
+        rungs.add_move([on("came"), of(Lt, now(), last), next()])?;
+        rungs.add_move([on("reset"), of(Mov, now(), 1), done(false)])?;
+        let [first, upto] = [(Ge, 1), (Le, last)].map(|(op, step)| of(op, tag("jump_to"), step));
         rungs.add_move([
-            one(Contact, "EN"),
-            one(RisingContact, "jump"),
-            two(Ge, tag("jump_to"), 1),
-            two(Le, tag("jump_to"), last),
-            two(Mov, now(), tag("jump_to")),
+            on("EN"),
+            rises("jump"),
+            first,
+            upto,
+            of(Mov, now(), tag("jump_to")),
         ])?;
-        rungs.add_move([
-            one(Contact, "EN"),
-            one(RisingContact, "jog"),
-            two(Lt, now(), last),
-            next(),
-        ])?;
+        rungs.add_move([on("EN"), rises("jog"), of(Lt, now(), last), next()])?;
         if self.is_timed {
-            rungs.add([one(Contact, "moved"), one(Op::Res, "clock")])?;
+            rungs.add([on("moved"), Block::of(Op::Res, [tag("clock")])])?;
         } else {
-            rungs.add([
-                chosen("was", bit(false), self.ends()),
-                two(Mov, tag("before"), now()),
-            ])?;
+            rungs.add([chosen("was", no(), self.ends()), of(Mov, tag("before"), now())])?;
         }
-        let either = ["EN", "reset"].map(|name| series([one(Contact, name)]));
-        let either = either.into_iter().collect::<Result<_, _>>()?;
+        let either = vec![series([on("EN")])?, series([on("reset")])?];
         rungs.network(Circuit::Series(vec![
             Circuit::Parallel(either),
-            series([one(Coil, "acts")])?,
+            series([coil("acts")])?,
         ]));
         let pattern = chosen("pattern", 0.into(), numbered("p", self.steps));
-        rungs.add([one(Contact, "acts"), pattern, two(Mov, tag("step"), now())])?;
+        rungs.add([on("acts"), pattern, of(Mov, tag("step"), now())])?;
         if self.is_timed {
-            rungs.add([one(Contact, "acts"), two(Mov, tag("acc"), accumulated())])?;
+            rungs.add([on("acts"), of(Mov, tag("acc"), elapsed())])?;
         }
         for (output, name) in (0..).zip(numbered("q", self.outputs)) {
-            rungs.add([
-                one(Contact, "acts"),
-                two(Mov, tag(&name), Path::tag("pattern").bit(output)),
-            ])?;
+            rungs.add([on("acts"), of(Mov, tag(&name), Path::tag("pattern").bit(output))])?;
         }
         Ok(())
     }
@@ -215,16 +184,8 @@ impl Shape {
 /// A block of the definition, if it can be one.
 type Made = Result<Block, Invalid>;
 
-fn one(op: Op, name: &str) -> Made {
-    Block::of(op, [tag(name)])
-}
-
-fn two(op: Op, left: impl Into<Expression>, right: impl Into<Expression>) -> Made {
+fn of(op: Op, left: impl Into<Expression>, right: impl Into<Expression>) -> Made {
     Block::of(op, [left.into(), right.into()])
-}
-
-fn bit(on: bool) -> Expression {
-    Literal::from(on).into()
 }
 
 fn tag(name: &str) -> Expression {
@@ -258,7 +219,7 @@ impl Rungs {
     }
 
     fn add_move(&mut self, blocks: impl IntoIterator<Item = Made>) -> Result<(), Invalid> {
-        let moved = self.moves.then(|| two(Op::Mov, tag("moved"), bit(true)));
+        let moved = self.moves.then(|| of(Op::Mov, tag("moved"), Literal::from(true)));
         self.add(blocks.into_iter().chain(moved))
     }
 }

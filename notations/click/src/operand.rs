@@ -108,7 +108,7 @@ impl Chain {
         Ok(())
     }
 
-    /// A value where a kind of value is asked for, or none in particular.
+    /// A value where a kind of value is asked for, or none in particular: where it goes, for example.
     pub(super) fn value(
         &mut self,
         tags: &mut Tags<'_>,
@@ -119,14 +119,6 @@ impl Chain {
             Operand::Constant(constant) => Ok(literal(constant, kind)?.into()),
             Operand::Tag(tag) => Ok(tags.place(tag)),
             Operand::Pointer(pointer) => self.pointed(tags, pointer),
-        }
-    }
-
-    /// A place where a value goes.
-    pub(super) fn place(&mut self, tags: &mut Tags<'_>, operand: &Operand) -> Result<Expression, Refusal> {
-        match operand {
-            Operand::Constant(_) => Err("a constant cannot be written".to_owned()),
-            other => self.value(tags, other, None),
         }
     }
 

@@ -47,6 +47,20 @@ fn complaints(text: &str) -> String {
 }
 
 #[test]
+fn a_condition_that_has_no_counterpart_is_off() {
+    let converted =
+        converted("def main():\n    if txt.A == 'é':\n        out(y[1])\n    if True:\n        end()\n");
+    let rung = converted
+        .written
+        .text
+        .lines()
+        .find(|line| line.starts_with("+--"));
+    expect![[r#"
+        +--# click: txt.A == "é" #--[/]( SYS.ON )--------------------------( )( Y[1] )--+"#]]
+    .assert_eq(rung.unwrap_or_default());
+}
+
+#[test]
 fn every_construct_becomes_ladder_text() {
     let converted = converted(BOTTLING);
     expect_file!["../tests/click/bottling.clad"].assert_eq(&converted.written.text);

@@ -9,7 +9,7 @@ use super::super::operand::{Chain, kind};
 use super::super::ranges::range;
 use super::Sketcher;
 use ladder_format::Circuit;
-use ladder_format::program::{Block, Element, Expression};
+use ladder_format::program::{Block, Element, Expression, Path};
 use ladder_instructions::Op;
 use ladder_notation::LineColumn;
 
@@ -48,7 +48,7 @@ impl Sketcher<'_> {
         }
     }
 
-    /// A contact or comparison, or a comment in its place.
+    /// A contact or comparison, or a comment in its place: then no power passes.
     fn checked(
         &mut self,
         condition: &Condition,
@@ -61,7 +61,11 @@ impl Sketcher<'_> {
                 self.reading.report.translated(place, shown);
                 self.series(place, blocks)
             }
-            Err(why) => Circuit::Element(self.refused(place, shown, why)),
+            Err(why) => {
+                let said = Circuit::Element(self.refused(place, shown, why));
+                let off = Block::negated_contact(Path::system("ON"));
+                Circuit::Series(vec![said, self.series(place, vec![off])])
+            }
         }
     }
 
