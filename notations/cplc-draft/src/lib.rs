@@ -16,6 +16,7 @@
 //! is one tag here: where the program reads `name` it reads `name.Q`, where it reads `time` it reads `name.ET`
 //! (`count`: `name.CV`). The draft does not say what a preset counts: milliseconds here. A comparison's or calculation's `name` becomes a coil after it where the program reads it.
 
+mod blocks;
 mod header;
 mod line;
 mod read;

@@ -1,5 +1,6 @@
 //! From the draft to a sketch.
 
+use super::blocks::row_named;
 use super::header::{self, Entry};
 use super::line::{self, Block, Piece};
 use ladder_analysis::Severity;
@@ -289,71 +290,36 @@ impl Reader {
     /// The blocks of ladder text that say what one of the draft says.
     fn translated(&mut self, block: &Block) -> Result<Vec<program::Block>, String> {
         let place = block.place;
-        let operands = &block.operands;
-        let wants = |count: usize, names: &str| {
-            if operands.len() == count {
-                return Ok(());
-            }
-            Err(format!(
-                "it has {} operands; the draft gives it {names}",
-                operands.len()
-            ))
-        };
-        let head = block.head.as_str();
-        let of_tag = match (block.bracket, head) {
-            ('[', "") => Some(Op::Contact),
-            ('[', "/") => Some(Op::NegatedContact),
-            ('(', "") => Some(Op::Coil),
-            ('(', "S") => Some(Op::SetCoil),
-            ('(', "R") => Some(Op::ResetCoil),
-            ('[', _) => None,
-            _ => return Err("the draft has no such block".to_owned()),
-        };
-        if let Some(op) = of_tag {
-            wants(1, "one, the tag")?;
-            let made = program::Block::of(op, [self.operand(&operands[0], "BOOL", place)?])?;
-            self.reading.report.translated(place, &block.text);
-            return Ok(vec![made]);
+        if let Some((op, _)) = state(&block.head).filter(|_| block.bracket == '[') {
+            return Ok(vec![self.state(block, op)?]);
         }
-        let op = match head {
-            "OSR" => Op::OneShotRising,
-            "OSF" => Op::OneShotFalling,
-            "EQU" => Op::Eq,
-            "NEQ" => Op::Ne,
-            "GRT" => Op::Gt,
-            "GEQ" => Op::Ge,
-            "LES" => Op::Lt,
-            "LEQ" => Op::Le,
-            "ADD" => Op::Add,
-            "SUB" => Op::Sub,
-            "MUL" => Op::Mul,
-            "DIV" => Op::Div,
-            head => match state(head) {
-                Some((op, _)) => return Ok(vec![self.state(block, op)?]),
-                None => return Err("the draft has no such block".to_owned()),
-            },
-        };
-        // After its name; the result comes first here.
-        let order: &[usize] = match op {
-            Op::OneShotRising | Op::OneShotFalling => {
-                wants(1, "one, its name")?;
-                &[]
-            }
-            Op::Add | Op::Sub | Op::Mul | Op::Div => {
-                wants(4, "a name, two operands and the result")?;
-                &[3, 1, 2]
-            }
-            _ => {
-                wants(3, "a name and two operands")?;
-                &[1, 2]
+        let row = row_named(block.bracket, &block.head);
+        let (op, _, like, count) = row.ok_or("the draft has no such block")?;
+        let (values, ty) = match (like, &block.operands[..]) {
+            (None, [_]) => (&block.operands[..], "BOOL"),
+            (Some(_), [_, values @ ..]) if values.len() == count => (values, "DINT"),
+            (_, all) => {
+                let wanted = match count {
+                    0 => "one, its name",
+                    1 => "one, the tag",
+                    2 => "a name and two operands",
+                    _ => "a name, two operands and the result",
+                };
+                return Err(format!(
+                    "it has {} operands; the draft gives it {wanted}",
+                    all.len()
+                ));
             }
         };
-        let values = order.iter().map(|at| self.operand(&operands[*at], "DINT", place));
-        let values: Result<Vec<Expression>, String> = values.collect();
-        let mut made = vec![program::Block::of(op, values?)?];
-        let name = &operands[0];
+        let values = values.iter().map(|value| self.operand(value, ty, place));
+        let mut values = values.collect::<Result<Vec<Expression>, String>>()?;
+        if count == 3 {
+            values.rotate_right(1);
+        }
+        let mut made = vec![program::Block::of(op, values)?];
         // Other rungs may read whether it let power through.
-        if self.uses.get(base(name)).copied().unwrap_or_default() > 1 {
+        let name = &block.operands[0];
+        if like.is_some() && self.uses.get(base(name)).is_some_and(|uses| *uses > 1) {
             made.push(program::Block::coil(self.operand(name, "BOOL", place)?));
         }
         self.reading.report.translated(place, &block.text);

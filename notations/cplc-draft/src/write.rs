@@ -1,5 +1,6 @@
 //! From a program to the draft.
 
+use super::blocks::row_of;
 use ladder_analysis::Analysis;
 use ladder_analysis::networks::NetworkAt;
 use ladder_analysis::program::{
@@ -151,47 +152,19 @@ impl Writer<'_> {
         let BlockKind::Instruction(row) = block.kind else {
             return Err("the draft has no blocks of one's own".to_owned());
         };
-        let unknown = || format!("the draft has no {} as it is here", row.block());
-        let values: Vec<&Argument> = block.arguments.iter().map(|bound| &bound.argument).collect();
-        let (head, name) = match row.op {
-            Op::Contact => ("[ ]", None),
-            Op::NegatedContact => ("[/]", None),
-            Op::Coil => ("( )", None),
-            Op::SetCoil => ("(S)", None),
-            Op::ResetCoil => ("(R)", None),
-            Op::OneShotRising => ("[OSR]", Some("pulse")),
-            Op::OneShotFalling => ("[OSF]", Some("pulse")),
-            Op::Eq => ("[EQU]", Some("equal")),
-            Op::Ne => ("[NEQ]", Some("unequal")),
-            Op::Gt => ("[GRT]", Some("greater")),
-            Op::Ge => ("[GEQ]", Some("at_least")),
-            Op::Lt => ("[LES]", Some("less")),
-            Op::Le => ("[LEQ]", Some("at_most")),
-            Op::Add => ("[ADD]", Some("sum")),
-            Op::Sub => ("[SUB]", Some("difference")),
-            Op::Mul => ("[MUL]", Some("product")),
-            Op::Div => ("[DIV]", Some("quotient")),
-            Op::Ton | Op::Tof | Op::Rto | Op::Ctu | Op::Ctd => return self.state(row.mnemonic, block),
-            _ => return Err(unknown()),
-        };
-        let wanted = match row.op {
-            Op::OneShotRising | Op::OneShotFalling => 0,
-            Op::Add | Op::Sub | Op::Mul | Op::Div => 3,
-            _ if name.is_some() => 2,
-            _ => 1,
-        };
-        if values.len() != wanted {
-            return Err(unknown());
+        if matches!(row.op, Op::Ton | Op::Tof | Op::Rto | Op::Ctu | Op::Ctd) {
+            return self.state(row.mnemonic, block);
         }
-        let mut operands = values
-            .into_iter()
-            .map(|value| self.argument(value))
-            .collect::<Result<Vec<_>, _>>()?;
+        let own = row_of(row.op).filter(|own| own.3 == block.arguments.len());
+        let unknown = || format!("the draft has no {} as it is here", row.block());
+        let (_, head, like, count) = own.ok_or_else(unknown)?;
+        let values = block.arguments.iter().map(|bound| self.argument(&bound.argument));
+        let mut operands = values.collect::<Result<Vec<_>, _>>()?;
         // The result comes last in the draft.
-        if wanted == 3 {
+        if count == 3 {
             operands.rotate_left(1);
         }
-        if let Some(name) = name {
+        if let Some(name) = like {
             operands.insert(0, self.fresh(name));
         }
         Ok(format!("{head}<{}>", operands.join("><")))
