@@ -2,7 +2,7 @@
 
 use crate::operand::{Operands, duration};
 use ladder_format::program::{self, Block, Expression, Path};
-use ladder_instructions::{Accepts, Instruction, Operand, Presence, Shape, lookup};
+use ladder_instructions::{Accepts, Direction, Instruction, Operand, Presence, Shape, lookup};
 
 /// What is given to a block, by what it is called there.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -102,8 +102,9 @@ pub(crate) fn written(
             }
         };
         let value = held(operand, &value, time_base.as_deref(), operands)?;
-        list.push(match operand.presence {
-            Presence::Named => program::Operand::Given(operand.name.to_owned(), value),
+        list.push(match (operand.presence, operand.direction) {
+            (Presence::Named, Direction::Out) => program::Operand::Taken(operand.name.to_owned(), value),
+            (Presence::Named, _) => program::Operand::Given(operand.name.to_owned(), value),
             _ => value.into(),
         });
         let Presence::Repeated { group, .. } = operand.presence else {
