@@ -58,32 +58,26 @@ impl Shape {
 
     /// Its block, as a text defines it.
     fn definition(self) -> Result<Item, Invalid> {
-        let section = |kind, declarations: &[(Vec<String>, &str)]| {
-            let mut section = Section::new(kind);
-            let declared = declarations.iter().map(|(names, ty)| Declaration {
-                names: names.clone(),
-                // What a drum may lack is given a value: it is called without it.
-                initial: match names[0].as_str() {
-                    "jump" => Some("FALSE".to_owned()),
-                    "jump_to" => Some("0".to_owned()),
-                    _ => None,
-                },
-                ..Declaration::new("", *ty)
-            });
-            section.declarations = declared.collect();
-            Item::Section(section)
+        let all = |names: Vec<String>, ty: &str| Declaration {
+            names,
+            ..Declaration::new("", ty)
         };
-        let named = |names: &str, ty| (names.split(", ").map(str::to_owned).collect(), ty);
+        let named = |names: &str, ty| all(names.split(", ").map(str::to_owned).collect(), ty);
+        // What a drum may lack is given a value: it is called without it.
+        let optional = |names, ty, initial: &str| Declaration {
+            initial: Some(initial.to_owned()),
+            ..named(names, ty)
+        };
         let mut inputs = vec![
             named("reset", "BOOL"),
-            named("jump, jog", "BOOL"),
-            named("jump_to", "INT"),
+            optional("jump, jog", "BOOL", "FALSE"),
+            optional("jump_to", "INT", "0"),
         ];
-        let flags = named("valid, came, acts", "BOOL");
-        let mut state = vec![named("now", "INT"), flags, named("pattern", "WORD")];
+        let mut state = vec![named("now", "INT"), named("valid, came, acts", "BOOL")];
+        state.push(named("pattern", "WORD"));
         let mut places = vec![named("step", "INT"), named("done", "BOOL")];
         if self.is_timed {
-            inputs.extend([named("unit", "TIME"), (self.ends(), "DINT")]);
+            inputs.extend([named("unit", "TIME"), all(self.ends(), "DINT")]);
             state.extend([
                 named("moved", "BOOL"),
                 named("clock", "RTO"),
@@ -91,16 +85,21 @@ impl Shape {
             ]);
             places.push(named("acc", "INT"));
         } else {
-            inputs.push((self.ends(), "BOOL"));
+            inputs.push(all(self.ends(), "BOOL"));
             state.extend([named("before", "INT"), named("event, was", "BOOL")]);
         }
-        inputs.push((numbered("p", self.steps), "WORD"));
-        places.push((numbered("q", self.outputs), "BOOL"));
-        let items = vec![
-            section(SectionKind::VarInput, &inputs),
-            section(SectionKind::VarInOut, &places),
-            section(SectionKind::Var, &state),
+        inputs.push(all(numbered("p", self.steps), "WORD"));
+        places.push(all(numbered("q", self.outputs), "BOOL"));
+        let sections = [
+            (SectionKind::VarInput, inputs),
+            (SectionKind::VarInOut, places),
+            (SectionKind::Var, state),
         ];
+        let section = |(kind, declarations)| Section {
+            declarations,
+            ..Section::new(kind)
+        };
+        let items = sections.map(section).map(Item::Section).to_vec();
         let mut rungs = Rungs {
             items,
             moves: self.is_timed,
@@ -151,24 +150,16 @@ impl Shape {
         rungs.add_move([on("came"), of(Lt, now(), last), next()])?;
         rungs.add_move([on("reset"), of(Mov, now(), 1), done(false)])?;
         let [first, upto] = [(Ge, 1), (Le, last)].map(|(op, step)| of(op, tag("jump_to"), step));
-        rungs.add_move([
-            on("EN"),
-            rises("jump"),
-            first,
-            upto,
-            of(Mov, now(), tag("jump_to")),
-        ])?;
+        let jumps = of(Mov, now(), tag("jump_to"));
+        rungs.add_move([on("EN"), rises("jump"), first, upto, jumps])?;
         rungs.add_move([on("EN"), rises("jog"), of(Lt, now(), last), next()])?;
         if self.is_timed {
             rungs.add([on("moved"), Block::of(Op::Res, [tag("clock")])])?;
         } else {
             rungs.add([chosen("was", no(), self.ends()), of(Mov, tag("before"), now())])?;
         }
-        let either = vec![series([on("EN")])?, series([on("reset")])?];
-        rungs.network(Circuit::Series(vec![
-            Circuit::Parallel(either),
-            series([coil("acts")])?,
-        ]));
+        let either = Circuit::Parallel(vec![series([on("EN")])?, series([on("reset")])?]);
+        rungs.network(Circuit::Series(vec![either, series([coil("acts")])?]));
         let pattern = chosen("pattern", 0.into(), numbered("p", self.steps));
         rungs.add([on("acts"), pattern, of(Mov, tag("step"), now())])?;
         if self.is_timed {

@@ -56,7 +56,7 @@ fn a_condition_that_has_no_counterpart_is_off() {
         .lines()
         .find(|line| line.starts_with("+--"));
     expect![[r#"
-        +--# click: txt.A == "é" #--[/]( SYS.ON )--------------------------( )( Y[1] )--+"#]]
+        +--# click: txt.A == "é" #--[/]( SYS.ON )-------------------------( )( Y[1] )--+"#]]
     .assert_eq(rung.unwrap_or_default());
 }
 
