@@ -6,9 +6,7 @@
 use crate::neutral::{Instruction, Part, parse};
 use crate::operand::Operands;
 use ladder_format::Circuit;
-use ladder_format::program::{
-    self, Block, Drawing, Element, Expression, Item, Network, Operand, ProgramSketch,
-};
+use ladder_format::program::{self, Block, Drawing, Element, Expression, Item, Network, ProgramSketch};
 use ladder_instructions::{Op, Shape, by_op, known_elsewhere, lookup};
 
 /// The block of an instruction, and how its operands become those of the block.
@@ -239,7 +237,7 @@ impl Reader {
         let cannot = || format!("the operands of `{}` cannot be read", instruction.text);
         let block = match (*order, given) {
             (Order::Nothing, _) => return Ok(None),
-            (Order::Storage, _) => Block::of(Op::OneShotRising, Operand::NONE)?,
+            (Order::Storage, _) => Block::one_shot(),
             (Order::Timer(op) | Order::Counter(op), [state] | [state, UNKNOWN, ..])
             | (Order::Timer(op), [state, _, UNKNOWN, _]) => {
                 let state = self.operands.tag(state).ok_or_else(cannot)?;

@@ -107,7 +107,7 @@ pub(super) fn acts(tags: &mut Tags<'_>, what: &Instruction, oneshot: bool) -> Re
     }
     let blocks = &mut acts.chain.blocks;
     if oneshot && !blocks.iter().any(|block| block.op() == Some(Op::RisingCoil)) {
-        blocks.insert(0, Block::of(Op::OneShotRising, program::Operand::NONE)?);
+        blocks.insert(0, Block::one_shot());
     }
     Ok(acts)
 }
@@ -364,7 +364,7 @@ fn shift_down(tags: &Tags<'_>, bits: &Span, data: Expression) -> Result<Vec<Bloc
     let (low, high) = (bits.last, bits.first);
     let first = tags.place(&Tag::number(bits.bank, high));
     let mut chain = Chain::default();
-    chain.push(Op::OneShotRising, program::Operand::NONE)?;
+    chain.blocks.push(Block::one_shot());
     chain.push(Op::Bmov, [range(&of(low, high - 1)), range(&of(low + 1, high))])?;
     chain.push(Op::Mov, [first, data])?;
     Ok(chain.blocks)

@@ -7,7 +7,6 @@ use ladder_analysis::program::{
 };
 use ladder_analysis::values::value::Value;
 use ladder_format::Circuit;
-use ladder_instructions::Op;
 use ladder_notation::circuit::series_parallel;
 use ladder_notation::{LineColumn, Lines, Report, WriteError, Writing, comments, no_program};
 use ladder_syntax::Item;
