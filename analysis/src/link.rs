@@ -4,7 +4,7 @@ use crate::analyze::{Analysis, AnalyzeOptions, analyze};
 use crate::library::{self, SOURCES};
 use crate::names::context::Body;
 use crate::program::Program;
-use crate::resolve::targets::{Target, targets};
+use crate::resolve::targets::{Target, held, targets};
 use crate::resolve::{self, numbers::Unit};
 use ladder_syntax::parse;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -192,7 +192,11 @@ impl Reached {
     fn enter(&mut self, analysis: Arc<Analysis>, bodies: Option<FxHashSet<Body>>) -> usize {
         let file = self.files.len();
         self.by_name.insert(Arc::clone(&analysis.context.name), file);
-        self.targets.push(targets(&analysis.context));
+        let mut used = targets(&analysis.context);
+        for (body, held) in held(&analysis.context) {
+            used.entry(body).or_default().extend(held);
+        }
+        self.targets.push(used);
         self.files.push((analysis, bodies));
         file
     }

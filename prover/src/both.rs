@@ -9,7 +9,6 @@ use crate::limits::End;
 use crate::model::{Followed, Model, follow_into};
 use crate::number::Number;
 use crate::shown_tags::{Shared, Watched};
-use crate::sure::depending;
 use ladder_analysis::values::types::Scalar;
 use ladder_simulator::compiled::{Bit, Cell, Word, counterparts};
 use ladder_simulator::expression::Expression;
@@ -19,13 +18,10 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// See the module.
 pub(crate) struct Both {
     pub(crate) model: Model,
-    /// High in a scan after which something that is compared differs.
+    /// High in a scan after which they differ: in each value that is compared, in faults, in whether they have ended.
     pub(crate) differs: Vec<Lit>,
     /// States of the old and of the new program that begin with the same value, may always hold the same, and have a variable each.
     pub(crate) pairs: Vec<(usize, usize)>,
-    /// Of each value that is compared whether what unread parts write decides about it, and whether that does about faults and
-    /// the end.
-    pub(crate) doubtful: (Vec<bool>, bool),
 }
 
 /// A bit of a cell of the old program, that of the new one which it may be the same as, and the bit's number.
@@ -170,7 +166,7 @@ impl Two {
     }
 
     fn finish(mut self, watched: &[Watched]) -> Both {
-        let mut differs = self.differs(watched);
+        let differs = self.differs(watched);
         // Of what has one variable one state is left.
         let gone: FxHashSet<usize> = self.merged.iter().map(|(_, _, new)| *new).collect();
         let mut numbers = Vec::with_capacity(self.world.states.len());
@@ -199,18 +195,10 @@ impl Two {
             assumed,
             lemmas: Vec::new(),
         };
-        let depends = depending(&model);
-        let depends = |lit: &Lit| depends[lit.node()];
-        let (values, ends) = differs.split_at(watched.len());
-        let doubtful = (values.iter().map(depends).collect(), ends.iter().any(depends));
-        differs.retain(|lit| *lit != Lit::FALSE);
-        differs.sort_unstable();
-        differs.dedup();
         Both {
             model,
             differs,
             pairs,
-            doubtful,
         }
     }
 

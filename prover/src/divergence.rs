@@ -3,7 +3,7 @@
 use crate::decide::Run;
 use crate::encode::Input;
 use crate::replay::value;
-use crate::shown_tags::{Shared, Watched};
+use crate::shown_tags::Shared;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use ladder_simulator::scenario::Watched as Assumed;
@@ -68,8 +68,8 @@ pub(crate) struct Stage<'s> {
     pub(crate) assumed: &'s mut Assumed,
     /// How many blocks have run.
     pub(crate) blocks: u64,
-    /// Faults and ends are compared.
-    pub(crate) ends_count: bool,
+    /// Of each value that is compared, of faults and of the end: a difference in it counts for nothing.
+    pub(crate) doubtful: Vec<bool>,
 }
 
 /// A tag that goes in: where it does, and what it holds if nothing is given.
@@ -164,17 +164,18 @@ impl Stage<'_> {
             return None;
         }
         let faulted = [&mut *self.old, &mut *self.new].map(|simulation| !simulation.take_faults().is_empty());
-        let differs = self
-            .shared
-            .watched
-            .iter()
-            .any(|watched| self.is_different(watched));
         let ends = faulted[0] != faulted[1] || self.old.status() != self.new.status();
-        Some(differs || self.ends_count && ends)
+        let ends_count = !self.doubtful[self.shared.watched.len()..].contains(&true);
+        Some(self.different().next().is_some() || ends_count && ends)
     }
 
-    fn is_different(&self, watched: &Watched) -> bool {
-        self.old.value(&watched.old) != self.new.value(&watched.new)
+    /// The values that differ now, by their numbers.
+    fn different(&self) -> impl Iterator<Item = usize> {
+        let watched = self.shared.watched.iter().zip(&self.doubtful).enumerate();
+        let counts = watched.filter(|(_, (_, doubtful))| !**doubtful);
+        let differ =
+            counts.filter(|(_, (watched, _))| self.old.value(&watched.old) != self.new.value(&watched.new));
+        differ.map(|(number, _)| number)
     }
 
     /// Leaves out scans.
@@ -266,10 +267,7 @@ impl Stage<'_> {
                 }
             }
             if last {
-                let watched = self.shared.watched.iter().enumerate();
-                differs = (watched.filter(|(_, watched)| self.is_different(watched)))
-                    .map(|(number, _)| number)
-                    .collect();
+                differs = self.different().collect();
             }
         }
         let ended = match (self.old.status(), self.new.status()) {

@@ -18,7 +18,7 @@ use crate::limits::End;
 use crate::merged::{drop_seen, keep, merge};
 use crate::model::Model;
 use crate::shown_tags::{self, shared};
-use crate::sure::doubtful_assumptions;
+use crate::sure::{depending, doubtful_assumptions};
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::Watched as Assumed;
 use std::time::Duration;
@@ -102,7 +102,7 @@ pub fn compare_programs_assuming(
     if old.options().interval != new.options().interval {
         return Ok(Whole::Unknown("the times between scans differ".into()));
     }
-    let mut shared = match shared(old, new) {
+    let shared = match shared(old, new) {
         Ok(shared) => shared,
         Err(why) => return Ok(Whole::Unknown(why)),
     };
@@ -110,9 +110,6 @@ pub fn compare_programs_assuming(
         Ok(both) => both,
         Err(why) => return Ok(Whole::Unknown(why)),
     };
-    // What the simulator does not have shows no difference.
-    let mut doubtful = both.doubtful.0.iter();
-    shared.watched.retain(|_| doubtful.next() != Some(&true));
     let parts = [&*old, &*new].map(|simulation| simulation.compiled().code.unread.iter().collect());
     let another = another_part(parts).map(is_another);
     let stage = Stage {
@@ -121,7 +118,7 @@ pub fn compare_programs_assuming(
         shared: &shared,
         assumed,
         blocks: 0,
-        ends_count: !both.doubtful.1,
+        doubtful: doubtful(&both.model, &both.differs),
     };
     let whole = Search {
         stage,
@@ -157,19 +154,21 @@ impl Search<'_> {
             mut pairs,
             ..
         } = both;
-        if differs.is_empty() {
+        let wanted = possible(&differs);
+        if wanted.is_empty() {
             return Ok(Whole::Same);
         }
         let scans = SOON_NODES / model.world.graph.len();
         let scans = scans.clamp(*SOON_SCANS.start(), *SOON_SCANS.end());
-        if let Some(found) = self.try_runs(&model, &differs, &mut pairs, (&SOON, scans))? {
+        if let Some(found) = self.try_runs(&model, &wanted, &mut pairs, (&SOON, scans))? {
             return Ok(Whole::Differs(Box::new(found)));
         }
-        let kept = keep(&model, &differs, pairs, self.end);
+        let kept = keep(&model, &wanted, pairs, self.end);
         let merged = merge(&model, &kept);
-        let mut wanted: Vec<Lit> = differs.iter().map(|lit| merged.lit(*lit)).collect();
-        wanted.retain(|lit| *lit != Lit::FALSE);
-        self.decide(merged.model, wanted)
+        let differs: Vec<Lit> = differs.iter().map(|lit| merged.lit(*lit)).collect();
+        // What holds the same in both, whatever that is, decides about no difference.
+        self.stage.doubtful = doubtful(&merged.model, &differs);
+        self.decide(merged.model, possible(&differs))
     }
 
     /// Runs in which inputs are held: most differences show in one of them.
@@ -275,6 +274,21 @@ impl Search<'_> {
             (None, reached) => Whole::Unknown(format!("no difference in {reached} scans, and no proof")),
         })
     }
+}
+
+/// Those of some differences that may be, each once.
+fn possible(differs: &[Lit]) -> Vec<Lit> {
+    let mut possible = differs.to_vec();
+    possible.retain(|lit| *lit != Lit::FALSE);
+    possible.sort_unstable();
+    possible.dedup();
+    possible
+}
+
+/// Of each difference whether what unread parts write decides about it. The simulator does not have that, so it shows none.
+fn doubtful(model: &Model, differs: &[Lit]) -> Vec<bool> {
+    let depends = depending(model);
+    differs.iter().map(|lit| depends[lit.node()]).collect()
 }
 
 /// What was left open that one of these depends on.

@@ -16,6 +16,7 @@ use crate::names::context::{Body, Context, FunctionFacts, LabelFacts};
 use crate::names::kept::Kept;
 use crate::networks::control_flow::ControlFlow;
 use crate::networks::known_blocks::KnownBlocks;
+use crate::networks::named::spelling;
 use crate::networks::neighbours::break_neighbours;
 use crate::networks::network;
 use crate::networks::reading::{Reading, TOGETHER};
@@ -29,7 +30,7 @@ use crate::values::types::{Scalar, Type};
 use crate::written::user_block::{self, UserBlockFacts};
 use ladder_instructions::{Op, Shape};
 use ladder_syntax::{Name, Parse, Structure, TextRange};
-use rustc_hash::{FxHashMap, FxHasher};
+use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
 use smol_str::SmolStr;
 use std::hash::{Hash, Hasher};
 use std::sync::{Arc, OnceLock};
@@ -90,6 +91,7 @@ pub(crate) fn skeleton(
     }
     let all = 0..networks.len();
     break_neighbours(parse, &mut networks, all);
+    take_in_held(&mut known, (&scopes, others), &networks);
     let user_blocks = known.into_list();
     let mut context = Context {
         parse: Arc::clone(parse),
@@ -206,6 +208,29 @@ fn unknown_blocks(
                 });
             }
         });
+    }
+}
+
+/// Takes in the blocks of other files whose states tags hold: declared ones, and those of other files that networks name.
+fn take_in_held(known: &mut KnownBlocks<'_>, (scopes, others): (&[Scope], &Others), networks: &Networks) {
+    for tag in scopes.iter().flat_map(|scope| &scope.tags) {
+        known.held(tag.ty);
+    }
+    let globals = others.all_globals();
+    let mut globals: Vec<_> = globals.filter(|(_, global)| global.declared.is_some()).collect();
+    if globals.is_empty() {
+        return;
+    }
+    let mut named: FxHashSet<Name> = FxHashSet::default();
+    for network in networks {
+        let facts = network.facts();
+        named.extend(facts.named.iter().map(|one| Name::new(spelling(facts, one))));
+    }
+    globals.retain(|(_, global)| named.contains(&global.key));
+    for (file, global) in globals {
+        if let Some(declared) = &global.declared {
+            known.held_by_other(declared, &file.file);
+        }
     }
 }
 

@@ -59,6 +59,30 @@ impl<'o> KnownBlocks<'o> {
             let mut all = self.list.iter();
             return all.position(|block| block.key == key && block.shape == shape);
         }
+        let index = self.take_in(key)?;
+        (self.list[index].shape == shape).then_some(index)
+    }
+
+    /// Takes in the blocks whose states are in a tag of some type: what they hold can be named where nothing runs them.
+    pub(crate) fn held(&mut self, ty: Option<Type>) {
+        let Some(Type::Compound(id)) = ty.filter(|ty| ty.keeps_state()) else {
+            return;
+        };
+        id.each_block(&mut |name| {
+            let key = Name::new(name);
+            if !self.first.contains_key(&key) {
+                self.take_in(key);
+            }
+        });
+    }
+
+    /// The same of a tag that another file declares.
+    pub(crate) fn held_by_other(&mut self, declared: &Declared, file: &Arc<str>) {
+        let ty = self.declarations.type_in(declared, file);
+        self.held(ty);
+    }
+
+    fn take_in(&mut self, key: Name) -> Option<usize> {
         let (file, block) = self.others.blocks(&key).next()?;
         let index = self.list.len();
         let mut facts = block.imported_from(file);
@@ -69,7 +93,7 @@ impl<'o> KnownBlocks<'o> {
         }
         self.list.push(facts);
         self.first.insert(key, index);
-        (block.facts.shape == shape).then_some(index)
+        Some(index)
     }
 
     /// Whether an operand is the state of a block, which is known by this index.

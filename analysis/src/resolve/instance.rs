@@ -86,10 +86,14 @@ pub(super) fn add_insides(units: &[Unit<'_>], numbers: &Numbers, program: &mut P
     for (index, unit) in units.iter().enumerate() {
         let context = unit.context;
         for (item, facts) in context.user_blocks.iter().enumerate() {
-            let is_there = facts.import.is_some() || numbers.has_block(index, item);
-            if is_there && !adding.blocks.contains_key(&(index as u32, facts.key.clone())) {
-                let number = numbers.block(index, context, item);
-                adding.blocks.insert((index as u32, facts.key.clone()), number);
+            // All of the file itself is reached: what is not there is lacking.
+            let number = match &facts.import {
+                Some(_) if index == 0 => Some(numbers.block(index, context, item)),
+                _ => numbers.block_if_reached(index, context, item).copied(),
+            };
+            let key = (index as u32, facts.key.clone());
+            if let Some(number) = number {
+                adding.blocks.entry(key).or_insert(number);
             }
         }
     }

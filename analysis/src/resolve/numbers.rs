@@ -93,11 +93,15 @@ impl Numbers {
 
     /// The number of a block that a unit uses, by its index in the unit's context.
     pub(super) fn block(&self, unit: usize, context: &Context, index: usize) -> usize {
-        let found = match &context.user_blocks[index].import {
+        self.or_lacking(self.block_if_reached(unit, context, index))
+    }
+
+    /// The same of one that a part of the unit may use which the program does not reach.
+    pub(super) fn block_if_reached(&self, unit: usize, context: &Context, index: usize) -> Option<&usize> {
+        match &context.user_blocks[index].import {
             None => self.blocks.get(&(unit, index)),
             Some(import) => self.import(&self.blocks, import),
-        };
-        self.or_lacking(found)
+        }
     }
 
     /// The number of a block by its scope in a unit.

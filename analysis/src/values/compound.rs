@@ -153,6 +153,23 @@ impl TypeId {
         self.known().values
     }
 
+    /// Calls something with the name of each user-defined block whose state is in it.
+    pub(crate) fn each_block(self, found: &mut impl FnMut(&SmolStr)) {
+        let inside: Vec<Type> = self.with(|ty| match ty {
+            Compound::Block(name) => {
+                found(name);
+                Vec::new()
+            }
+            Compound::Array(array) => vec![array.element],
+            Compound::Structure(structure) => structure.members.iter().map(|member| member.ty).collect(),
+        });
+        for ty in inside {
+            if let Type::Compound(id) = ty {
+                id.each_block(found);
+            }
+        }
+    }
+
     /// The name of the user-defined block, if it is the state of one.
     pub fn block(self) -> Option<SmolStr> {
         self.with(|ty| match ty {

@@ -212,6 +212,45 @@ fn what_cannot_be_decided_says_why() {
 /// A product of two numbers of 16 bits that is a prime: a question that no solver answers soon.
 #[cfg(unix)]
 #[test]
+fn the_state_of_a_block_that_another_program_runs_may_be_any() {
+    let library = "FUNCTION_BLOCK [$B]
+VAR_INPUT x : BOOL; END_VAR
+VAR_OUTPUT o : BOOL; most : INT := 5; END_VAR
++--[ ]( x )--( )( o )--+
+END_FUNCTION_BLOCK
+VAR_GLOBAL h : $B; END_VAR
++--[ ]( q )--[$B]( h, q )--+
+";
+    let files = [
+        ("library.clad", library),
+        ("motor.clad", "+--[ ]( h.o )--( )( y )--+\n"),
+        ("motor.ladder-test", "program motor.clad\nnever y\n"),
+        (
+            "local.clad",
+            "VAR g : $B; END_VAR\n+--[EQ]( g.most, 5 )--[/]( g.o )--( )( y )--+\n",
+        ),
+        ("local.ladder-test", "program local.clad\nalways y\n"),
+    ];
+    check(
+        &files,
+        &["prove", "."],
+        expect![[r#"
+            exit status 1
+            -- stdout
+            local.ladder-test
+              proved      always y  for any times
+
+            motor.ladder-test
+              violated    never y  in scan 0, at 0s
+                          h.o    -
+                          y   => -
+
+            2 properties in 2 files: 1 proved, 1 violated, in T s.
+        "#]],
+    );
+}
+
+#[test]
 fn ctrl_c_asks_for_the_answers_that_are_there() {
     use std::process::{Command, Stdio};
     use std::time::{Duration, Instant};

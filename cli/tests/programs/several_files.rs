@@ -182,3 +182,26 @@ fn c_has_what_the_program_uses_of_other_files_and_of_the_library() {
         "a function of the other file is in it"
     );
 }
+
+#[test]
+fn a_file_is_used_of_which_other_parts_use_a_third() {
+    let block = |name: &str| {
+        format!(
+            "FUNCTION_BLOCK [${name}]\nVAR_INPUT x : BOOL; END_VAR\n+--[ ]( x )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n"
+        )
+    };
+    let second = block("Second") + "VAR t : $Third; END_VAR\n+--[$Third]( t, q )--( )( z )--+\n";
+    let folder = Folder::with(&[
+        ("third.clad", &block("Third")),
+        ("second.clad", &second),
+        (
+            "main.clad",
+            "VAR s : $Second; END_VAR\n+--[$Second]( s, r )--( )( y )--+\n",
+        ),
+    ]);
+    let run = folder.ladder(&["sim", "main.clad", "--scans", "1", "--watch", "y"]);
+    assert_eq!(
+        run.to_string(),
+        "exit status 0\n-- stdout\nscan,time_ms,y\n0,0,0\n"
+    );
+}

@@ -222,6 +222,42 @@ fn each_network_sees_the_values_of_the_table_and_not_what_one_before_it_wrote() 
 }
 
 #[test]
+fn what_is_written_after_it_was_read_contradicts_nothing() {
+    // (the program, the tag, the table)
+    for (plant, tag, table) in [
+        (
+            "+--[ ]( y )--( )( z )--+\n\n+--[ ]( a )--( )( y )--+\n",
+            "z",
+            "a,1\ny,1\nz,0\n",
+        ),
+        (
+            "+--[ ]( y )--( )( z )--[ ]( a )--( )( y )--+\n",
+            "z",
+            "a,1\ny,0\nz,1\n",
+        ),
+        ("+--[/]( t )--( )( t )--+\n", "t", "t,1\n"),
+        ("+--[ADD]( n, n, 1 )--+\n", "n", "n,5\n"),
+    ] {
+        let folder = Folder::with(&[("plant.clad", plant), ("values.csv", table)]);
+        let run = folder
+            .ladder(&["why", "plant.clad", tag, "--tags", "values.csv"])
+            .to_string();
+        assert!(run.contains("which the table does not decide"), "{plant}\n{run}");
+        assert!(
+            !run.contains("contradict") && run.starts_with("exit status 1"),
+            "{run}"
+        );
+    }
+    // What decides without it still does.
+    let seal = "+--\\--[ ]( start )--\\--[/]( stop )--( )( run )--+\n|  /--[ ]( run )----/\n";
+    let folder = Folder::with(&[("plant.clad", seal), ("values.csv", "start,1\nstop,0\nrun,0\n")]);
+    let run = folder
+        .ladder(&["why", "plant.clad", "run", "--tags", "values.csv"])
+        .to_string();
+    assert!(run.contains("run is 0, against the program"), "{run}");
+}
+
+#[test]
 fn what_cannot_be_read_is_said_with_its_line() {
     check(
         "run",

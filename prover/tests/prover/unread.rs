@@ -221,3 +221,19 @@ fn what_does_not_rest_on_a_part_is_compared() {
     assert!(resting.contains_key("lamp") && resting.contains_key("late"));
     assert!(!resting.contains_key("run"));
 }
+
+#[test]
+fn what_a_part_writes_differs_for_sure() {
+    let text = |coil: &str| {
+        format!(
+            "VAR m : BOOL; END_VAR
+FUNCTION_BLOCK [$Part]
+# ladder: unread, writes m #
+END_FUNCTION_BLOCK
++--[ ]( m )--{coil}( y )--+
++--[ ]( k )--[$Part]--+
+"
+        )
+    };
+    assert_eq!(whole(&text("( )"), &text("(/)")), "differs in y");
+}

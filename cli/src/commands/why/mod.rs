@@ -93,7 +93,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         ))
     })?;
     let judged = moment.why(&point);
-    let is_sound = !contradicts(&judged) && missing(&judged).is_empty() && given.constants.is_empty();
+    let is_sound = !contradicts(&judged)
+        && judged.undecided().is_empty()
+        && missing(&judged).is_empty()
+        && given.constants.is_empty();
     let mut out = Stdout::new();
     match arguments.format {
         Format::Text => people(&source, &moment, &judged, &given, &mut out)?,

@@ -65,6 +65,8 @@ pub struct Judged {
     pub writers: usize,
     /// What was not given and may decide what these networks do with the tag.
     pub missing: Vec<Point>,
+    /// What decides, and is written after these networks have read it: what was given is not what they have read.
+    pub overwritten: Vec<Point>,
     /// The same of the tags that were read.
     pub because: Vec<Judged>,
 }
@@ -85,8 +87,21 @@ pub struct Judgement {
 impl Judged {
     /// What contradicts the value: the last block that writes the tag leaves another one, whatever was not given.
     pub fn contradiction(&self) -> Option<&Judgement> {
+        self.other_value().filter(|_| self.overwritten.is_empty())
+    }
+
+    /// What would contradict the value, if all had been read as it was given.
+    pub(super) fn other_value(&self) -> Option<&Judgement> {
         let last = self.judgements.iter().rfind(|judgement| judgement.writes)?;
         (self.is_given && self.missing.is_empty() && last.leaves != self.value).then_some(last)
+    }
+
+    /// What was written after it was read, where that leaves open whether the program explains the value.
+    pub fn undecided(&self) -> &[Point] {
+        match self.other_value() {
+            Some(_) => &self.overwritten,
+            None => &[],
+        }
     }
 }
 
@@ -204,13 +219,24 @@ impl Moment {
         let program = self.simulation.program().clone();
         let mut judgements = Vec::with_capacity(found.len());
         let (mut read, mut missing): (Vec<Point>, Vec<Point>) = (Vec::new(), Vec::new());
+        let mut overwritten: Vec<Point> = Vec::new();
         let mut is_handed_over = false;
         for (traced, writes, leaves) in found {
             is_handed_over = traced.is_handed_over;
             let network = &program.networks[traced.at.network];
-            for needed in self.open_values(network, &traced) {
-                if !missing.contains(&needed) {
-                    missing.push(needed);
+            let is_given = |point: &Point| self.names.contains(&point.name);
+            let later = |point: &Point| is_given(point) && self.is_written_after(point, traced.at);
+            for (all, found) in [
+                (
+                    &mut missing,
+                    open_values(network, &traced, |point| !is_given(point)),
+                ),
+                (&mut overwritten, open_values(network, &traced, later)),
+            ] {
+                for point in found {
+                    if !all.contains(&point) {
+                        all.push(point);
+                    }
                 }
             }
             let write = write_of(network, &traced, point);
@@ -254,27 +280,20 @@ impl Moment {
             judgements,
             writers,
             missing,
+            overwritten,
             because,
         }
     }
 
-    /// What was not given and may decide what a block does.
-    fn open_values(&self, network: &Network, traced: &Traced) -> Vec<Point> {
-        let is_open = |(point, _): &&(Point, Value)| {
-            !point.is_constant() && !point.is_system() && !self.names.contains(&point.name)
-        };
-        let of_block = |block: &usize| traced.values.get(block).into_iter().flatten().filter(is_open);
-        let mut blocks: Vec<usize> = traced.values.keys().copied().collect();
-        blocks.sort_unstable();
-        blocks.retain(|block| of_block(block).next().is_some());
-        if is_certain(network, traced, &blocks) {
-            blocks.retain(|block| *block == traced.at.block && traced.power);
-        }
-        blocks
-            .iter()
-            .flat_map(of_block)
-            .map(|(point, _)| point.clone())
-            .collect()
+    /// Whether a block that runs after another one in the scan, or is that, may write a point. Between the main networks and
+    /// functions there is no order.
+    fn is_written_after(&self, point: &Point, at: BlockAt) -> bool {
+        let main = &self.simulation.program().main;
+        let writers = self.writers.of_point(&self.simulation, point);
+        writers.iter().any(|writer| {
+            main.contains(&writer.network) != main.contains(&at.network)
+                || (writer.network, writer.block) >= (at.network, at.block)
+        })
     }
 
     /// Runs the scan; what each of these blocks does to a point, in their order.
@@ -353,6 +372,20 @@ impl Moment {
         put_all(simulation, &HashSet::new());
         found
     }
+}
+
+/// What may decide what a block does, of that which is open: all but constants and what the system keeps may be.
+fn open_values(network: &Network, traced: &Traced, is_open: impl Fn(&Point) -> bool) -> Vec<Point> {
+    let is_open = |(point, _): &&(Point, Value)| !point.is_constant() && !point.is_system() && is_open(point);
+    let of_block = |block: &usize| traced.values.get(block).into_iter().flatten().filter(is_open);
+    let mut blocks: Vec<usize> = traced.values.keys().copied().collect();
+    blocks.sort_unstable();
+    blocks.retain(|block| of_block(block).next().is_some());
+    if is_certain(network, traced, &blocks) {
+        blocks.retain(|block| *block == traced.at.block && traced.power);
+    }
+    let points = blocks.iter().flat_map(of_block).map(|(point, _)| point.clone());
+    points.collect()
 }
 
 /// Of each network whether it runs with what those before it have left: in a loop, and in functions that several blocks

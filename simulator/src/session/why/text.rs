@@ -84,6 +84,11 @@ impl<'t> Wording<'t> {
             line.push_str(", against the program");
         } else if !judged.missing.is_empty() {
             line.push_str(", as far as the table goes");
+        } else if let [first, ..] = judged.undecided() {
+            let name = &first.name;
+            line.push_str(&format!(
+                ", which the table does not decide ({name} is written after it was read)"
+            ));
         }
         let blocks = match (judged.writers, judged.judgements.is_empty()) {
             (0, _) if point.is_input => "it is an input".to_owned(),
