@@ -206,21 +206,11 @@ pub enum Part {
     Block(Block),
     /// A piece of wire that says something: `# relay in the door #`
     Comment(String),
-    /// As it is written.
+    /// A block that a person has drawn as ladder text, which the table does not have, lacks an operand, or is spelled otherwise.
     Text(String),
 }
 
 impl Element {
-    /// A block with its operand list, as it is written.
-    pub fn block(text: impl Into<String>, origin: Option<Origin>) -> Element {
-        let text = text.into();
-        let part = match Block::read(&text) {
-            Ok(block) => Part::Block(block),
-            Err(_) => Part::Text(text),
-        };
-        Element { part, origin }
-    }
-
     /// A block, and what it was made from.
     pub const fn of(block: Block, origin: Option<Origin>) -> Element {
         let part = Part::Block(block);

@@ -2,12 +2,14 @@
 
 use expect_test::{Expect, expect};
 use ladder_format::program::{
-    Declaration, Drawing, Element, Item, Network, ProgramSketch, Qualifier, RungPiece, Section, SectionKind,
+    Block, Declaration, Drawing, Element, Item, Network, ProgramSketch, Qualifier, RungPiece, Section,
+    SectionKind,
 };
 use ladder_format::{Circuit, Options, format_text};
 
 fn block(text: &str, origin: u32) -> Circuit<Element> {
-    Circuit::Element(Element::block(text, Some(origin)))
+    let block = Block::read(text).expect("it is a block");
+    Circuit::Element(Element::of(block, Some(origin)))
 }
 
 fn network(circuit: Circuit<Element>) -> Item {
@@ -104,7 +106,8 @@ fn declarations_and_networks() {
 
 #[test]
 fn a_bridge_rung_by_rung() {
-    let element = |text: &str| RungPiece::Element(Element::block(text, None));
+    let element =
+        |text: &str| RungPiece::Element(Element::of(Block::read(text).expect("it is a block"), None));
     check(
         vec![Item::Network(Network {
             comments: Vec::new(),

@@ -164,13 +164,13 @@ fn cut(written: &mut WrittenProgram, line: Range<usize>) {
 mod tests {
     use super::*;
     use ladder_format::Circuit;
-    use ladder_format::program::{Drawing, Element, Network};
+    use ladder_format::program::{Block, Drawing, Element, Network, Path};
 
     #[test]
     fn without_a_line_the_text_is_as_if_it_had_not_been_written() {
         let program = |directives: &[&str]| {
             let directives = directives.iter().map(|said| Item::Directive((*said).to_owned()));
-            let coil = Circuit::Element(Element::block("( )( y )", Some(3)));
+            let coil = Circuit::Element(Element::of(Block::coil(Path::tag("y")), Some(3)));
             let network = Network {
                 comments: vec!["a lamp".to_owned()],
                 drawing: Drawing::Circuit(Circuit::Series(vec![coil])),

@@ -32,7 +32,8 @@ impl Table {
     /// # Errors
     /// It has no header, a name appears twice in the header, or a row has another number of cells.
     pub(super) fn parse(file: &str, text: &str) -> Result<Table, InputsError> {
-        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        // A second mark would be passed over by the reader, which does not count it.
+        let text = text.trim_start_matches('\u{feff}');
         // Cells are counted here, so that a blank line can be distinguished from a short row.
         let mut reader = table_cells(text);
         let mut table = Table {
@@ -167,6 +168,17 @@ mod tests {
             Err(failure) => format!("{failure}\n"),
         };
         expected.assert_eq(&shown);
+    }
+
+    #[test]
+    fn marks_of_the_byte_order_count_for_nothing() {
+        check(
+            "\u{feff}\u{feff}a,b\n\u{feff},1\n",
+            expect![[r#"
+                a b
+                2: ["\u{feff}", "1"]
+            "#]],
+        );
     }
 
     #[test]

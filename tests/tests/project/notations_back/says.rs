@@ -1,7 +1,7 @@
 //! What a notation can say, and programs of that.
 
 use ladder_format::program::{
-    Declaration, Drawing, Element, Item, Network, ProgramSketch, Section, SectionKind,
+    Block, Declaration, Drawing, Element, Item, Network, ProgramSketch, Section, SectionKind,
 };
 use ladder_format::{Circuit, Options};
 use ladder_invariants::generator::Dice;
@@ -197,7 +197,8 @@ impl Maker<'_> {
             rest = &rest[end + 1..];
         }
         out.push_str(rest);
-        Circuit::Element(Element::block(out, None))
+        let block = Block::read(&out).expect("it is a block");
+        Circuit::Element(Element::of(block, None))
     }
 
     fn state(&mut self, dice: &mut Dice) -> Circuit<Element> {
