@@ -33,6 +33,9 @@ impl Asked {
     }
 }
 
+/// A context, and whether it knows the other files.
+type Known<'r> = (&'r Arc<Context>, bool);
+
 /// Does a job about a document; nothing for one that is not open, or too large.
 pub(crate) async fn about<T: Send + 'static>(
     shared: &Arc<Shared>,
@@ -46,7 +49,7 @@ pub(crate) async fn about<T: Send + 'static>(
 async fn about_context<T: Send + 'static>(
     shared: &Arc<Shared>,
     uri: &Uri,
-    context: fn(&Revision) -> Option<(&Arc<Context>, bool)>,
+    context: fn(&Revision) -> Option<Known<'_>>,
     job: impl FnOnce(&Asked) -> Option<T> + Send + 'static,
 ) -> Result<Option<T>> {
     let Some(revision) = shared.documents.get(uri.as_str()) else {
