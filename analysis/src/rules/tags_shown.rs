@@ -1,5 +1,5 @@
 //! What the rules about the blocks, wires and power of a network see of the rest of the file: what its tags are, and the
-//! program's settings. That is what the [stamp](crate::checking::stamp) of a network stands for, so that what these rules find can be
+//! program's settings. That is what the stamp of a network (`checking/stamp.rs`) stands for, so that what these rules find can be
 //! kept with the network.
 
 use crate::boolean::written;
