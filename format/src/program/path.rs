@@ -2,7 +2,7 @@
 
 use super::expression::List;
 use super::{Expression, Invalid};
-use ladder_syntax::{is_address, is_identifier};
+use ladder_syntax::{is_address, is_identifier, is_reserved};
 use std::fmt::{self, Display, Formatter};
 
 /// Where a value is.
@@ -94,9 +94,17 @@ impl Path {
         })
     }
 
+    /// Whether it begins with a reserved word that is read as a name: `SYS.ON`, `PI`
+    fn is_built_in(&self) -> bool {
+        ["SYS", "PI"]
+            .iter()
+            .any(|word| self.root.eq_ignore_ascii_case(word))
+    }
+
     /// Whether its own names can be written; those of its indices are asked for by themselves.
     pub(super) fn check(&self) -> Result<(), Invalid> {
-        if !is_identifier(&self.root) && !is_address(&self.root) {
+        let is_name = is_identifier(&self.root) && (!is_reserved(&self.root) || self.is_built_in());
+        if !is_name && !is_address(&self.root) {
             let root = &self.root;
             return Err(Invalid(format!(
                 "`{root}` is not a name that a tag can have here"

@@ -196,6 +196,9 @@ mod tests {
             Err("`Local:1:I` is not a name that a tag can have here".to_owned())
         );
         assert!(Block::of(op, [tag("y")]).is_err());
+        assert!(Block::of(op, [tag("y"), tag("And")]).is_err());
+        assert!(Block::of(op, [tag("y"), tag("PI")]).is_ok());
+        assert!(Block::of(op, [tag("y"), Path::system("SCAN").into()]).is_ok());
         assert!(Expression::literal("5 s").is_err());
         let deep = (0..200).fold(tag("a"), |inner, _| inner.negated());
         assert!(Block::of(op, [tag("y"), deep]).is_err());
