@@ -16,7 +16,6 @@ use crate::names::context::{Body, Context, FunctionFacts, LabelFacts};
 use crate::names::kept::Kept;
 use crate::networks::control_flow::ControlFlow;
 use crate::networks::known_blocks::KnownBlocks;
-use crate::networks::named::spelling;
 use crate::networks::neighbours::break_neighbours;
 use crate::networks::network;
 use crate::networks::reading::{Reading, TOGETHER};
@@ -221,10 +220,11 @@ fn take_in_held(known: &mut KnownBlocks<'_>, (scopes, others): (&[Scope], &Other
     if globals.is_empty() {
         return;
     }
+    let wanted: FxHashSet<&Name> = globals.iter().map(|(_, global)| &global.key).collect();
     let mut named: FxHashSet<Name> = FxHashSet::default();
     for network in networks {
-        let facts = network.facts();
-        named.extend(facts.named.iter().map(|one| Name::new(spelling(facts, one))));
+        let keys = network.facts().named.iter().map(|one| &one.key);
+        named.extend(keys.filter(|key| wanted.contains(key)).cloned());
     }
     globals.retain(|(_, global)| named.contains(&global.key));
     for (file, global) in globals {
