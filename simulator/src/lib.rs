@@ -111,7 +111,7 @@ pub use compile_error::CompileError;
 pub use diagram::{diagram, diagram_of};
 pub use fault::Fault;
 pub use groups::{Entry, Group};
-pub use inputs::{Inputs, InputsError, table_cells, with_point};
+pub use inputs::{Inputs, InputsError, separator, table_cells, with_point};
 pub use members::members_of;
 pub use retain::Kept;
 pub use session::{

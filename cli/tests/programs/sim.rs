@@ -228,3 +228,25 @@ fn end_ends_the_run() {
     "#]]
     .assert_eq(&run.to_string());
 }
+
+/// A quoted number with a comma, as a spreadsheet saves it between commas.
+#[test]
+fn a_comma_is_the_point_of_a_number_in_any_table() {
+    let program = "VAR_INPUT pause : TIME; level : REAL; END_VAR\n+--[GT]( level, 1.0 )--[GT]( pause, 1s )--( )( y )--+\n";
+    let run = |table: &str| {
+        let folder = Folder::with(&[("a.clad", program), ("in.csv", table)]);
+        let watched = ["--scans", "1", "--watch", "pause,level"];
+        let run = folder.ladder(&[&["sim", "a.clad", "--inputs", "in.csv"], &watched[..]].concat());
+        run.to_string()
+    };
+    for table in [
+        "pause,level\n\"1,5s\",\"2,25\"\n",
+        "pause;level\nT#1,5s;2,25\n",
+        "pause\tlevel\n1,5 s\t2,25\n",
+    ] {
+        let run = run(table);
+        assert!(run.ends_with("0,0,1500,2.25\n"), "{table}\n{run}");
+    }
+    let run = run("level\n\"1,500\"\n");
+    assert!(run.contains("`1,500` is not a value for a REAL"), "{run}");
+}

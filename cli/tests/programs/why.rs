@@ -456,3 +456,19 @@ fn values_are_read_as_controllers_write_them() {
         "#]],
     );
 }
+
+#[test]
+fn a_bit_and_its_number_cannot_have_different_values() {
+    let program = "VAR_INPUT n : INT; END_VAR\n+--[ ]( n.1 )--( )( y )--+\n";
+    let why = |values: &str| {
+        let folder = Folder::with(&[("a.clad", program), ("values.csv", values)]);
+        folder.ladder(&["why", "a.clad", "y", "--tags", "values.csv"])
+    };
+    assert_eq!(why("n,2\ny,1\nn.1,1\n").status, Some(0));
+    expect![[r#"
+        exit status 2
+        -- stderr
+        error: values.csv: line 1: `n.1` has another value in `n` of line 3
+    "#]]
+    .assert_eq(&why("n.1,0\ny,1\nn,2\n").to_string());
+}

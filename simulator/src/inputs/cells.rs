@@ -5,8 +5,8 @@ use ladder_analysis::values::types::Scalar;
 
 /// What is between the cells: `;` or a tab where the first line holds one, else a comma.
 ///
-/// Where it is a semicolon a comma is the point of a number, see [`with_point`].
-pub(super) fn separator(text: &str) -> char {
+/// It decides what a comma in a cell is, see [`with_point`].
+pub fn separator(text: &str) -> char {
     let first = text.lines().find(|line| !line.trim().is_empty());
     let first = first.unwrap_or_default();
     [';', '\t']
@@ -26,19 +26,28 @@ pub fn table_cells(text: &str) -> Reader<&[u8]> {
         .from_reader(text.as_bytes())
 }
 
-/// A cell that is to be read as a value of a type, with a point where spreadsheets write a comma: `3,5` is 3.5. A duration has no
-/// blank before its units: `1,5 s` is 1.5s.
-pub fn with_point(cell: &str, ty: Scalar) -> String {
+/// A cell that is to be read as a value of a type, with a point where spreadsheets write a comma: `3,5` is 3.5. Three digits after
+/// a comma could be those after thousands, and stay as they are unless cells are separated by semicolons, as they are where commas
+/// are points. A duration has no blank before its units: `1,5 s` is 1.5s.
+pub fn with_point(cell: &str, ty: Scalar, separator: char) -> String {
     let is_duration = ty == Scalar::Time;
-    let mut text = if (ty.is_real() || is_duration) && !cell.contains('.') {
-        cell.replace(',', ".")
-    } else {
-        cell.to_owned()
-    };
+    let mut text = cell.to_owned();
+    if let Some((whole, fraction)) = cell.split_once(',')
+        && (ty.is_real() || is_duration)
+        && !cell.contains('.')
+        && (separator == ';' || digits(fraction) != 3)
+    {
+        text = format!("{whole}.{fraction}");
+    }
     if is_duration {
         text.retain(|c| !c.is_whitespace());
     }
     text
+}
+
+/// With how many digits a text begins.
+fn digits(text: &str) -> usize {
+    text.bytes().take_while(u8::is_ascii_digit).count()
 }
 
 #[cfg(test)]
@@ -53,8 +62,22 @@ mod tests {
             ("1,5 s", Scalar::Time, "1.5s"),
             ("T#1,5s", Scalar::Time, "T#1.5s"),
             ("a, b", Scalar::String(80), "a, b"),
+            ("1,234,5", Scalar::Real, "1.234,5"),
         ] {
-            assert_eq!(with_point(cell, ty), text);
+            for separator in [';', ',', '\t'] {
+                assert_eq!(with_point(cell, ty, separator), text);
+            }
+        }
+    }
+
+    #[test]
+    fn three_digits_after_a_comma_could_be_those_after_thousands() {
+        for (cell, ty, text) in [
+            ("1,500", Scalar::Real, "1.500"),
+            ("1,250s", Scalar::Time, "1.250s"),
+        ] {
+            assert_eq!(with_point(cell, ty, ';'), text);
+            assert_eq!(with_point(cell, ty, ','), cell);
         }
     }
 }

@@ -10,7 +10,7 @@ use ladder_analysis::values::value::Value;
 use std::fmt;
 use table::Table;
 
-pub use cells::{table_cells, with_point};
+pub use cells::{separator, table_cells, with_point};
 
 /// Why a table of inputs cannot be used: its file, the row and the column, and what is wrong there.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -101,9 +101,6 @@ impl Inputs {
     }
 
     fn value(&self, cell: &str, point: &Point) -> Result<Value, String> {
-        if self.table.has_decimal_commas {
-            return value_text::parse(&with_point(cell, point.ty), point.ty);
-        }
-        value_text::parse(cell, point.ty)
+        value_text::parse(&with_point(cell, point.ty, self.table.separator), point.ty)
     }
 }

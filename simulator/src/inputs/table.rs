@@ -10,8 +10,8 @@ use ladder_syntax::{LineIndex, Name, TextSize};
 pub(super) struct Table {
     /// The file as it was named, for messages.
     pub(super) file: String,
-    /// A comma in a number is its point.
-    pub(super) has_decimal_commas: bool,
+    /// What is between its cells.
+    pub(super) separator: char,
     /// The header.
     pub(super) names: Vec<String>,
     /// The rows below it. A blank line is a row of empty cells.
@@ -38,7 +38,7 @@ impl Table {
         let mut reader = table_cells(text);
         let mut table = Table {
             file: file.to_owned(),
-            has_decimal_commas: separator(text) == ';',
+            separator: separator(text),
             ..Table::default()
         };
         let lines = LineIndex::new(text);

@@ -61,6 +61,15 @@ impl Point {
         self.slot
     }
 
+    /// The name of the number that it is a bit of, and which bit.
+    pub fn bit_of(&self) -> Option<(&str, u8)> {
+        let PointSlot::BitOf { bit, .. } = self.slot else {
+            return None;
+        };
+        let (number, _) = self.name.rsplit_once('.')?;
+        Some((number, bit))
+    }
+
     /// Whether it is a system tag.
     pub(crate) fn is_system(&self) -> bool {
         self.name.starts_with("SYS.")

@@ -634,3 +634,32 @@ fn of_one_moment_it_is_the_turn_that_writes_the_tag() {
         "#]],
     );
 }
+
+#[test]
+fn a_bit_has_the_value_that_the_table_has_for_its_number() {
+    let text = "VAR_INPUT n : INT; END_VAR\nVAR_OUTPUT y : BOOL; END_VAR\n+--[ ]( n.1 )--( )( y )--+\n";
+    check_moment(
+        text,
+        "n=2 y=1",
+        "y",
+        expect![[r#"
+        y is 1: line 3, ( )( y ) writes 1; power came through [ ]( n.1 ) (line 3, column 4): n.1 is 1
+    "#]],
+    );
+    check_moment(
+        text,
+        "n=1 y=1",
+        "y",
+        expect![[r#"
+        y is 1, against the program: line 3, ( )( y ) writes 0; blocked by [ ]( n.1 ) (line 3, column 4): n.1 is 0
+    "#]],
+    );
+    check_moment(
+        text,
+        "n.0=1 y=1",
+        "y",
+        expect![[r#"
+        y is 1, as far as the table goes: line 3, ( )( y ) writes 0; blocked by [ ]( n.1 ) (line 3, column 4): n.1 is 0
+    "#]],
+    );
+}

@@ -2,9 +2,8 @@
 //! that they do the same, no run differs.
 
 use ladder_analysis::program::Role;
-use ladder_analysis::values::types::Scalar;
-use ladder_analysis::values::value::Value;
 use ladder_invariants::generator::{Dice, Mode, program};
+use ladder_invariants::runs::differing;
 use ladder_invariants::trace::compile;
 use ladder_review::outline::{Entry, Kind};
 use ladder_review::whole::Whole;
@@ -20,63 +19,15 @@ fn simulation(text: &str) -> Option<Simulation> {
     Simulation::new(compile(text)?, options).ok()
 }
 
-/// A value for an input. None: texts stay as they are.
-fn value(dice: &mut Dice, ty: Scalar) -> Option<Value> {
-    match ty {
-        Scalar::Bool => Some(Value::Bool(dice.one_in(2))),
-        Scalar::Real | Scalar::Lreal => Some(Value::Real(f64::from(dice.between(-50, 50) as f32) / 4.0)),
-        ty if ty.is_string() => None,
-        Scalar::Enum(id) => {
-            let values = &id.get().values;
-            Some(Value::Int(values[dice.below(values.len())].1.into()))
-        }
-        _ => Some(Value::Int(dice.between(0, 20))),
-    }
-}
-
 /// Outputs that differ after some scan in which both programs have the same inputs.
 fn differs(old: &str, new: &str, seed: u64) -> Option<String> {
     let (mut old, mut new) = (simulation(old)?, simulation(new)?);
-    let both = |is_one: &dyn Fn(&Point) -> bool| -> Vec<(Point, Option<Point>)> {
-        let points = old.points().iter().filter(|point| is_one(point));
-        points
-            .map(|point| (point.clone(), new.resolve(&point.name).ok()))
-            .collect()
-    };
-    let inputs = both(&|point| point.is_input);
-    let outputs = both(&|point| point.role == Role::Output);
-    let mut dice = Dice::new(seed);
-    for hold in [2, 3, 8, 20] {
-        old.reset();
-        new.reset();
-        for scan in 0..60 {
-            for (point, other) in &inputs {
-                if dice.below(hold) != 0 {
-                    continue;
-                }
-                let Some(value) = value(&mut dice, point.ty) else {
-                    continue;
-                };
-                old.set(point, value.clone()).expect("it fits");
-                if let Some(other) = other.as_ref().filter(|other| other.is_input) {
-                    new.set(other, value).expect("it fits there, too");
-                }
-            }
-            // A scan that does not come to its end is not compared.
-            if !old.scan() || !new.scan() {
-                break;
-            }
-            let other = outputs.iter().find(|(point, other)| {
-                other
-                    .as_ref()
-                    .is_some_and(|other| old.value(point) != new.value(other))
-            });
-            if let Some((point, _)) = other {
-                return Some(format!("{} in scan {scan}", point.name));
-            }
-        }
-    }
-    None
+    let inputs = old.points().iter().filter(|point| point.is_input);
+    let inputs: Vec<String> = inputs.map(|point| point.name.clone()).collect();
+    let outputs = old.points().iter().filter(|point| point.role == Role::Output);
+    let outputs = outputs.filter_map(|point| Some((point.clone(), new.resolve(&point.name).ok()?)));
+    let outputs: Vec<(Point, Point)> = outputs.collect();
+    differing([&mut old, &mut new], &inputs, &outputs, seed)
 }
 
 /// What is said of two texts. None: nothing is.

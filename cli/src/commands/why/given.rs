@@ -30,6 +30,7 @@ impl Given {
             let message = format!("{}: line {line}: {message}", shown::path(file));
             Failure::new(message)
         };
+        let separator = ladder_simulator::separator(&text);
         let rows = table::parse(&text).map_err(|broken| failed(broken.line, &broken.message))?;
         let mut given = Given {
             values: Vec::new(),
@@ -45,7 +46,7 @@ impl Given {
             if NOTHING.contains(&value.as_str()) {
                 continue;
             }
-            let value = value_of(&value, point.ty).map_err(|problem| failed(line, &problem))?;
+            let value = value_of(&value, point.ty, separator).map_err(|problem| failed(line, &problem))?;
             if let Some((first, other)) = lines.get(&point.name) {
                 if *other != value {
                     return Err(failed(
@@ -66,7 +67,22 @@ impl Given {
                     .push(format!("{} is {own}, not {table} (line {line})", point.name));
             }
         }
-        Ok(given)
+        let bits = lines.iter().filter_map(|(name, bit)| {
+            let point = simulation.resolve(name).ok()?;
+            let (number, at) = point.bit_of()?;
+            let (first, Value::Int(whole)) = lines.get(number)? else {
+                return None;
+            };
+            let is_other = Value::Bool(whole >> at & 1 != 0) != bit.1;
+            is_other.then_some((bit.0, name, number.to_owned(), *first))
+        });
+        match bits.min() {
+            Some((line, name, number, first)) => Err(failed(
+                line,
+                &format!("`{name}` has another value in `{number}` of line {first}"),
+            )),
+            None => Ok(given),
+        }
     }
 }
 
@@ -78,7 +94,7 @@ const HIGH: [&str; 4] = ["on", "high", "yes", "set"];
 const LOW: [&str; 4] = ["off", "low", "no", "reset"];
 
 /// A value as controllers write it: `ON`, a duration as a number of milliseconds too, a number with a comma or with a unit.
-fn value_of(text: &str, ty: Scalar) -> Result<Value, String> {
+fn value_of(text: &str, ty: Scalar, separator: char) -> Result<Value, String> {
     let is_one = |words: &[&str]| words.iter().any(|word| text.eq_ignore_ascii_case(word));
     if ty == Scalar::Bool && (is_one(&HIGH) || is_one(&LOW)) {
         return Ok(Value::Bool(is_one(&HIGH)));
@@ -98,7 +114,7 @@ fn value_of(text: &str, ty: Scalar) -> Result<Value, String> {
     } else {
         text
     };
-    value_text::parse(&ladder_simulator::with_point(number, ty), ty).map_err(|_| wrong)
+    value_text::parse(&ladder_simulator::with_point(number, ty, separator), ty).map_err(|_| wrong)
 }
 
 /// The number of `7 mm` or `12,5%`.

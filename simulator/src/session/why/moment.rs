@@ -224,12 +224,11 @@ impl Moment {
         for (traced, writes, leaves) in found {
             is_handed_over = traced.is_handed_over;
             let network = &program.networks[traced.at.network];
-            let is_given = |point: &Point| self.names.contains(&point.name);
-            let later = |point: &Point| is_given(point) && self.is_written_after(point, traced.at);
+            let later = |point: &Point| self.is_given(point) && self.is_written_after(point, traced.at);
             for (all, found) in [
                 (
                     &mut missing,
-                    open_values(network, &traced, |point| !is_given(point)),
+                    open_values(network, &traced, |point| !self.is_given(point)),
                 ),
                 (&mut overwritten, open_values(network, &traced, later)),
             ] {
@@ -274,7 +273,7 @@ impl Moment {
         let is_writer = |at: &&BlockAt| !judgements.is_empty() || !is_call(at);
         let writers = blocks.iter().filter(is_writer).count();
         Judged {
-            is_given: self.names.contains(&point.name),
+            is_given: self.is_given(point),
             point: point.clone(),
             value,
             judgements,
@@ -283,6 +282,12 @@ impl Moment {
             overwritten,
             because,
         }
+    }
+
+    /// Whether its value was given, or that of the number that it is a bit of.
+    fn is_given(&self, point: &Point) -> bool {
+        let number = point.bit_of().map(|(number, _)| number);
+        self.names.contains(&point.name) || number.is_some_and(|number| self.names.contains(number))
     }
 
     /// Whether a block that runs after another one in the scan, or is that, may write a point. Between the main networks and
