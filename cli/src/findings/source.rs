@@ -45,16 +45,16 @@ impl Source {
         }
     }
 
-    /// Reads a file that a person named. `from` is what it is written in; without that its content decides.
+    /// Reads a file that a person named, and the workspace around it. `from` is what it is written in; without that its content decides.
     ///
     /// # Errors
-    /// The file cannot be read, or is broken.
+    /// The file cannot be read, or is broken, or the settings of its workspace cannot be used.
     pub(crate) fn read(file: &Path, from: Option<Form>) -> Result<Source, Failure> {
         let bytes = ladder_workspace::read_bytes(file)?;
-        Source::of_bytes(file, bytes, from).map_err(Failure::from)
+        Source::of_bytes(file, bytes, from)?.in_workspace()
     }
 
-    /// As [`Source::read`], of a file that was read already.
+    /// Reads the text of a file from its content, alone.
     ///
     /// # Errors
     /// The content is not text, or is broken.
@@ -74,6 +74,15 @@ impl Source {
         source.index = LineIndex::new(foreign.text());
         source.foreign = Some(Arc::new(foreign));
         Ok(source)
+    }
+
+    /// In the workspace around its file.
+    ///
+    /// # Errors
+    /// The settings of that cannot be used.
+    pub(crate) fn in_workspace(self) -> Result<Source, Failure> {
+        let workspace = Arc::new(Workspace::of(Path::new(&self.file))?);
+        Ok(self.within(workspace))
     }
 
     /// In a workspace that is loaded already.
@@ -209,7 +218,7 @@ impl Source {
         std::iter::once(self.text.clone()).chain(others).collect()
     }
 
-    /// The workspace around the file. Settings that cannot be used are reported by the commands, which read them first.
+    /// The workspace around the file. Settings that cannot be used were reported by the command, which read them first.
     fn workspace(&self) -> Option<&Arc<Workspace>> {
         let load = || Workspace::of(Path::new(&self.file)).ok().map(Arc::new);
         self.workspace.get_or_init(load).as_ref()

@@ -128,3 +128,39 @@ error[bad-setting]: a whole number from 1 to 40 is expected here
 "
     );
 }
+
+#[test]
+fn settings_that_cannot_be_used_are_refused_by_every_command() {
+    let scenarios = "program a.clad\nstep 10ms\n\nproperty \"p\"\nnever stop and run\n";
+    let folder = Folder::with(&[
+        ("ladder.toml", "[simulate]\ninterval = 7\n"),
+        ("a.clad", MOTOR),
+        ("a.ladder-test", scenarios),
+        ("values.csv", "start,1\n"),
+    ]);
+    let check = |command: &str, message: &str| {
+        let arguments: Vec<&str> = command.split(' ').collect();
+        let run = folder.ladder(&arguments);
+        assert_eq!(run.status, Some(2), "{command}\n{run}");
+        assert!(run.to_string().contains(message), "{command}\n{run}");
+    };
+    for command in [
+        "check a.clad",
+        "fmt a.clad",
+        "test a.ladder-test",
+        "prove a.ladder-test",
+        "sim a.clad --scans 1",
+        "diff a.clad a.clad",
+        "render a.clad",
+        "convert a.clad --to st -o a.st",
+        "why a.clad run --tags values.csv",
+        "tags a.clad",
+    ] {
+        check(command, "ladder.toml:2:12");
+    }
+    folder.write("ladder.toml", "#".repeat((1 << 20) + 1).as_bytes());
+    check(
+        "tags a.clad",
+        "a ladder.toml has at most 1 MiB, and this one is larger",
+    );
+}

@@ -284,10 +284,11 @@ fn source(
     arguments: &Arguments,
     workspaces: &mut Workspaces,
 ) -> Result<Option<Source>, Failure> {
+    let bytes = ladder_workspace::read_bytes(file)?;
     if ladder_workspace::is_scenario(file) {
-        return Source::read(file, Some(Form::Ladder)).map(Some);
+        return Ok(Some(Source::of_bytes(file, bytes, Some(Form::Ladder))?));
     }
-    let source = Source::read(file, arguments.form())?;
+    let source = Source::of_bytes(file, bytes, arguments.form())?;
     may_be_fixed(&source, arguments)?;
     let workspace = workspaces.of(file)?;
     Ok(workspace.map(|workspace| source.within(workspace)))

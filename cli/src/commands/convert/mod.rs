@@ -105,11 +105,12 @@ fn convert(job: &Job, existing: Existing) -> Result<(Account, Outcome), Failure>
     let ladder = match job.from {
         Form::Ladder => {
             let text = ladder_workspace::decode(&job.input, job.bytes.clone())?;
-            Source::new(job.input.display().to_string(), text)
+            Source::new(job.input.display().to_string(), text).in_workspace()?
         }
         Form::Foreign(notation) => {
             let foreign = read(notation, job)?;
             let ladder = Source::new(job.input.display().to_string(), foreign.ladder().to_owned());
+            let ladder = ladder.in_workspace()?;
             let report = foreign.report(ladder.analyze().errors());
             account.add(Side::Source, &report, &foreign.converted().findings);
             files.clone_from(&foreign.converted().files);

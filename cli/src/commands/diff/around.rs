@@ -97,10 +97,10 @@ impl<'g> Around<'g> {
     /// Where a file is. None: in no workspace that can be used.
     fn at(&mut self, file: &File) -> Result<Option<At>, Failure> {
         if let Some(path) = self.among.clone() {
-            return Ok(self.on_disk(&path));
+            return self.on_disk(&path);
         }
         match &file.place {
-            Place::Disk(path) => Ok(self.on_disk(path)),
+            Place::Disk(path) => self.on_disk(path),
             Place::Git {
                 revision: Some(revision),
                 path,
@@ -110,27 +110,26 @@ impl<'g> Around<'g> {
         }
     }
 
-    fn on_disk(&mut self, path: &Path) -> Option<At> {
-        let root = Root::of(path).ok()?;
+    fn on_disk(&mut self, path: &Path) -> Result<Option<At>, Failure> {
+        let Ok(root) = Root::of(path) else { return Ok(None) };
         let folder = root.folder().to_owned();
-        let apart = self.apart.clone();
-        let load = || {
-            let mut workspace = Workspace::of(path).ok()?;
-            // What holds this file is not apart from it.
-            let is_apart = |apart: &&PathBuf| path.canonicalize().is_ok_and(|path| !path.starts_with(apart));
-            if let Some(apart) = apart.as_ref().filter(is_apart) {
-                workspace.leave_out(apart);
-            }
-            Some(Seen::new(folder.clone(), workspace))
-        };
         let seen = match self.workspaces.entry((None, folder.clone())) {
             Entry::Occupied(entry) => entry.get().clone(),
-            Entry::Vacant(entry) => entry.insert(load()).clone(),
+            Entry::Vacant(entry) => {
+                let mut workspace = Workspace::of(path)?;
+                // What holds this file is not apart from it.
+                let is_apart =
+                    |apart: &&PathBuf| path.canonicalize().is_ok_and(|path| !path.starts_with(apart));
+                if let Some(apart) = self.apart.as_ref().filter(is_apart) {
+                    workspace.leave_out(apart);
+                }
+                entry.insert(Some(Seen::new(folder, workspace))).clone()
+            }
         };
-        Some(At {
+        Ok(seen.map(|seen| At {
             path: path.to_owned(),
-            seen: seen?,
-        })
+            seen,
+        }))
     }
 
     fn in_revision(&mut self, name: &str, path: &str) -> Result<Option<At>, Failure> {
