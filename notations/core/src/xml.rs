@@ -1,7 +1,10 @@
 //! XML within bounds: no document types, so no entities; not too many nodes.
 
+mod text;
+
 use crate::{LineColumn, Lines, ReadError};
 use roxmltree::{Document, Error, Node, ParsingOptions};
+pub use text::XmlText;
 
 /// A file with more elements, texts and attributes is not read.
 const MOST_NODES: u32 = 2_000_000;

@@ -1,10 +1,13 @@
-//! Blocks of SIMATIC controllers as ladder text, and back: source documents (`.s7dcl` with `.s7res`), and SimaticML.
+//! Blocks of SIMATIC controllers as ladder text, and back: source documents (`.s7dcl` with `.s7res`) and SimaticML (`.xml`).
 //!
 //! ```text
 //! .s7dcl --read--> Unit: declarations, and networks as wires between points
 //! .xml ---xml--->    |
 //!                    '--sketch--> sketch of a ladder program, report, findings
-//! program ------write--> .s7dcl and .s7res of the program as a function block, and of what it uses
+//! program ------write--> Unit: the program as a function block, and what it uses
+//!                          |
+//!                          +--document---> .s7dcl, .s7res
+//!                          '--simaticml--> .xml
 //! ```
 #![forbid(unsafe_code)]
 
@@ -19,10 +22,14 @@ mod write;
 mod xml;
 
 use ladder_analysis::Analysis;
-use ladder_notation::{Notation, ReadError, Reading, Source, WriteError, Writing, text_of};
+use ladder_notation::{
+    Notation, ReadError, Reading, Source, WriteError, Writing, text_of, with_blocks_alone,
+    with_calls_as_instructions, with_system_tags,
+};
 use model::Unit;
 use read::resource::Texts;
 use scope::Library;
+use write::Made;
 
 /// A longer line is not read: to say a place its line is counted through.
 const LONGEST_LINE: usize = 64 << 10;
@@ -59,23 +66,21 @@ fn has_end(file: &str, end: &str) -> bool {
         .is_some_and(|own| own.eq_ignore_ascii_case(end))
 }
 
-/// The blocks that stand next to one.
-fn companions(source: &Source<'_>) -> Vec<(String, Result<Unit, String>)> {
-    let files = source
-        .companions
-        .iter()
-        .filter(|file| has_end(&file.name, ".s7dcl"));
+/// The blocks that stand next to one, in files whose names end so.
+fn companions(
+    source: &Source<'_>,
+    end: &str,
+    read: impl Fn(&str, &Source<'_>) -> Option<Result<Unit, ReadError>>,
+) -> Vec<(String, Result<Unit, String>)> {
+    let files = source.companions.iter().filter(|file| has_end(&file.name, end));
     files
-        .map(|file| {
-            let stem = file.name[..file.name.len() - ".s7dcl".len()].to_owned();
-            let alone = Source::alone("", &file.bytes);
-            let unit = bounded(&alone)
-                .and_then(|text| read::unit(text, &texts(source, &stem)?))
-                .map_err(|error| error.to_string());
-            match unit {
+        .filter_map(|file| {
+            let stem = file.name[..file.name.len() - end.len()].to_owned();
+            let unit = read(&stem, &Source::alone("", &file.bytes))?;
+            Some(match unit {
                 Ok(unit) => (unit.name.clone(), Ok(unit)),
-                Err(why) => (stem, Err(why)),
-            }
+                Err(error) => (stem, Err(error.to_string())),
+            })
         })
         .collect()
 }
@@ -101,6 +106,19 @@ fn sketched(unit: &Unit, next: &[(String, Result<Unit, String>)]) -> Reading {
     }
     library.insert(unit.name.to_lowercase(), Ok(unit));
     sketch::reading(unit, &library)
+}
+
+/// Writes the units of a program.
+fn written(analysis: &Analysis, write: impl Fn(Made) -> Writing) -> Result<Writing, WriteError> {
+    with_blocks_alone(analysis, |analysis, unwritable| {
+        with_system_tags(
+            analysis,
+            |_, tag| standard::has(tag),
+            |analysis| {
+                with_calls_as_instructions(analysis, |analysis| write::made(analysis, unwritable).map(&write))
+            },
+        )
+    })
 }
 
 impl Notation for Simatic {
@@ -131,7 +149,10 @@ impl Notation for Simatic {
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
         let text = bounded(source)?;
         let unit = read::unit(text, &texts(source, &source.name)?)?;
-        Ok(sketched(&unit, &companions(source)))
+        let next = companions(source, ".s7dcl", |stem, file| {
+            Some(bounded(file).and_then(|text| read::unit(text, &texts(source, stem)?)))
+        });
+        Ok(sketched(&unit, &next))
     }
 
     fn writes_other_files(&self) -> bool {
@@ -143,39 +164,49 @@ impl Notation for Simatic {
     }
 
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
-        write::write(analysis)
+        written(analysis, write::document::writing)
     }
 }
 
 impl Notation for SimaticMl {
     fn name(&self) -> &'static str {
-        "simatic-xml"
+        "simaticml"
     }
 
     fn title(&self) -> &'static str {
-        "SimaticML export"
+        "SimaticML"
     }
 
     fn extensions(&self) -> &'static [&'static str] {
         &["xml"]
     }
 
-    fn is_written(&self) -> bool {
-        false
-    }
-
     fn recognises(&self, bytes: &[u8]) -> bool {
         xml::recognises(&head(bytes))
     }
 
-    fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
-        let unit = xml::unit(bounded(source)?)?;
-        Ok(sketched(&unit, &[]))
+    fn has_companion(&self, _program: &str, file: &str) -> bool {
+        has_end(file, ".xml")
     }
 
-    fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {
-        Err(WriteError::new(
-            "such files are read, and not written: write a SIMATIC source document, `--to simatic`",
-        ))
+    fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
+        let unit = xml::unit(bounded(source)?)?;
+        let next = companions(source, ".xml", |_, file| {
+            self.recognises(file.bytes)
+                .then(|| bounded(file).and_then(xml::unit))
+        });
+        Ok(sketched(&unit, &next))
+    }
+
+    fn writes_other_files(&self) -> bool {
+        true
+    }
+
+    fn writes_unread(&self) -> bool {
+        true
+    }
+
+    fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
+        written(analysis, write::simaticml::writing)
     }
 }

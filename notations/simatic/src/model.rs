@@ -1,6 +1,8 @@
 //! A block of a controller, however it was written: what is declared, and its networks as wires between points.
 
+use crate::standard::{elementary, state_type};
 use ladder_notation::{LineColumn, Report};
+use std::fmt;
 
 /// What a file declares.
 #[derive(Debug, Default)]
@@ -90,6 +92,25 @@ impl Default for Type {
     }
 }
 
+impl fmt::Display for Type {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Type::Named(name) if elementary(name).or_else(|| state_type(name)).is_some() => f.write_str(name),
+            Type::Named(name) => write!(f, "\"{name}\""),
+            Type::Text(None) => f.write_str("String"),
+            Type::Text(Some(length)) => write!(f, "String[{length}]"),
+            Type::Array(bounds, of) => {
+                let bounds: Vec<String> = bounds
+                    .iter()
+                    .map(|(low, high)| format!("{low}..{high}"))
+                    .collect();
+                write!(f, "Array[{}] of {of}", bounds.join(", "))
+            }
+            Type::Structure(_) => f.write_str("Struct"),
+        }
+    }
+}
+
 impl PartialEq for Variable {
     fn eq(&self, other: &Variable) -> bool {
         self.name == other.name && self.ty == other.ty
@@ -164,6 +185,8 @@ pub(crate) struct Part {
     pub(crate) instance: Option<String>,
     /// `SrcType`, `Int`
     pub(crate) templates: Vec<(String, String)>,
+    /// What it calculates: `IN1 + IN2`
+    pub(crate) formula: Option<String>,
     pub(crate) arguments: Vec<Argument>,
     /// As it is written, in one line.
     pub(crate) text: String,
@@ -192,7 +215,44 @@ pub(crate) enum Value {
     Open,
 }
 
+impl Argument {
+    /// An operand at a pin.
+    pub(crate) fn new(pin: impl Into<String>, operand: impl Into<String>, is_output: bool) -> Argument {
+        Argument {
+            pin: Some(pin.into()),
+            value: Value::Operand(operand.into()),
+            is_output,
+        }
+    }
+}
+
 impl Part {
+    /// An instruction, or a call of what holds a state.
+    pub(crate) fn named(name: impl Into<String>) -> Part {
+        Part {
+            name: name.into(),
+            ..Part::default()
+        }
+    }
+
+    /// The same with something that it reads at a pin.
+    pub(crate) fn given(mut self, pin: impl Into<String>, operand: impl Into<String>) -> Part {
+        self.arguments.push(Argument::new(pin, operand, false));
+        self
+    }
+
+    /// The same with something that it writes at a pin.
+    pub(crate) fn taken(mut self, pin: impl Into<String>, operand: impl Into<String>) -> Part {
+        self.arguments.push(Argument::new(pin, operand, true));
+        self
+    }
+
+    /// The same for values of a type.
+    pub(crate) fn typed(mut self, template: &str, ty: &str) -> Part {
+        self.templates.push((template.to_owned(), ty.to_owned()));
+        self
+    }
+
     /// What is at a pin, where something is. Instructions with one operand have it by place.
     pub(crate) fn pin(&self, name: &str) -> Option<&Argument> {
         let named = |argument: &&Argument| match &argument.pin {

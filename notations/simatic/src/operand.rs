@@ -104,7 +104,7 @@ fn read(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
 }
 
 /// One step of a path.
-enum Step {
+pub(crate) enum Step {
     Member(String),
     Index(String),
     Bit(u32),
@@ -193,8 +193,8 @@ fn path(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
             }
             Step::Index(text) => {
                 let mut indices = Vec::new();
-                for index in text.split(',') {
-                    indices.push(read(scope, index.trim(), "INT", depth + 1)?.value);
+                for index in indices_of(&text) {
+                    indices.push(read(scope, index, "INT", depth + 1)?.value);
                 }
                 out = out.index(indices);
                 ty = match ty {
@@ -214,6 +214,20 @@ fn path(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
     })
 }
 
+/// The indices in a pair of brackets.
+pub(crate) fn indices_of(text: &str) -> impl Iterator<Item = &str> {
+    let mut depth = 0usize;
+    let parts = text.split(move |c| {
+        match c {
+            '[' => depth += 1,
+            ']' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        c == ',' && depth == 0
+    });
+    parts.map(str::trim)
+}
+
 fn state_member(name: &str) -> &'static str {
     match name {
         "ET" | "PT" => "TIME",
@@ -223,7 +237,7 @@ fn state_member(name: &str) -> &'static str {
 }
 
 /// The first name of a path, and the steps after it.
-fn split(text: &str) -> Option<(String, Vec<Step>)> {
+pub(crate) fn split(text: &str) -> Option<(String, Vec<Step>)> {
     let mut rest = text.trim();
     let mut name = || -> Option<String> {
         if let Some(inner) = rest.strip_prefix('"') {

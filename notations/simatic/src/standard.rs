@@ -51,6 +51,49 @@ pub(crate) enum Form {
     Return,
 }
 
+impl Form {
+    /// The instruction here that is written as it.
+    const fn op(self) -> Option<Op> {
+        match self {
+            Form::Contact(op)
+            | Form::EdgeContact(op)
+            | Form::Compare(op)
+            | Form::Edge(op)
+            | Form::Coil(op)
+            | Form::EdgeCoil(op)
+            | Form::State(op, _)
+            | Form::Value(op, _) => Some(op),
+            Form::Not => Some(Op::Inverter),
+            Form::ResetTimer => Some(Op::Res),
+            Form::Move => Some(Op::Mov),
+            Form::Convert => Some(Op::Typ),
+            Form::Calculate => Some(Op::Calc),
+            Form::Jump { negated: false } => Some(Op::Jmp),
+            Form::Return => Some(Op::Ret),
+            _ => None,
+        }
+    }
+
+    /// The pin of the operand that an instruction has by place in a document, and nothing beside it.
+    pub(crate) const fn only_pin(self) -> Option<&'static str> {
+        match self {
+            Form::Contact(_) | Form::Coil(_) => Some("operand"),
+            Form::Edge(_) => Some("bit"),
+            Form::ResetTimer => Some("timer"),
+            Form::Jump { .. } => Some("label"),
+            _ => None,
+        }
+    }
+
+    /// Whether it is a coil: what it writes is wired as what is read.
+    pub(crate) const fn is_coil(self) -> bool {
+        matches!(
+            self,
+            Form::Coil(_) | Form::EdgeCoil(_) | Form::Bits(_) | Form::TimerCoil(_) | Form::ResetTimer
+        )
+    }
+}
+
 /// The pins that are operands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Pins {
@@ -127,8 +170,8 @@ pub(crate) const ROWS: &[Row] = &[
     row(&["R_Coil"], &["RCoil"], Form::Coil(Op::ResetCoil), None),
     row(&["P_Coil"], &["PCoil"], Form::EdgeCoil(Op::RisingCoil), None),
     row(&["N_Coil"], &["NCoil"], Form::EdgeCoil(Op::FallingCoil), None),
-    row(&["S_BitfieldCoil"], &["SET_BF"], Form::Bits(Op::SetCoil), None),
-    row(&["R_BitfieldCoil"], &["RESET_BF"], Form::Bits(Op::ResetCoil), None),
+    row(&["S_BitfieldCoil"], &["SBitfield", "SET_BF"], Form::Bits(Op::SetCoil), None),
+    row(&["R_BitfieldCoil"], &["RBitfield", "RESET_BF"], Form::Bits(Op::ResetCoil), None),
     row(&["S_SR", "SR"], &["Sr"], Form::Bistable { reset_wins: true }, None),
     row(&["S_RS", "RS"], &["Rs"], Form::Bistable { reset_wins: false }, None),
     row(&["TON"], &["TON"], Form::State(Op::Ton, PT), TIME),
@@ -142,7 +185,7 @@ pub(crate) const ROWS: &[Row] = &[
     row(&["TOF_Coil"], &["CoilTOF"], Form::TimerCoil(Op::Tof), TIME),
     row(&["TP_Coil"], &["CoilTP"], Form::TimerCoil(Op::Tp), TIME),
     row(&["TONR_Coil"], &["CoilTONR"], Form::TimerCoil(Op::Rto), TIME),
-    row(&["RT_Coil"], &["RtCoil"], Form::ResetTimer, None),
+    row(&["RT_Coil"], &["ResetIECTimerCoil", "RtCoil"], Form::ResetTimer, None),
     row(&["Move"], &["Move"], Form::Move, None),
     row(&["Add"], &["Add"], Form::Value(Op::Add, Pins::Numbered), SRC),
     row(&["Sub"], &["Sub"], Form::Value(Op::Sub, TWO), SRC),
@@ -164,10 +207,10 @@ pub(crate) const ROWS: &[Row] = &[
     row(&["Sqr"], &["Sqr"], Form::Square, SRC),
     row(&["Inc"], &["Inc"], Form::Step(Op::Add), SRC),
     row(&["Dec"], &["Dec"], Form::Step(Op::Sub), SRC),
-    row(&["MIN"], &["Min"], Form::Value(Op::Min, Pins::Numbered), VALUE),
-    row(&["MAX"], &["Max"], Form::Value(Op::Max, Pins::Numbered), VALUE),
-    row(&["Limit"], &["Limit"], Form::Value(Op::Limit, Pins::Named(&["min", "in", "max"])), VALUE),
-    row(&["SEL"], &["Sel"], Form::Value(Op::Sel, Pins::Selected("g")), VALUE),
+    row(&["MIN"], &["MIN"], Form::Value(Op::Min, Pins::Numbered), VALUE),
+    row(&["MAX"], &["MAX"], Form::Value(Op::Max, Pins::Numbered), VALUE),
+    row(&["Limit"], &["LIMIT"], Form::Value(Op::Limit, Pins::Named(&["min", "in", "max"])), VALUE),
+    row(&["SEL"], &["SEL"], Form::Value(Op::Sel, Pins::Selected("g")), VALUE),
     row(&["Mux"], &["Mux"], Form::Value(Op::Mux, Pins::Selected("k")), SRC),
     row(&["And"], &["And"], Form::Value(Op::And, Pins::Numbered), SRC),
     row(&["Or"], &["Or"], Form::Value(Op::Or, Pins::Numbered), SRC),
@@ -196,6 +239,47 @@ pub(crate) fn of_document(name: &str) -> Option<&'static Row> {
     })
 }
 
+/// What an instruction here is written as. One that names a form has it only by the operand that it is given.
+pub(crate) fn of_op(op: Op) -> Option<&'static Row> {
+    ROWS.iter().find(|row| row.form.op() == Some(op))
+}
+
+/// The instruction of a form.
+pub(crate) fn of_form(form: Form) -> Option<&'static Row> {
+    ROWS.iter().find(|row| row.form == form)
+}
+
+/// Pins that have other names in SimaticML: of which instruction, the name in a document, and that there.
+const PINS: [(&str, &str, &str); 3] = [
+    ("Limit", "min", "MN"),
+    ("Limit", "max", "MX"),
+    ("RT_Coil", "timer", "operand"),
+];
+
+impl Row {
+    /// Whether it is of the library of the standard: such have a version in SimaticML, and pins in capitals.
+    pub(crate) fn is_of_library(&self) -> bool {
+        self.template.is_some_and(|name| name != "SrcType") && !self.form.is_coil()
+    }
+
+    /// The name of a pin in SimaticML.
+    pub(crate) fn pin_there(&self, pin: &str) -> String {
+        let mut other = PINS.iter().filter(|(row, ..)| *row == self.sd[0]);
+        match other.find(|(_, here, _)| *here == pin) {
+            Some((.., there)) => (*there).to_owned(),
+            None if self.is_of_library() => pin.to_ascii_uppercase(),
+            None => pin.to_owned(),
+        }
+    }
+}
+
+/// The name in a document of a pin that has another one in SimaticML.
+pub(crate) fn pin_here<'p>(instruction: &str, pin: &'p str) -> &'p str {
+    let mut other = PINS.iter().filter(|(row, ..)| *row == instruction);
+    let found = other.find(|(.., there)| there.eq_ignore_ascii_case(pin));
+    found.map_or(pin, |(_, here, _)| here)
+}
+
 /// The instruction of a part in SimaticML.
 pub(crate) fn of_xml(name: &str) -> Option<&'static Row> {
     ROWS.iter()
@@ -208,6 +292,23 @@ pub(crate) fn with_instance(name: &str) -> bool {
     matches!(form, Some(Form::State(..) | Form::Bistable { .. }))
 }
 
+/// Types of what holds a state: as they are spelled here, and there.
+#[rustfmt::skip]
+const STATES: [(&str, &str); 7] = [
+    ("TON", "TON_TIME"), ("TOF", "TOF_TIME"), ("TP", "TP_TIME"), ("RTO", "TONR_TIME"),
+    ("CTU", "CTU_DINT"), ("CTD", "CTD_DINT"), ("CTUD", "CTUD_DINT"),
+];
+
+/// Elementary types: as they are spelled here, and there.
+#[rustfmt::skip]
+const ELEMENTARY: [(&str, &str); 19] = [
+    ("BOOL", "Bool"), ("BYTE", "Byte"), ("WORD", "Word"), ("DWORD", "DWord"), ("LWORD", "LWord"),
+    ("SINT", "SInt"), ("INT", "Int"), ("DINT", "DInt"), ("LINT", "LInt"),
+    ("USINT", "USInt"), ("UINT", "UInt"), ("UDINT", "UDInt"), ("ULINT", "ULInt"),
+    ("REAL", "Real"), ("LREAL", "LReal"), ("TIME", "Time"),
+    ("DATE", "Date"), ("TOD", "Time_Of_Day"), ("DT", "LDT"),
+];
+
 /// The type of what holds a state, from the name of a declared type: `CTU_INT` is that of a `CTU`.
 pub(crate) fn state_type(name: &str) -> Option<&'static str> {
     let upper = name.to_ascii_uppercase();
@@ -218,24 +319,12 @@ pub(crate) fn state_type(name: &str) -> Option<&'static str> {
         )) => base,
         _ => &upper,
     };
-    Some(match base {
-        "TON" => "TON",
-        "TOF" => "TOF",
-        "TP" => "TP",
-        "TONR" => "RTO",
-        "CTU" => "CTU",
-        "CTD" => "CTD",
-        "CTUD" => "CTUD",
-        _ => return None,
-    })
+    let of = |(_, there): &&(&str, &str)| there.split('_').next() == Some(base);
+    STATES.iter().find(of).map(|(own, _)| *own)
 }
 
 /// The elementary type of a name, as it is spelled here.
 pub(crate) fn elementary(name: &str) -> Option<&'static str> {
-    const SAME: [&str; 19] = [
-        "BOOL", "BYTE", "WORD", "DWORD", "LWORD", "SINT", "INT", "DINT", "LINT", "USINT", "UINT", "UDINT",
-        "ULINT", "REAL", "LREAL", "TIME", "DATE", "TOD", "DT",
-    ];
     let upper = name.to_ascii_uppercase();
     let name = match upper.as_str() {
         "LTIME" => "TIME",
@@ -243,12 +332,19 @@ pub(crate) fn elementary(name: &str) -> Option<&'static str> {
         "DATE_AND_TIME" | "LDT" => "DT",
         other => other,
     };
-    SAME.into_iter().find(|own| *own == name)
+    ELEMENTARY.iter().map(|(own, _)| *own).find(|own| *own == name)
+}
+
+/// An elementary type of here, or that of what holds a state, as it is spelled there.
+pub(crate) fn spelled(own: &str) -> Option<&'static str> {
+    let mut all = ELEMENTARY.iter().chain(&STATES);
+    all.find(|(name, _)| *name == own).map(|(_, there)| *there)
 }
 
 /// The pin that power enters, and the one that it leaves, in SimaticML.
 pub(crate) fn power_pins(name: &str) -> (&'static str, &'static str) {
     match of_xml(name).map(|row| row.form) {
+        Some(Form::Bits(_)) if name.ends_with("Bitfield") => ("en", "eno"),
         Some(Form::Compare(_) | Form::InRange | Form::OutRange | Form::Valid(_)) => ("pre", "out"),
         Some(Form::State(Op::Ctu, _)) => ("CU", "Q"),
         Some(Form::State(Op::Ctd, _)) => ("CD", "Q"),

@@ -97,6 +97,10 @@ fn cplc_draft() {
 #[test]
 fn simatic() {
     check(&SIMATIC);
+    check(&Says {
+        notation: "simaticml",
+        ..SIMATIC
+    });
 }
 
 #[test]

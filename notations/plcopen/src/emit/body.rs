@@ -1,11 +1,11 @@
 //! The elements of a drawing.
 
 use super::layout::{self, lay_out};
-use super::writer::Xml;
 use crate::graph::{Edge, End, Graph, Kind, Modifier, Node, Pin, Storage};
+use ladder_notation::xml::XmlText;
 
 /// A drawing in LD.
-pub(super) fn body(xml: &mut Xml, mut graph: Graph) {
+pub(super) fn body(xml: &mut XmlText, mut graph: Graph) {
     lay_out(&mut graph);
     xml.around("LD", &[], |xml| {
         let rails = Rails::of(&graph);
@@ -63,7 +63,7 @@ impl Rails {
     }
 
     /// The right rails, after all that feeds them.
-    fn right(&self, xml: &mut Xml, graph: &Graph) {
+    fn right(&self, xml: &mut XmlText, graph: &Graph) {
         let mut id = graph.nodes.len();
         for ends in self.right.iter().filter(|ends| !ends.is_empty()) {
             id += 1;
@@ -95,7 +95,7 @@ impl Rails {
     }
 }
 
-fn around(xml: &mut Xml, name: &str, attributes: &[(&str, String)], inside: impl FnOnce(&mut Xml)) {
+fn around(xml: &mut XmlText, name: &str, attributes: &[(&str, String)], inside: impl FnOnce(&mut XmlText)) {
     let attributes: Vec<(&str, &str)> = attributes
         .iter()
         .map(|(key, value)| (*key, value.as_str()))
@@ -103,12 +103,12 @@ fn around(xml: &mut Xml, name: &str, attributes: &[(&str, String)], inside: impl
     xml.around(name, &attributes, inside);
 }
 
-fn position(xml: &mut Xml, name: &str, (x, y): (f64, f64)) {
+fn position(xml: &mut XmlText, name: &str, (x, y): (f64, f64)) {
     xml.empty(name, &[("x", &x.to_string()), ("y", &y.to_string())]);
 }
 
 /// A wire, from the pin where it ends to the output where it begins.
-fn connection(xml: &mut Xml, graph: &Graph, end: End, to: (f64, f64)) {
+fn connection(xml: &mut XmlText, graph: &Graph, end: End, to: (f64, f64)) {
     let source = &graph.nodes[end.node];
     let (mut from, mut name) = (layout::at(source, layout::output(source, end.output)), None);
     match &source.kind {
@@ -131,7 +131,7 @@ fn connection(xml: &mut Xml, graph: &Graph, end: End, to: (f64, f64)) {
     });
 }
 
-fn point_in(xml: &mut Xml, graph: &Graph, node: &Node, number: usize) {
+fn point_in(xml: &mut XmlText, graph: &Graph, node: &Node, number: usize) {
     xml.around("connectionPointIn", &[], |xml| {
         position(xml, "relPosition", layout::pin(node, number));
         let to = layout::at(node, layout::pin(node, number));
@@ -141,7 +141,7 @@ fn point_in(xml: &mut Xml, graph: &Graph, node: &Node, number: usize) {
     });
 }
 
-fn point_out(xml: &mut Xml, node: &Node, number: usize) {
+fn point_out(xml: &mut XmlText, node: &Node, number: usize) {
     xml.around("connectionPointOut", &[], |xml| {
         position(xml, "relPosition", layout::output(node, number));
     });
@@ -158,7 +158,7 @@ fn modified(attributes: &mut Vec<(&str, String)>, modifier: Modifier) {
     }
 }
 
-fn element(xml: &mut Xml, graph: &Graph, number: usize, node: &Node, rails: &Rails) {
+fn element(xml: &mut XmlText, graph: &Graph, number: usize, node: &Node, rails: &Rails) {
     let (width, height) = layout::size(node);
     let mut attributes = vec![
         ("localId", (number + 1).to_string()),
@@ -220,12 +220,12 @@ fn element(xml: &mut Xml, graph: &Graph, number: usize, node: &Node, rails: &Rai
         Kind::Value(text, _) => around(xml, "inVariable", &attributes, |xml| {
             position(xml, "position", node.position);
             point_out(xml, node, 0);
-            xml.words("expression", text);
+            xml.words("expression", &[], text);
         }),
         Kind::Variable(text, _) => around(xml, "outVariable", &attributes, |xml| {
             position(xml, "position", node.position);
             point_in(xml, graph, node, 0);
-            xml.words("expression", text);
+            xml.words("expression", &[], text);
         }),
         Kind::Label(label) | Kind::Jump(label, _) => {
             attributes.push(("label", label.clone()));
@@ -243,14 +243,14 @@ fn element(xml: &mut Xml, graph: &Graph, number: usize, node: &Node, rails: &Rai
         }),
         Kind::Comment(said) => around(xml, "comment", &attributes, |xml| {
             position(xml, "position", node.position);
-            xml.around("content", &[], |xml| xml.words("xhtml:p", said));
+            xml.around("content", &[], |xml| xml.words("xhtml:p", &[], said));
         }),
         // The writer makes none of them.
         Kind::RightRail | Kind::Joint | Kind::Other(_) => {}
     }
 }
 
-fn variable(xml: &mut Xml, pin: &Pin, inside: impl FnOnce(&mut Xml)) {
+fn variable(xml: &mut XmlText, pin: &Pin, inside: impl FnOnce(&mut XmlText)) {
     let mut attributes = vec![("formalParameter", pin.name.clone())];
     modified(&mut attributes, pin.modifier);
     around(xml, "variable", &attributes, inside);
@@ -258,7 +258,7 @@ fn variable(xml: &mut Xml, pin: &Pin, inside: impl FnOnce(&mut Xml)) {
 
 /// A contact or a coil.
 fn switch(
-    xml: &mut Xml,
+    xml: &mut XmlText,
     graph: &Graph,
     node: &Node,
     (name, attributes): (&str, &[(&str, String)]),
@@ -268,6 +268,6 @@ fn switch(
         position(xml, "position", node.position);
         point_in(xml, graph, node, 0);
         point_out(xml, node, 0);
-        xml.words("variable", tag);
+        xml.words("variable", &[], tag);
     });
 }

@@ -2,12 +2,11 @@
 
 mod body;
 mod layout;
-mod writer;
 
 use crate::model::{Body, Initial, Project, Role, Task, Type, Unit, UnitKind, Variable};
 use crate::standard;
 use ladder_format::program::Qualifier;
-use writer::Xml;
+use ladder_notation::xml::XmlText;
 
 /// Every file says when it was made; the same program makes the same file.
 const WHEN: &str = "2000-01-01T00:00:00";
@@ -21,7 +20,7 @@ pub(super) fn project(project: Project) -> String {
         tasks,
         ..
     } = project;
-    let mut xml = Xml::start();
+    let mut xml = XmlText::start();
     let name = units.last().map_or("Main", |unit| &unit.name).to_owned();
     let namespaces = [
         ("xmlns", "http://www.plcopen.org/xml/tc6_0201"),
@@ -76,7 +75,7 @@ pub(super) fn project(project: Project) -> String {
     xml.finish()
 }
 
-fn task(xml: &mut Xml, task: &Task) {
+fn task(xml: &mut XmlText, task: &Task) {
     let priority = task.priority.to_string();
     let mut attributes = vec![("name", task.name.as_str()), ("priority", &priority)];
     if let Some(interval) = &task.interval {
@@ -90,7 +89,7 @@ fn task(xml: &mut Xml, task: &Task) {
     });
 }
 
-fn unit(xml: &mut Xml, unit: Unit) {
+fn unit(xml: &mut XmlText, unit: Unit) {
     let kind = match unit.kind {
         UnitKind::Program => "program",
         UnitKind::Function => "function",
@@ -113,7 +112,7 @@ fn unit(xml: &mut Xml, unit: Unit) {
         });
         xml.around("body", &[], |xml| match unit.body {
             Body::Graph(graph) => body::body(xml, graph),
-            Body::Text("ST", text) => xml.around("ST", &[], |xml| xml.words("xhtml:p", &text)),
+            Body::Text("ST", text) => xml.around("ST", &[], |xml| xml.words("xhtml:p", &[], &text)),
             _ => xml.empty("LD", &[]),
         });
         said(xml, "documentation", unit.comment.as_deref());
@@ -122,7 +121,7 @@ fn unit(xml: &mut Xml, unit: Unit) {
 
 /// Variables, those of one kind that stand next to each other in one list. Those that have an address are in lists of their
 /// own: compilers declare them apart.
-fn lists(xml: &mut Xml, variables: &[Variable], name: impl Fn(Role) -> &'static str) {
+fn lists(xml: &mut XmlText, variables: &[Variable], name: impl Fn(Role) -> &'static str) {
     let same = |one: &Variable, other: &Variable| {
         (one.role, one.qualifier, one.address.is_some())
             == (other.role, other.qualifier, other.address.is_some())
@@ -147,13 +146,13 @@ fn lists(xml: &mut Xml, variables: &[Variable], name: impl Fn(Role) -> &'static 
     }
 }
 
-fn said(xml: &mut Xml, name: &str, words: Option<&str>) {
+fn said(xml: &mut XmlText, name: &str, words: Option<&str>) {
     if let Some(words) = words {
-        xml.around(name, &[], |xml| xml.words("xhtml:p", words));
+        xml.around(name, &[], |xml| xml.words("xhtml:p", &[], words));
     }
 }
 
-fn ty(xml: &mut Xml, of: &Type) {
+fn ty(xml: &mut XmlText, of: &Type) {
     match of {
         Type::Named(name) => match standard::elementary(name) {
             Some(known) if known == name => xml.empty(known, &[]),
@@ -190,13 +189,13 @@ fn ty(xml: &mut Xml, of: &Type) {
     }
 }
 
-fn initial(xml: &mut Xml, value: Option<&Initial>) {
+fn initial(xml: &mut XmlText, value: Option<&Initial>) {
     if let Some(value) = value {
         xml.around("initialValue", &[], |xml| value_in(xml, value));
     }
 }
 
-fn value_in(xml: &mut Xml, value: &Initial) {
+fn value_in(xml: &mut XmlText, value: &Initial) {
     match value {
         Initial::Simple(text) => xml.empty("simpleValue", &[("value", text)]),
         Initial::Array(values) => xml.around("arrayValue", &[], |xml| {

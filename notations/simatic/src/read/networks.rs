@@ -156,12 +156,9 @@ impl Reader {
         let mut part = Part {
             place,
             templates: pragma.templates(),
+            formula: pragma.get("S7_Expression").map(str::to_owned),
             ..Part::default()
         };
-        if let Some(expression) = pragma.get("S7_Expression") {
-            part.templates
-                .push(("expression".to_owned(), expression.to_owned()));
-        }
         let is_word = |word: &str| word.chars().all(|c| c.is_alphanumeric() || c == '_');
         match head.rsplit_once('.') {
             Some((instance, name)) if is_word(name) && is_instruction(name) => {

@@ -253,7 +253,7 @@ impl Translator<'_, '_> {
 
     fn calculated(&mut self, part: &Part) -> Result<Translated> {
         let ty = works_in(part);
-        let written = part.template("expression").ok_or("its formula is missing")?;
+        let written = part.formula.as_deref().ok_or("its formula is missing")?;
         let mut formula = String::new();
         let mut rest = written;
         while let Some(c) = rest.chars().next() {

@@ -1,364 +1,377 @@
-//! Declarations of ladder text as sections of source documents.
+//! What a program declares as variables and structures.
 
+use super::Project;
 use super::operand::literal;
+use super::tags::Tags;
+use super::units::Source;
+use crate::model::{Kind, Role, Type, Unit, Variable};
 use crate::scope::member;
-use ladder_notation::Unwritable;
-use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader, StructHeader};
-use ladder_syntax::{LineKind, Parse, Section};
-use std::collections::HashMap;
-
-/// What is declared on a line.
-#[derive(Debug, Clone)]
-pub(super) struct Declared {
-    pub(super) names: Vec<String>,
-    pub(super) address: Option<String>,
-    pub(super) ty: String,
-    pub(super) initial: Option<String>,
-    pub(super) comment: Option<String>,
-    /// Where it is in the text.
-    pub(super) at: usize,
-}
-
-/// A section.
-#[derive(Debug, Clone)]
-pub(super) struct Declarations {
-    /// `VAR_INPUT`
-    pub(super) keyword: String,
-    /// `RETAIN`
-    pub(super) qualifier: Option<String>,
-    pub(super) declared: Vec<Declared>,
-    /// The structures of a section of types: the name, and the members.
-    pub(super) structures: Vec<(String, Vec<Declared>)>,
-}
-
-/// The declarations of a section.
-pub(super) fn section(parse: &Parse, section: &Section) -> Declarations {
-    let mut out = Declarations {
-        keyword: String::new(),
-        qualifier: None,
-        declared: Vec::new(),
-        structures: Vec::new(),
-    };
-    let mut is_open = false;
-    for number in section.lines.clone() {
-        let line = &parse.lines()[number];
-        let tree = line.tree();
-        let node = NodeView::root(&tree);
-        match line.kind {
-            LineKind::StructHeader => {
-                let name = StructHeader::cast(node).and_then(|header| header.names().next());
-                let name = name.map(|name| name.text().to_owned()).unwrap_or_default();
-                out.structures.push((name, Vec::new()));
-                is_open = true;
-            }
-            LineKind::StructEnd => is_open = false,
-            LineKind::Declaration => {
-                let Some(found) = Declaration::cast(node) else {
-                    continue;
-                };
-                let declared = declared(&found, line.text(), usize::from(parse.line_start(number)));
-                match out.structures.last_mut().filter(|_| is_open) {
-                    Some((_, members)) => members.push(declared),
-                    None => out.declared.push(declared),
-                }
-            }
-            _ => {
-                if let Some(header) = SectionHeader::cast(node)
-                    && let Some(keyword) = header.section().filter(|_| out.keyword.is_empty())
-                {
-                    out.keyword = keyword.text().to_ascii_uppercase();
-                    out.qualifier = header
-                        .qualifiers()
-                        .next()
-                        .map(|word| word.text().to_ascii_uppercase());
-                }
-            }
-        }
-    }
-    out
-}
-
-fn declared(found: &Declaration<'_>, text: &str, at: usize) -> Declared {
-    let slice = |range: ladder_syntax::TextRange| text[range].trim().to_owned();
-    let comment = text.split_once(';').and_then(|(_, rest)| {
-        let said = rest
-            .trim()
-            .strip_prefix('#')?
-            .split('#')
-            .next()?
-            .trim()
-            .to_owned();
-        (!said.is_empty()).then_some(said)
-    });
-    Declared {
-        names: found.names().map(|name| name.text().to_owned()).collect(),
-        address: found.address().map(|address| address.text().to_owned()),
-        ty: found.type_ref().map(|ty| slice(ty.range())).unwrap_or_default(),
-        initial: found.initial_value().map(|value| slice(value.range())),
-        comment,
-        at,
-    }
-}
-
-/// A type that a section declares.
-#[derive(Debug, Clone)]
-pub(super) enum TypeForm {
-    Structure(Vec<Declared>),
-    /// Another name for this type, with a first value of its own.
-    Alias(Declared),
-    /// No type, but a number that the bounds of arrays may name.
-    Constant(i64),
-    /// A block that is not written; why.
-    Missing(String),
-}
-
-/// The types of blocks that are not written.
-pub(super) fn missing(blocks: &Unwritable) -> Types {
-    let all = blocks.iter().map(|(name, why)| {
-        let name = name.as_str().to_owned();
-        (name.clone(), (name, TypeForm::Missing(why.clone())))
-    });
-    all.collect()
-}
-
-/// Types by their names in small letters, each with its name.
-pub(super) type Types = HashMap<String, (String, TypeForm)>;
+use crate::standard::spelled;
+use ladder_analysis::context::Context;
+use ladder_analysis::names::scope::{Origin, SectionKind, TagFacts};
+use ladder_analysis::program;
+use ladder_analysis::values::compound::Compound;
+use ladder_analysis::values::types::{DEFAULT_STRING, Scalar, Type as OwnType};
+use ladder_analysis::values::value::{Value, real_text};
+use ladder_analysis::written::type_spec::{MemberSpec, SpecKind};
+use ladder_format::program::Expression;
+use ladder_notation::Report;
+use ladder_syntax::ast::{AstNode, Declaration, NodeView};
+use ladder_syntax::{Name, TextRange, TextSize};
 
 /// An array has no more dimensions where it is read again.
 const MOST_DIMENSIONS: usize = 3;
 
-/// So many types stand for one another at most.
-const DEEPEST: usize = 16;
-
-/// A type as it is written there.
+/// A type.
 ///
 /// # Errors
 ///
 /// Why it has no form there.
-pub(super) fn type_text(text: &str, types: &Types, depth: usize) -> Result<String, String> {
-    let text = text.trim();
-    if depth > DEEPEST {
-        return Err(format!("the type `{text}` stands for too many others"));
-    }
-    let upper = text.to_ascii_uppercase();
-    if text.starts_with('(') {
-        return Err("enumerations have no form there".to_owned());
-    }
-    if let Some(rest) = upper.strip_prefix("ARRAY") {
-        let start = text.len() - rest.trim_start().trim_start_matches('[').len();
-        let end = text.find(']').ok_or("an array is not closed")?;
-        let mut bounds = Vec::new();
-        for bound in text[start..end].split(',') {
-            let (low, high) = bound.split_once("..").ok_or("an array has no range")?;
-            let number = |bound: &str| match types.get(&bound.trim().to_lowercase()) {
-                Some((_, TypeForm::Constant(number))) => Some(*number),
-                _ => bound.trim().replace(' ', "").parse::<i64>().ok(),
-            };
-            let (Some(low), Some(high)) = (number(low), number(high)) else {
-                return Err("the bounds of an array are numbers there".to_owned());
-            };
-            bounds.push(format!("{low}..{high}"));
-        }
-        let of = text[end + 1..].trim_start();
-        let of = of.get(2..).ok_or("an array says OF what it is")?;
-        let mut of = type_text(of, types, depth + 1)?;
-        // An array of arrays is one of several dimensions there.
-        if let Some((inner, element)) = of.strip_prefix("Array[").and_then(|of| of.split_once("] of ")) {
-            bounds.push(inner.to_owned());
-            of = element.to_owned();
-        }
-        let bounds = bounds.join(", ");
-        if bounds.matches("..").count() > MOST_DIMENSIONS {
-            return Err(format!(
-                "an array of more than {MOST_DIMENSIONS} dimensions, those of the arrays in it included, has no form here"
-            ));
-        }
-        return Ok(format!("Array[{bounds}] of {of}"));
-    }
-    if let Some(rest) = upper.strip_prefix("STRING") {
-        return Ok(format!("String{}", rest.replace(' ', "")));
-    }
-    if let Some(block) = text.strip_prefix('$') {
-        if let Some((_, TypeForm::Missing(why))) = types.get(&text.to_lowercase()) {
-            return Err(why.clone());
-        }
-        return Ok(format!("\"{block}\""));
-    }
-    let base = upper.split('(').next().unwrap_or_default().trim();
-    if let Some(known) = elementary(base).or_else(|| state(base)) {
-        return Ok(known.to_owned());
-    }
-    match types.get(&text.to_lowercase()) {
-        Some((name, TypeForm::Structure(_))) => Ok(format!("\"{name}\"")),
-        Some((_, TypeForm::Alias(alias))) if alias.ty.starts_with('(') => Ok("DInt".to_owned()),
-        Some((_, TypeForm::Alias(alias))) => type_text(&alias.ty, types, depth + 1),
-        Some((_, TypeForm::Missing(why))) => Err(why.clone()),
-        Some((_, TypeForm::Constant(_))) | None => Err(format!("`{text}` has no form there")),
+pub(super) fn type_of(project: &Project<'_>, ty: OwnType) -> Result<Type, String> {
+    let named = |own: &str| {
+        let there = spelled(own).ok_or_else(|| format!("`{own}` has no form there"))?;
+        Ok(Type::Named(there.to_owned()))
+    };
+    let bound = |(first, last): &(i64, i64)| (first.to_string(), last.to_string());
+    match ty {
+        OwnType::Scalar(ty) => scalar(ty),
+        OwnType::State(state) => named(state.name()),
+        OwnType::Array { first, last, element } => Ok(Type::Array(
+            vec![bound(&(first, last))],
+            Box::new(scalar(element)?),
+        )),
+        OwnType::Compound(id) => match id.get() {
+            Compound::Structure(structure) => Ok(Type::Named(structure.name.to_string())),
+            Compound::Block(name) => match project.unwritable.get(&Name::new(&name)) {
+                Some(why) => Err(why.clone()),
+                None => Ok(Type::Named(name[1..].to_owned())),
+            },
+            Compound::Array(array) => {
+                let mut bounds: Vec<_> = array.dimensions.iter().map(bound).collect();
+                // An array of arrays is one of several dimensions there.
+                let of = match type_of(project, array.element)? {
+                    Type::Array(inner, of) => {
+                        bounds.extend(inner);
+                        of
+                    }
+                    of => Box::new(of),
+                };
+                if bounds.len() > MOST_DIMENSIONS {
+                    return Err(format!(
+                        "an array of more than {MOST_DIMENSIONS} dimensions, those of the arrays in it included, has no form here"
+                    ));
+                }
+                Ok(Type::Array(bounds, of))
+            }
+        },
     }
 }
 
 /// An elementary type.
-pub(super) fn elementary(upper: &str) -> Option<&'static str> {
-    Some(match upper {
-        "BOOL" => "Bool",
-        "BYTE" => "Byte",
-        "WORD" => "Word",
-        "DWORD" => "DWord",
-        "LWORD" => "LWord",
-        "SINT" => "SInt",
-        "INT" => "Int",
-        "DINT" => "DInt",
-        "LINT" => "LInt",
-        "USINT" => "USInt",
-        "UINT" => "UInt",
-        "UDINT" => "UDInt",
-        "ULINT" => "ULInt",
-        "REAL" => "Real",
-        "LREAL" => "LReal",
-        "TIME" => "Time",
-        "DATE" => "Date",
-        "TOD" => "Time_Of_Day",
-        "DT" => "LDT",
-        _ => return None,
-    })
+fn scalar(ty: Scalar) -> Result<Type, String> {
+    match ty {
+        Scalar::String(DEFAULT_STRING) => Ok(Type::Text(None)),
+        Scalar::String(length) => Ok(Type::Text(Some(length.into()))),
+        ty => {
+            let name = type_name(ty).ok_or_else(|| format!("`{}` has no form there", ty.name()))?;
+            Ok(Type::Named(name.to_owned()))
+        }
+    }
 }
 
-/// The type of what holds a state.
-fn state(upper: &str) -> Option<&'static str> {
-    Some(match upper {
-        "TON" => "TON_TIME",
-        "TOF" => "TOF_TIME",
-        "TP" => "TP_TIME",
-        "RTO" => "TONR_TIME",
-        "CTU" => "CTU_DINT",
-        "CTD" => "CTD_DINT",
-        "CTUD" => "CTUD_DINT",
-        _ => return None,
-    })
+/// The name of an elementary type.
+pub(super) fn type_name(ty: Scalar) -> Option<&'static str> {
+    match ty {
+        Scalar::String(_) => Some("String"),
+        Scalar::Enum(_) => Some("DInt"),
+        other => spelled(other.name()),
+    }
 }
 
-/// The values of an enumeration, if a type is one, and the first value of the type.
-pub(super) fn enumeration<'t>(ty: &str, types: &'t Types) -> Option<(Vec<(&'t str, i64)>, &'t str)> {
-    let Some((_, TypeForm::Alias(alias))) = types.get(&ty.trim().to_lowercase()) else {
+/// What a declaration says besides the type.
+#[derive(Default)]
+struct Written {
+    initial: Option<String>,
+    comment: Option<String>,
+}
+
+/// The declaration at a place.
+fn written(context: &Context, at: TextSize) -> Written {
+    let Some(line) = context
+        .parse
+        .line_at(at)
+        .map(|number| &context.parse.lines()[number])
+    else {
+        return Written::default();
+    };
+    let tree = line.tree();
+    let Some(found) = Declaration::cast(NodeView::root(&tree)) else {
+        return Written::default();
+    };
+    let text = line.text();
+    let slice = |range: TextRange| text[range].trim().to_owned();
+    let comment = text.split_once(';').and_then(|(_, rest)| {
+        let said = rest.trim().strip_prefix('#')?.split('#').next()?.trim();
+        (!said.is_empty()).then(|| said.to_owned())
+    });
+    Written {
+        initial: found.initial_value().map(|value| slice(value.range())),
+        comment,
+    }
+}
+
+/// A value at the start: as it is written where that has a form there, else as what it is.
+///
+/// # Errors
+///
+/// Why it has no form there.
+fn initial(ty: OwnType, text: Option<&str>, values: &[Value]) -> Result<Option<String>, String> {
+    let element = match ty {
+        OwnType::Scalar(ty) | OwnType::Array { element: ty, .. } => Some(ty),
+        OwnType::Compound(id) => id.with(|compound| match compound {
+            Compound::Array(array) => array.element.element_scalar(),
+            _ => None,
+        }),
+        OwnType::State(_) => None,
+    };
+    if let OwnType::Scalar(ty @ Scalar::Enum(_)) = ty {
+        let zero = Value::zero(ty);
+        return value_text(values.first().unwrap_or(&zero), ty).map(Some);
+    }
+    let as_written = match text {
+        None if values.is_empty() => return Ok(None),
+        None => Err("the first values that its type takes from another have no form there".to_owned()),
+        Some("1") if ty == OwnType::BOOL => Ok("TRUE".to_owned()),
+        Some("0") if ty == OwnType::BOOL => Ok("FALSE".to_owned()),
+        Some(text) => initial_text(text),
+    };
+    match (as_written, element) {
+        (Err(_), Some(element)) if !values.is_empty() => {
+            if let OwnType::Scalar(ty) = ty {
+                return value_text(&values[0], ty).map(Some);
+            }
+            list(values, element).map(Some)
+        }
+        (as_written, _) => as_written.map(Some),
+    }
+}
+
+/// The values of an array, row by row: `[1, 6(0)]`.
+fn list(values: &[Value], element: Scalar) -> Result<String, String> {
+    let mut out: Vec<String> = Vec::new();
+    for run in values.chunk_by(|one, other| one == other) {
+        let text = value_text(&run[0], element)?;
+        out.push(match run.len() {
+            1 => text,
+            count => format!("{count}({text})"),
+        });
+    }
+    Ok(format!("[{}]", out.join(", ")))
+}
+
+/// A value of an elementary type.
+fn value_text(value: &Value, ty: Scalar) -> Result<String, String> {
+    match (value, ty) {
+        (Value::Bool(on), _) => Ok(if *on { "TRUE" } else { "FALSE" }.to_owned()),
+        (Value::Int(nanoseconds), Scalar::Time) => literal(&format!("T#{nanoseconds}ns")),
+        (Value::Int(number), Scalar::Lword | Scalar::Ulint) => Ok((*number as u64).to_string()),
+        (Value::Real(number), _) => Ok(real_text(*number, ty)),
+        (Value::Int(number), _) if !matches!(ty, Scalar::Date | Scalar::Tod | Scalar::Dt) => {
+            Ok(number.to_string())
+        }
+        _ => Err("its value at the start has no form there".to_owned()),
+    }
+}
+
+/// A value at the start that is written as a literal, or as a list of them.
+fn initial_text(text: &str) -> Result<String, String> {
+    let value = |text: &str| {
+        let found = match Expression::read(text.trim())? {
+            Expression::Literal(found) => found.as_str().to_owned(),
+            Expression::Unary(_, inner) if matches!(*inner, Expression::Literal(_)) => format!("-{inner}"),
+            _ => return Err(format!("the first value `{text}` has no form there")),
+        };
+        literal(&found)
+    };
+    let Some(inner) = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) else {
+        return value(text).map_err(|_| format!("the first value `{text}` has no form there"));
+    };
+    let values = inner.split(',').map(|text| {
+        let text = text.trim();
+        match text.strip_suffix(')').and_then(|rest| rest.split_once('(')) {
+            Some((count, of)) => Ok(format!("{count}({})", value(of)?)),
+            None => value(text),
+        }
+    });
+    let values: Result<Vec<String>, String> = values.collect();
+    Ok(format!("[{}]", values?.join(", ")))
+}
+
+/// The variables of a unit.
+pub(super) fn variables(tags: &mut Tags<'_>, source: &Source, report: &mut Report) -> Vec<Variable> {
+    let mut variables = Vec::new();
+    let scope = &tags.project.analysis.context.scopes[source.scope];
+    for tag in scope.tags.iter().filter(|tag| tag.is_declared()) {
+        variables.extend(declared(tags, tag, report));
+    }
+    if source.scope == 0 {
+        undeclared(tags, &mut variables, report);
+    }
+    variables
+}
+
+/// A tag that is declared.
+fn declared(tags: &mut Tags<'_>, tag: &TagFacts, report: &mut Report) -> Option<Variable> {
+    let project = tags.project;
+    let context = &project.analysis.context;
+    let Origin::Declared(section) = tag.origin else {
         return None;
     };
-    let inner = alias.ty.strip_prefix('(')?.strip_suffix(')')?;
-    let mut values: Vec<(&str, i64)> = Vec::new();
-    for value in inner.split(',') {
-        let (name, number) = match value.split_once(":=") {
-            Some((name, number)) => (name.trim(), number.trim().replace(' ', "").parse().ok()?),
-            None => (value.trim(), values.last().map_or(0, |(_, before)| before + 1)),
-        };
-        values.push((name, number));
-    }
-    let first = alias.initial.as_deref().unwrap_or(values.first()?.0);
-    Some((values, first))
-}
-
-/// A first value.
-///
-/// # Errors
-///
-/// Why it has no form there.
-pub(super) fn initial_text(text: &str) -> Result<String, String> {
-    let none = || format!("the first value `{text}` has no form there");
-    if let Some(inner) = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
-        let values = inner.split(',').map(|value| {
-            let value = value.trim();
-            match value.strip_suffix(')').and_then(|rest| rest.split_once('(')) {
-                Some((count, value)) => Ok(format!("{count}({})", literal(value.trim())?.ok_or_else(none)?)),
-                None => literal(value)?.ok_or_else(none),
-            }
+    let at = context.place_of(tag).start();
+    let place = project.line(at);
+    let shown = format!("tag `{}`", tag.name);
+    let said = written(context, at);
+    let made = tag
+        .ty
+        .ok_or_else(|| "its type is not known".to_owned())
+        .and_then(|ty| {
+            let initial = initial(ty, said.initial.as_deref(), &tag.cold.initial)?;
+            Ok((ty, type_of(project, ty)?, initial))
         });
-        let values: Result<Vec<String>, String> = values.collect();
-        return Ok(format!("[{}]", values?.join(", ")));
-    }
-    literal(text)?.ok_or_else(none)
-}
-
-/// Whether a type, or that of the elements of an array, is another name for one with first values.
-fn begins_with_values(text: &str, types: &Types, depth: usize) -> bool {
-    if depth > DEEPEST {
-        return false;
-    }
-    if text
-        .get(..5)
-        .is_some_and(|word| word.eq_ignore_ascii_case("ARRAY"))
-    {
-        let element = text.split_once(']').and_then(|(_, of)| of.trim_start().get(2..));
-        return element.is_some_and(|element| begins_with_values(element.trim(), types, depth + 1));
-    }
-    match types.get(&text.to_lowercase()) {
-        Some((_, TypeForm::Alias(alias))) => {
-            alias.initial.is_some()
-                || enumeration(text, types)
-                    .is_some_and(|(values, _)| values.first().is_some_and(|(_, number)| *number != 0))
-                || begins_with_values(&alias.ty, types, depth + 1)
+    let (ty, there, initial) = match made {
+        Ok(made) => made,
+        Err(why) => {
+            let why = format!("`{}` cannot be declared: {why}", tag.name);
+            report.refused(place, shown, why.clone());
+            tags.insert(&tag.name, Err(why));
+            return None;
         }
-        _ => false,
+    };
+    tags.insert(&tag.name, Ok(ty));
+    let role = match section {
+        _ if tag.constant => Role::Constant,
+        SectionKind::Input => Role::Input,
+        SectionKind::Output => Role::Output,
+        SectionKind::InOut => Role::InOut,
+        SectionKind::Var | SectionKind::Global | SectionKind::External => Role::Static,
+    };
+    if matches!(ty, OwnType::Scalar(Scalar::Enum(_))) {
+        let why = "an enumeration is a DInt there, and its values are numbers";
+        report.approximated(place, shown, why);
+    } else if matches!(section, SectionKind::Global | SectionKind::External) {
+        let why = "other blocks do not see it: it is a variable of the block";
+        report.approximated(place, shown, why);
+    } else if let Some(address) = &tag.cold.address {
+        let why = format!(
+            "a variable of a block has no address: connect it to {address} where the block is called"
+        );
+        report.approximated(place, shown, why);
+    } else if tag.retain && role != Role::Static {
+        let why = "it is not retentive there: only variables of the block itself are";
+        report.approximated(place, shown, why);
+    } else {
+        report.translated(place, shown);
+    }
+    Some(Variable {
+        place,
+        name: tag.name.to_string(),
+        role,
+        retain: tag.retain && role == Role::Static,
+        ty: there,
+        initial,
+        comment: said.comment,
+    })
+}
+
+/// The tags that the program uses without declaring them. A block's body has none.
+fn undeclared(tags: &mut Tags<'_>, variables: &mut Vec<Variable>, report: &mut Report) {
+    let project = tags.project;
+    for tag in &project.program.tags {
+        let is_own =
+            tag.block.is_none() && tag.location.file == 0 && !tag.name.contains(['.', '%', '[', '$']);
+        if !is_own || tags.known(&tag.name).is_some() {
+            continue;
+        }
+        let place = project.place(tag.location.range.start());
+        match type_of(project, tag.ty) {
+            Ok(ty) => {
+                tags.insert(&tag.name, Ok(tag.ty));
+                variables.push(Variable {
+                    place,
+                    name: tag.name.clone(),
+                    role: match tag.role {
+                        program::Role::Input => Role::Input,
+                        program::Role::Output => Role::Output,
+                        program::Role::Internal => Role::Static,
+                    },
+                    retain: tag.retain && tag.role == program::Role::Internal,
+                    ty,
+                    ..Variable::default()
+                });
+            }
+            Err(why) => {
+                let why = format!("`{}` cannot be declared: {why}", tag.name);
+                report.refused(place, format!("tag `{}`", tag.name), why.clone());
+                tags.insert(&tag.name, Err(why));
+            }
+        }
     }
 }
 
-/// A declaration there, without its pragma.
-///
-/// # Errors
-///
-/// Why it has no form there.
-pub(super) fn declaration(
-    name: &str,
-    ty: &str,
-    initial: Option<&str>,
-    types: &Types,
-) -> Result<String, String> {
-    let alias = match types.get(&ty.to_lowercase()) {
-        Some((_, TypeForm::Alias(alias))) => alias.initial.as_deref(),
+/// The structures of a program, each a unit of its own.
+pub(super) fn structures(project: &Project<'_>, report: &mut Report) -> Vec<Unit> {
+    let context = &project.analysis.context;
+    let mut types: Vec<_> = context.types.own().iter().collect();
+    types.sort_by(|one, other| one.declaration.name.cmp(&other.declaration.name));
+    let mut units = Vec::new();
+    for named in types {
+        let (SpecKind::Structure(members), Some(OwnType::Compound(id))) =
+            (&named.declaration.declared.spec.kind, named.ty)
+        else {
+            continue;
+        };
+        let place = project.line(
+            members
+                .first()
+                .map_or(named.declaration.at, |first| first.at)
+                .start(),
+        );
+        let shown = format!("type {}", named.declaration.name);
+        let made = members.iter().map(|own| structure_member(project, id.get(), own));
+        match made.collect::<Result<Vec<Variable>, String>>() {
+            Ok(variables) => {
+                report.translated(place, shown);
+                units.push(Unit {
+                    place,
+                    kind: Kind::Type,
+                    name: named.declaration.name.to_string(),
+                    variables,
+                    ..Unit::default()
+                });
+            }
+            Err(why) => report.refused(place, shown, why),
+        }
+    }
+    units
+}
+
+fn structure_member(project: &Project<'_>, of: Compound, own: &MemberSpec) -> Result<Variable, String> {
+    if member(&own.name) != *own.name {
+        return Err(format!("the member `{}` has no form there", own.name));
+    }
+    let found = match &of {
+        Compound::Structure(structure) => structure.member(&own.name),
         _ => None,
     };
-    let numbered = enumeration(ty, types).and_then(|(values, first)| {
-        let name = initial.unwrap_or(first);
-        let name = name.rsplit('.').next().unwrap_or(name);
-        let (_, number) = values
-            .into_iter()
-            .find(|(own, _)| own.eq_ignore_ascii_case(name))?;
-        Some(number.to_string())
-    });
-    let initial = numbered.as_deref().or(initial);
-    let initial = initial.or(alias);
-    if initial.is_none() && begins_with_values(ty, types, 0) {
-        return Err("the first values that its type takes from another have no form there".to_owned());
-    }
-    let ty = type_text(ty, types, 0)?;
-    let initial = match initial {
-        Some("1") if ty == "Bool" => " := TRUE".to_owned(),
-        Some("0") if ty == "Bool" => " := FALSE".to_owned(),
-        Some(initial) => format!(" := {}", initial_text(initial)?),
-        None => String::new(),
-    };
-    Ok(format!("\"{name}\" : {ty}{initial};"))
-}
-
-/// A structure as a document of its own.
-///
-/// # Errors
-///
-/// Why it has no form there.
-pub(super) fn structure(
-    name: &str,
-    members: &[Declared],
-    types: &Types,
-    pragma: &mut impl FnMut(&Declared) -> String,
-) -> Result<String, String> {
-    let mut out =
-        format!("\u{feff}{{\r\n    S7_Version := \"0.1\"\r\n}}\r\nTYPE \"{name}\"\r\n    STRUCT\r\n");
-    for declared in members {
-        for own in &declared.names {
-            if member(own) != *own {
-                return Err(format!("the member `{own}` has no form there"));
-            }
-            let line = declaration(own, &declared.ty, declared.initial.as_deref(), types)?;
-            out.push_str(&format!("        {}{line}\r\n", pragma(declared)));
-        }
-    }
-    out.push_str("    END_STRUCT;\r\nEND_TYPE\r\n");
-    Ok(out)
+    let (_, found) = found.ok_or_else(|| format!("the type of its member `{}` is not known", own.name))?;
+    let said = written(&project.analysis.context, own.at.start());
+    let values = found.initial.as_deref().unwrap_or_default();
+    Ok(Variable {
+        place: project.line(own.at.start()),
+        name: own.name.to_string(),
+        ty: type_of(project, found.ty)?,
+        initial: initial(found.ty, said.initial.as_deref(), values)?,
+        comment: said.comment,
+        ..Variable::default()
+    })
 }

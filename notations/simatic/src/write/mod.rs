@@ -1,213 +1,161 @@
-//! From a program to source documents: the program as a function block, and each block and structure that it uses.
+//! From a program to the model: the program as a function block, and each block and structure that it uses.
 
 mod declare;
+pub(crate) mod document;
 mod element;
 mod network;
 mod operand;
 mod power;
+pub(crate) mod simaticml;
 mod strands;
-mod unit;
+mod tags;
+mod units;
 mod unread;
 
-use declare::{TypeForm, Types};
+use crate::model::Unit;
 use ladder_analysis::Analysis;
-use ladder_analysis::program::{Network, Program};
+use ladder_analysis::program::{Bound, Network, Program};
 use ladder_instructions::Profile;
-use ladder_notation::{
-    Companion, LineColumn, Lines, Report, Unwritable, WriteError, Writing, no_program, with_blocks_alone,
-    with_calls_as_instructions, with_system_tags,
-};
+use ladder_notation::{LineColumn, Lines, Report, Unwritable, WriteError, no_program};
 use ladder_syntax::{Name, TextSize};
 use power::Power;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::path::Path;
-use unit::Unit;
+use units::Source;
 
-/// What writes.
-struct Writer<'a> {
+/// What the units of a project share.
+struct Project<'a> {
     analysis: &'a Analysis,
     program: &'a Program,
+    /// The blocks that are not written, with why.
+    unwritable: &'a Unwritable,
     text: String,
     lines: Lines,
-    types: Types,
-    report: Report,
-    companions: Vec<Companion>,
-    /// Of the block that is being written: what it needs besides.
-    statics: Vec<(String, String)>,
-    taken: HashSet<String>,
-    /// Texts in languages, each with its id.
-    texts: Vec<(String, String)>,
-    /// The names of the parameters of each block, by its name in small letters.
-    parameters: HashMap<String, Vec<String>>,
+    sources: Vec<Source>,
+    /// The blocks that the program reaches, in its order.
+    used: Vec<Used>,
     /// The networks of the program by where they begin.
     networks: HashMap<TextSize, &'a Network>,
-    /// How each block of the program comes by its power.
-    powers: Vec<Power>,
-    /// Unread parts by their names in small letters: the text of each in SCL, or why it is not written.
-    unread: HashMap<String, Result<String, String>>,
 }
 
-/// Writes a program.
-pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
-    with_blocks_alone(analysis, |analysis, unwritable| {
-        with_system_tags(
-            analysis,
-            |_, tag| crate::standard::has(tag),
-            |analysis| with_calls_as_instructions(analysis, |analysis| documents(analysis, unwritable)),
-        )
-    })
+/// A block that a program reaches.
+struct Used {
+    power: Power,
+    /// What the text has of it.
+    source: Option<usize>,
 }
 
-fn documents(analysis: &Analysis, unwritable: &Unwritable) -> Result<Writing, WriteError> {
-    let text = analysis.context.parse.to_string();
+/// What a program becomes.
+pub(crate) struct Made {
+    pub(crate) program: Unit,
+    /// The structures and blocks that it uses.
+    pub(crate) others: Vec<Unit>,
+    pub(crate) report: Report,
+}
+
+/// The units of a program.
+///
+/// # Errors
+///
+/// If it has errors, or is in the profile of another controller.
+pub(crate) fn made(analysis: &Analysis, unwritable: &Unwritable) -> Result<Made, WriteError> {
+    let context = &analysis.context;
+    let text = context.parse.to_string();
     let Some(program) = analysis.program() else {
         return Err(no_program(analysis, &text));
     };
-    if analysis.context.profile != Profile::Iec {
+    if context.profile != Profile::Iec {
         let message = "the program counts and times as another controller does (`# ladder: profile .. #`), and a SIMATIC block does not: take the profile out, and see whether it still does what it should";
         return Err(WriteError::new(message));
     }
-    let lines = Lines::of(&text);
-    let units = unit::units(&analysis.context.parse);
-    let mut writer = Writer {
+    let sources = units::sources(context);
+    let names = sources.iter().enumerate().skip(1);
+    let names: HashMap<Name, usize> = names
+        .map(|(number, source)| (Name::new(&source.name), number))
+        .collect();
+    let used = program.blocks.iter().map(|block| Used {
+        power: power::power(program, block),
+        source: names.get(&Name::new(&block.name[1..])).copied(),
+    });
+    let networks = program.networks.iter();
+    let project = Project {
         analysis,
         program,
+        unwritable,
+        lines: Lines::of(&text),
         text,
-        lines,
-        types: declare::missing(unwritable),
-        report: Report::default(),
-        companions: Vec::new(),
-        statics: Vec::new(),
-        taken: HashSet::new(),
-        texts: Vec::new(),
-        parameters: unit::parameters(&units),
-        networks: HashMap::new(),
-        powers: power::powers(program),
-        unread: unread::parts(&units),
+        used: used.collect(),
+        sources,
+        networks: networks
+            .map(|network| (network.location.range.start(), network))
+            .collect(),
     };
-    for network in &program.networks {
-        writer.networks.insert(network.location.range.start(), network);
-    }
-    writer.types(&units);
-    let names: HashSet<String> = units
-        .iter()
-        .skip(1)
-        .map(|unit| unit.name.to_lowercase())
-        .collect();
-    let name = Path::new(&*analysis.context.name).file_stem().unwrap_or_default();
-    let mut name = name.to_string_lossy().into_owned();
-    while names.contains(&name.to_lowercase()) {
-        name.push_str("_program");
-    }
-    for unit in units.iter().skip(1).filter(|unit| unit.unread.is_none()) {
-        let used = program
-            .blocks
-            .iter()
-            .position(|block| block.name[1..].eq_ignore_ascii_case(&unit.name));
-        if let Some(used) = used
-            && !unwritable.contains_key(&Name::new(&program.blocks[used].name))
+    let mut report = Report::default();
+    let mut others = declare::structures(&project, &mut report);
+    for (number, source) in project.sources.iter().enumerate().skip(1) {
+        let used = project.used.iter().position(|used| used.source == Some(number));
+        if let Some(user) = used.filter(|user| project.why_unwritable(*user).is_none())
+            && source.unread.is_none()
         {
-            let (document, resource) = writer.unit(&unit.name, unit, Some(writer.powers[used]));
-            writer.companion(&unit.name, document, resource);
+            let power = Some(project.used[user].power);
+            others.push(units::unit(&project, source, &source.name, power, &mut report));
         }
     }
-    let (bytes, resource) = writer.unit(&name, &units[0], None);
-    if let Some(bytes) = resource {
-        writer.companions.push(Companion {
-            name: format!("{name}.s7res"),
-            bytes,
-        });
+    let name = Path::new(&*context.name).file_stem().unwrap_or_default();
+    let mut name = name.to_string_lossy().into_owned();
+    while names.contains_key(&Name::new(&name)) {
+        name.push_str("_program");
     }
-    writer.report.entries.sort_by_key(|entry| entry.place);
-    Ok(Writing {
-        bytes,
-        companions: writer.companions,
-        report: writer.report,
+    let own = units::unit(&project, &project.sources[0], &name, None, &mut report);
+    report.entries.sort_by_key(|entry| entry.place);
+    Ok(Made {
+        program: own,
+        others,
+        report,
     })
 }
 
-impl Writer<'_> {
-    fn companion(&mut self, name: &str, document: Vec<u8>, resource: Option<Vec<u8>>) {
-        let parts = [(Some(document), "s7dcl"), (resource, "s7res")];
-        let files = parts.into_iter().filter_map(|(bytes, end)| {
-            Some(Companion {
-                name: format!("{name}.{end}"),
-                bytes: bytes?,
-            })
-        });
-        self.companions.extend(files);
+impl Project<'_> {
+    /// What the text has of a block of the program.
+    fn source(&self, user: usize) -> Option<&Source> {
+        self.used[user].source.map(|number| &self.sources[number])
     }
 
-    /// The types of the program; a structure is a document of its own.
-    fn types(&mut self, units: &[Unit]) {
-        for section in units.iter().flat_map(|unit| &unit.sections) {
-            if section.keyword != "TYPE" {
-                continue;
-            }
-            for (name, members) in &section.structures {
-                let form = TypeForm::Structure(members.clone());
-                self.types.insert(name.to_lowercase(), (name.clone(), form));
-            }
-            for declared in &section.declared {
-                for name in &declared.names {
-                    let form = TypeForm::Alias(declared.clone());
-                    self.types.insert(name.to_lowercase(), (name.clone(), form));
-                }
-            }
+    /// Why a block of the program is not written.
+    fn why_unwritable(&self, user: usize) -> Option<&String> {
+        self.unwritable.get(&Name::new(&self.program.blocks[user].name))
+    }
+
+    fn place(&self, at: TextSize) -> LineColumn {
+        self.lines.place(&self.text, at.into())
+    }
+
+    /// Where the line of a declaration begins.
+    fn line(&self, at: TextSize) -> LineColumn {
+        let parse = &self.analysis.context.parse;
+        self.place(parse.line_at(at).map_or(at, |line| parse.line_start(line)))
+    }
+
+    /// Where a network of the text begins.
+    fn start(&self, number: usize) -> TextSize {
+        let parse = &self.analysis.context.parse;
+        parse.line_start(parse.structure().networks[number].lines.start)
+    }
+
+    /// The name that an operand is given by, and its value, as they are written.
+    fn parts_of(&self, bound: &Bound) -> (&str, &str) {
+        let text = self.text[bound.range].trim();
+        match text.split_once(":=").or_else(|| text.split_once("=>")) {
+            Some((name, value)) if !text.starts_with('\'') => (name.trim(), value.trim()),
+            _ => ("", text),
         }
-        let constants = units.iter().flat_map(|unit| &unit.sections);
-        let constants = constants.filter(|section| section.qualifier.as_deref() == Some("CONSTANT"));
-        for declared in constants.flat_map(|section| &section.declared) {
-            let Some(Ok(number)) = declared.initial.as_deref().map(str::parse) else {
-                continue;
-            };
-            for name in &declared.names {
-                let own = (name.clone(), TypeForm::Constant(number));
-                self.types.entry(name.to_lowercase()).or_insert(own);
-            }
-        }
-        let types = std::mem::take(&mut self.types);
-        let mut all: Vec<&(String, TypeForm)> = types.values().collect();
-        all.sort_by(|(one, _), (other, _)| one.cmp(other));
-        for (name, form) in all {
-            if let TypeForm::Structure(members) = form {
-                let at = members.first().map_or(0, |member| member.at);
-                let place = self.place(at);
-                self.texts.clear();
-                let document =
-                    declare::structure(name, members, &types, &mut |declared| self.pragma(declared));
-                match document {
-                    Ok(document) => {
-                        self.report.translated(place, format!("type {name}"));
-                        self.companion(name, document.into_bytes(), self.resource());
-                    }
-                    Err(why) => self.report.refused(place, format!("type {name}"), why),
-                }
-            }
-        }
-        self.types = types;
     }
 
-    fn place(&self, at: usize) -> LineColumn {
-        self.lines.place(&self.text, at)
+    fn name_of(&self, bound: &Bound) -> &str {
+        self.parts_of(bound).0
     }
 
-    /// A tag that the program does not have.
-    fn static_tag(&mut self, like: &str, ty: &str) -> String {
-        let mut number = 1;
-        let name = loop {
-            let name = format!("{like}_{number}");
-            if self.taken.insert(name.to_lowercase()) {
-                break name;
-            }
-            number += 1;
-        };
-        self.statics.push((name.clone(), ty.to_owned()));
-        format!("#\"{name}\"")
-    }
-
-    /// A bit that remembers an edge.
-    fn memory(&mut self) -> String {
-        self.static_tag("edge", "Bool")
+    fn source_of(&self, bound: &Bound) -> &str {
+        self.parts_of(bound).1
     }
 }

@@ -1,116 +1,133 @@
-//! Operands of ladder text as source documents write them.
+//! Operands of ladder text as SIMATIC writes them.
 
 use super::power::{POWER_IN, POWER_OUT};
+use super::tags::Tags;
 use crate::standard::SYSTEM;
-use std::collections::HashMap;
-
-/// What the names of a body are: the types of its tags as they are declared, by their names in small letters. What has no
-/// form there says why.
-pub(super) type Tags = HashMap<String, Result<String, String>>;
+use ladder_analysis::values::compound::Compound;
+use ladder_analysis::values::types::Type;
+use ladder_format::program::{Expression, Path, Sign, Step};
+use ladder_instructions::StateType;
 
 /// An operand.
 ///
 /// # Errors
 ///
 /// Why it has no form there.
-pub(super) fn operand(text: &str, tags: &Tags) -> Result<String, String> {
-    let text = text.trim();
-    if let Some(literal) = literal(text)? {
-        return Ok(literal);
+pub(super) fn operand(text: &str, tags: &Tags<'_>) -> Result<String, String> {
+    value(&Expression::read(text.trim())?, tags)
+}
+
+/// A value that is no formula.
+///
+/// # Errors
+///
+/// Why it has no form there.
+pub(super) fn value(expression: &Expression, tags: &Tags<'_>) -> Result<String, String> {
+    match expression {
+        Expression::Literal(found) => literal(found.as_str()),
+        Expression::Unary(Sign::Minus, inner) => match &**inner {
+            Expression::Literal(found) => literal(&format!("-{}", found.as_str())),
+            _ => Err(only_calculate(expression)),
+        },
+        Expression::Path(found) => path(found, tags),
+        _ => Err(only_calculate(expression)),
     }
-    let upper = text.to_ascii_uppercase();
-    if let Some(own) = upper.strip_prefix("SYS.") {
-        let row = SYSTEM.iter().find(|(tag, _)| tag.name() == own);
-        let (_, name) = row.ok_or_else(|| format!("`{text}` has no counterpart"))?;
-        return Ok(format!("\"{name}\""));
-    }
+}
+
+fn only_calculate(expression: &Expression) -> String {
+    format!("`{expression}` is an expression: only Calculate takes one")
+}
+
+/// A tag with members and indices.
+fn path(of: &Path, tags: &Tags<'_>) -> Result<String, String> {
+    let upper = of.root.to_ascii_uppercase();
+    let name = match upper.as_str() {
+        "SYS" => return system(of),
+        "PI" if of.steps.is_empty() => return Ok(std::f64::consts::PI.to_string()),
+        "EN" => POWER_IN,
+        "ENO" => POWER_OUT,
+        _ => of.root.as_str(),
+    };
     if let Some(address) = upper.strip_prefix('%') {
         let (area, rest) = address.split_at(1);
         return Ok(format!("%{area}{}", rest.strip_prefix('X').unwrap_or(rest)));
     }
-    path(text, tags)
-}
-
-/// A tag with members and indices.
-fn path(text: &str, tags: &Tags) -> Result<String, String> {
-    let end = text.find(['.', '[', ' ']).unwrap_or(text.len());
-    let (root, mut rest) = text.split_at(end);
-    let is_name = !root.is_empty() && root.chars().all(|c| c.is_alphanumeric() || c == '_');
-    if !is_name {
-        return Err(format!("`{text}` is an expression: only Calculate takes one"));
-    }
-    let upper = root.to_ascii_uppercase();
-    let name = match upper.as_str() {
-        "EN" => POWER_IN,
-        "ENO" => POWER_OUT,
-        _ => root,
-    };
-    let ty = match tags.get(&root.to_lowercase()) {
-        Some(Ok(ty)) => ty.as_str(),
+    let mut ty = match tags.known(&of.root) {
+        Some(Ok(ty)) => Some(*ty),
         Some(Err(why)) => return Err(why.clone()),
-        None if name != root => return Err(format!("`{upper}` is no variable there")),
-        None => return Err(format!("`{root}` is no tag that is declared in this program")),
+        None if name != of.root => return Err(format!("`{upper}` is not a variable there")),
+        None => return Err(format!("`{name}` is not a tag that is declared in this program")),
     };
     let mut out = format!("#\"{name}\"");
-    let mut is_first = true;
-    while !rest.is_empty() {
-        rest = rest.trim_start();
-        if let Some(after) = rest.strip_prefix('[') {
-            let close = closing(after).ok_or_else(|| format!("`{text}` is no tag"))?;
-            let indices: Result<Vec<String>, String> = after[..close]
-                .split(',')
-                .map(|index| {
-                    if index.contains("..") {
-                        return Err(format!(
-                            "`{text}` is a range, which only coils on bit fields take"
-                        ));
-                    }
-                    operand(index, tags)
-                })
-                .collect();
-            // An array of arrays is one of several dimensions there.
-            let opening = if out.ends_with(']') { ", " } else { "[" };
-            out.truncate(out.len() - usize::from(out.ends_with(']')));
-            out.push_str(&format!("{opening}{}]", indices?.join(", ")));
-            rest = &after[close + 1..];
-        } else if let Some(after) = rest.strip_prefix('.') {
-            let end = after.find(['.', '[']).unwrap_or(after.len());
-            let name = after[..end].trim();
-            if name.bytes().all(|c| c.is_ascii_digit()) {
-                out.push_str(&format!(".%X{name}"));
-            } else {
-                out.push_str(&format!(".{}", member(name, ty, is_first)?));
+    for step in &of.steps {
+        match step {
+            Step::Range(..) => {
+                return Err(format!("`{of}` is a range, which only coils on bit fields take"));
             }
-            rest = &after[end..];
-        } else {
-            return Err(format!("`{text}` is an expression: only Calculate takes one"));
+            Step::Index(indices) => {
+                let indices: Result<Vec<String>, String> =
+                    indices.iter().map(|index| value(index, tags)).collect();
+                // An array of arrays is one of several dimensions there.
+                let opening = if out.ends_with(']') { ", " } else { "[" };
+                out.truncate(out.len() - usize::from(out.ends_with(']')));
+                out.push_str(&format!("{opening}{}]", indices?.join(", ")));
+            }
+            Step::Bit(bit) => out.push_str(&format!(".%X{bit}")),
+            Step::Member(name) => match ty {
+                Some(Type::State(state)) => out.push_str(&format!(".{}", state_member(name, state)?)),
+                _ => out.push_str(&format!(".\"{name}\"")),
+            },
         }
-        is_first = false;
+        ty = ty.and_then(|ty| part(ty, step));
     }
     Ok(out)
 }
 
-/// Where a bracket closes.
-pub(super) fn closing(text: &str) -> Option<usize> {
-    let mut depth = 1usize;
-    text.char_indices().find_map(|(at, c)| {
-        match c {
-            '[' => depth += 1,
-            ']' => depth -= 1,
-            _ => {}
-        }
-        (depth == 0).then_some(at)
-    })
+/// A tag of `SYS`.
+fn system(of: &Path) -> Result<String, String> {
+    let row = match &of.steps[..] {
+        [Step::Member(own)] => SYSTEM
+            .iter()
+            .find(|(tag, _)| tag.name().eq_ignore_ascii_case(own)),
+        _ => None,
+    };
+    let (_, name) = row.ok_or_else(|| format!("`{of}` has no counterpart"))?;
+    Ok(format!("\"{name}\""))
+}
+
+/// The type of a part.
+fn part(ty: Type, step: &Step) -> Option<Type> {
+    match (ty, step) {
+        (Type::Array { element, .. }, Step::Index(_)) => Some(Type::Scalar(element)),
+        (Type::Compound(id), step) => id.with(|compound| match (compound, step) {
+            (Compound::Array(array), Step::Index(_)) => Some(array.element),
+            (Compound::Structure(structure), Step::Member(name)) => {
+                structure.member(name).map(|(_, member)| member.ty)
+            }
+            _ => None,
+        }),
+        _ => None,
+    }
+}
+
+/// The type of the tag, or part of one, that a path leads to.
+pub(super) fn type_at(of: &Path, tags: &Tags<'_>) -> Option<Type> {
+    let root = *tags.known(&of.root)?.as_ref().ok()?;
+    of.steps.iter().try_fold(root, part)
+}
+
+/// Whether a type is that of a timer there.
+pub(super) const fn is_timer(state: StateType) -> bool {
+    matches!(
+        state,
+        StateType::Ton | StateType::Tof | StateType::Tp | StateType::Rto
+    )
 }
 
 /// A member's name. Timers and counters answer to the names of other controllers here, and not there.
-fn member(name: &str, ty: &str, is_first: bool) -> Result<String, String> {
+fn state_member(name: &str, state: StateType) -> Result<String, String> {
     let upper = name.to_ascii_uppercase();
-    let is_timer = is_first && matches!(ty, "TON" | "TOF" | "TP" | "RTO");
-    let is_counter = is_first && matches!(ty, "CTU" | "CTD" | "CTUD");
-    if !is_timer && !is_counter {
-        return Ok(format!("\"{name}\""));
-    }
+    let is_timer = is_timer(state);
     Ok(match upper.as_str() {
         "DN" => "Q",
         "PRE" if is_timer => "PT",
@@ -125,41 +142,30 @@ fn member(name: &str, ty: &str, is_first: bool) -> Result<String, String> {
     .to_owned())
 }
 
-/// A literal, if it is one.
+/// A literal.
 ///
 /// # Errors
 ///
 /// If it has no form there.
-pub(super) fn literal(text: &str) -> Result<Option<String>, String> {
-    let upper = text.to_ascii_uppercase();
-    if upper == "TRUE" || upper == "FALSE" || text.starts_with('\'') {
-        return Ok(Some(if text.starts_with('\'') {
-            text.to_owned()
-        } else {
-            upper
-        }));
+pub(super) fn literal(text: &str) -> Result<String, String> {
+    if text.starts_with('\'') {
+        return Ok(text.to_owned());
     }
-    if let Some((kind, value)) = upper.split_once('#')
-        && kind.chars().all(|c| c.is_alphanumeric() || c == '_')
-    {
+    let upper = text.to_ascii_uppercase();
+    if let Some((kind, value)) = upper.split_once('#') {
         return match kind {
-            "T" | "TIME" | "LTIME" => duration(value).map(Some),
-            "DT" | "DATE_AND_TIME" => Ok(Some(format!("LDT#{value}"))),
-            "TOD" | "TIME_OF_DAY" => Ok(Some(format!("TOD#{value}"))),
-            "D" | "DATE" => Ok(Some(format!("D#{value}"))),
-            _ => Ok(Some(upper)),
+            "T" | "TIME" | "LTIME" => duration(value),
+            "DT" | "DATE_AND_TIME" => Ok(format!("LDT#{value}")),
+            "TOD" | "TIME_OF_DAY" => Ok(format!("TOD#{value}")),
+            "D" | "DATE" => Ok(format!("D#{value}")),
+            _ => Ok(upper),
         };
     }
-    let digits = text.trim_start_matches(['-', '+']).trim_start();
-    if !digits.starts_with(|c: char| c.is_ascii_digit()) {
-        return Ok(None);
+    let is_word = upper == "TRUE" || upper == "FALSE";
+    if !is_word && upper.contains(['S', 'M', 'H', 'D']) {
+        return duration(&upper);
     }
-    let lower = digits.to_ascii_lowercase();
-    if lower.contains(['s', 'm', 'h', 'd']) {
-        return duration(&upper).map(Some);
-    }
-    let is_number = lower.chars().all(|c| c.is_ascii_digit() || "._e+-".contains(c));
-    Ok(is_number.then(|| text.replace(' ', "")))
+    Ok(if is_word { upper } else { text.to_owned() })
 }
 
 /// A duration: whole milliseconds, as many as 32 bits hold.
@@ -190,7 +196,7 @@ fn duration(text: &str) -> Result<String, String> {
         is_plain &= !number.contains('.') && factor >= 1e6;
         nanoseconds += number
             .parse::<f64>()
-            .map_err(|_| format!("`{text}` is no duration"))?
+            .map_err(|_| format!("`{text}` is not a duration"))?
             * factor;
         rest = after;
     }
@@ -217,8 +223,7 @@ mod tests {
         assert_eq!(duration("-250MS"), Ok("T#-250ms".to_owned()));
         assert!(duration("1.5MS").is_err());
         assert!(duration("25D").is_err());
-        assert_eq!(literal("5s"), Ok(Some("T#5s".to_owned())));
-        assert_eq!(literal("-7"), Ok(Some("-7".to_owned())));
-        assert_eq!(literal("x"), Ok(None));
+        assert_eq!(literal("5s"), Ok("T#5s".to_owned()));
+        assert_eq!(literal("-7"), Ok("-7".to_owned()));
     }
 }

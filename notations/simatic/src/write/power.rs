@@ -1,6 +1,7 @@
 //! The power of blocks of one's own. There a block without power does not run, and no body has `EN` and `ENO` as variables:
 //! a block that runs all the same is called from the rail, with the power as an input and an output.
 
+use crate::model::Part;
 use ladder_analysis::program::{Network, Program, Step, UserBlock};
 use ladder_notation::guard::{is_guarded, uses};
 use std::collections::HashMap;
@@ -24,24 +25,21 @@ pub(super) enum Power {
     },
 }
 
-/// How each block comes by its power.
-pub(super) fn powers(program: &Program) -> Vec<Power> {
-    let of = |block: &UserBlock| {
-        if is_guarded(program, block) {
-            return Power::Guarded;
-        }
-        let networks = &program.networks[block.networks.clone()];
-        let writes = uses(networks, block.eno);
-        Power::Given {
-            reads: writes || uses(networks, block.en),
-            writes,
-        }
-    };
-    program.blocks.iter().map(of).collect()
+/// How a block comes by its power.
+pub(super) fn power(program: &Program, block: &UserBlock) -> Power {
+    if is_guarded(program, block) {
+        return Power::Guarded;
+    }
+    let networks = &program.networks[block.networks.clone()];
+    let writes = uses(networks, block.eno);
+    Power::Given {
+        reads: writes || uses(networks, block.en),
+        writes,
+    }
 }
 
-/// What stands for blocks of a network, as it is written.
-pub(super) type Stands = HashMap<usize, String>;
+/// What stands for blocks of a network.
+pub(super) type Stands = HashMap<usize, Part>;
 
 /// A network in two, parted at a step that calls a block.
 pub(super) struct Parted {

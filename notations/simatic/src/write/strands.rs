@@ -12,12 +12,6 @@ pub(super) struct Wiring {
     pub(super) blocks: Vec<usize>,
 }
 
-/// A network.
-#[derive(Debug)]
-pub(super) struct Wires {
-    pub(super) wires: Vec<Wiring>,
-}
-
 struct Edge {
     from: usize,
     to: usize,
@@ -29,7 +23,7 @@ struct Edge {
 /// # Errors
 ///
 /// If no power reaches a block, or a label stands where a document cannot have it.
-pub(super) fn of(network: &Network) -> Result<Wires, String> {
+pub(super) fn of(network: &Network) -> Result<Vec<Wiring>, String> {
     let mut points: Vec<Option<usize>> = Vec::with_capacity(network.steps.len());
     let mut edges: Vec<Edge> = Vec::new();
     let mut is_marked = false;
@@ -69,9 +63,7 @@ pub(super) fn of(network: &Network) -> Result<Wires, String> {
             },
         });
     }
-    Ok(Wires {
-        wires: wires(&mut edges, network.steps.len() + 1),
-    })
+    Ok(wires(&mut edges, network.steps.len() + 1))
 }
 
 /// Edges as wires, each as long as nothing joins it or parts from it.

@@ -1,12 +1,9 @@
 //! Unread parts: networks in SCL are written as the text that they were, all others are not written.
 
-use super::Writer;
-use super::operand::Tags;
-use super::unit::Unit;
+use super::tags::Tags;
 use ladder_analysis::program::{BlockKind, Network};
 use ladder_notation::foreign_text_of;
 use ladder_syntax::Parse;
-use std::collections::HashMap;
 use std::ops::Range;
 
 /// The text of an unread part. None: the definition on these lines is none.
@@ -22,36 +19,24 @@ pub(super) fn text_of(parse: &Parse, lines: Range<usize>, said: &[String]) -> Op
     })
 }
 
-/// The unread parts of a program.
-pub(super) fn parts(units: &[Unit]) -> HashMap<String, Result<String, String>> {
-    let parts = units
-        .iter()
-        .filter_map(|unit| Some((unit.name.to_lowercase(), unit.unread.clone()?)));
-    parts.collect()
-}
-
-impl Writer<'_> {
-    /// The text of a network in SCL. None: nothing in it is unread.
-    pub(super) fn in_scl(&self, network: &Network, tags: &Tags) -> Option<Result<String, String>> {
-        let unread = network.blocks.iter().find_map(|block| match block.kind {
-            BlockKind::User(user) => self
-                .unread
-                .get(&self.program.blocks[user].name[1..].to_lowercase()),
-            BlockKind::Instruction(_) => None,
-        })?;
-        Some(unread.clone().and_then(|text| {
-            if network.blocks.len() > 1 {
-                return Err("a text in SCL is a network of its own".to_owned());
-            }
-            if let Some(name) = names(&text).find(|name| !tags.contains_key(&name.to_lowercase())) {
-                return Err(format!(
-                    "its text in SCL names `#{name}`, which the block does not declare"
-                ));
-            }
-            let lines = text.lines().map(|line| format!("        {line}\r\n"));
-            Ok(lines.collect())
-        }))
-    }
+/// The text of a network in SCL. None: nothing in it is unread.
+pub(super) fn in_scl(network: &Network, tags: &Tags<'_>) -> Option<Result<String, String>> {
+    let project = tags.project;
+    let unread = network.blocks.iter().find_map(|block| match block.kind {
+        BlockKind::User(user) => project.source(user)?.unread.as_ref(),
+        BlockKind::Instruction(_) => None,
+    })?;
+    Some(unread.clone().and_then(|text| {
+        if network.blocks.len() > 1 {
+            return Err("a text in SCL is a network of its own".to_owned());
+        }
+        if let Some(name) = names(&text).find(|name| tags.known(name).is_none()) {
+            return Err(format!(
+                "its text in SCL names `#{name}`, which the block does not declare"
+            ));
+        }
+        Ok(text)
+    }))
 }
 
 /// The names of variables of the block in a text: `#speed`, `#"speed 2"`.

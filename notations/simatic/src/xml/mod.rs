@@ -7,9 +7,11 @@ use crate::cursor::{Cursor, Result};
 use crate::model::{Kind, Role, Type, Unit, Variable};
 use crate::read::resource::Texts;
 use crate::read::type_of;
+use crate::scope::plain;
 use ladder_notation::xml::{Element, Xml};
 use ladder_notation::{Lines, ReadError};
 use roxmltree::Node;
+use std::collections::HashMap;
 
 /// Structures nest no deeper.
 const DEEPEST: usize = 16;
@@ -170,10 +172,61 @@ fn member(xml: &Xml<'_>, node: Node<'_, '_>, role: Role, depth: usize) -> Result
         name: node.attribute("Name").unwrap_or_default().to_owned(),
         role,
         retain: node.attribute("Remanence") == Some("Retain"),
+        initial: text("StartValue").or_else(|| of_elements(node, &ty)),
         ty,
-        initial: text("StartValue"),
         comment: text("Comment"),
     })
+}
+
+/// An array with more elements has no first values.
+const MOST_ELEMENTS: usize = 10_000;
+
+/// The first values of an array, row by row, from those of its elements: `<Subelement Path="0,1">`
+fn of_elements(node: Node<'_, '_>, ty: &Type) -> Option<String> {
+    let Type::Array(bounds, of) = ty else { return None };
+    let values: HashMap<&str, String> = node
+        .children_of("Subelement")
+        .filter_map(|element| Some((element.attribute("Path")?, element.child("StartValue")?.words())))
+        .collect();
+    let zero = match plain(of)? {
+        "BOOL" => "FALSE",
+        "TIME" => "T#0ms",
+        "STRING" => "''",
+        "REAL" | "LREAL" => "0.0",
+        "DATE" => "D#1990-01-01",
+        "TOD" => "TOD#00:00:00",
+        "DT" => "DT#1990-01-01-00:00:00",
+        _ => "0",
+    };
+    if values.is_empty() {
+        return None;
+    }
+    let mut paths = element_paths(bounds)?;
+    while paths.pop_if(|path| !values.contains_key(path.as_str())).is_some() {}
+    let all = paths
+        .iter()
+        .map(|path| values.get(path.as_str()).map_or(zero, String::as_str));
+    Some(format!("[{}]", all.collect::<Vec<&str>>().join(", ")))
+}
+
+/// The indices of each element of an array, row by row: `0,1`. None: it has too many, or bounds that are names.
+pub(crate) fn element_paths(bounds: &[(String, String)]) -> Option<Vec<String>> {
+    let mut paths = vec![String::new()];
+    for (low, high) in bounds {
+        let (low, high): (i64, i64) = (low.parse().ok()?, high.parse().ok()?);
+        let count = usize::try_from(high.checked_sub(low)?.checked_add(1)?).ok()?;
+        if paths.len().checked_mul(count)? > MOST_ELEMENTS {
+            return None;
+        }
+        let with = |path: &String| -> Vec<String> {
+            let comma = if path.is_empty() { "" } else { "," };
+            (low..=high)
+                .map(|index| format!("{path}{comma}{index}"))
+                .collect()
+        };
+        paths = paths.iter().flat_map(with).collect();
+    }
+    Some(paths)
 }
 
 /// An array of empty structures as one of this.

@@ -4,7 +4,7 @@ use super::access;
 use crate::model::{
     Argument, Body, MOST_PARTS, Net, Network, Part, RAIL, Role, Type, Unit, Value, Variable, Wire,
 };
-use crate::standard::{of_xml, power_pins};
+use crate::standard::{of_xml, pin_here, power_pins};
 use ladder_notation::LineColumn;
 use ladder_notation::xml::{Element, Xml};
 use roxmltree::Node;
@@ -196,8 +196,9 @@ impl Reader {
     }
 
     fn give(&mut self, part: usize, pin: &str, value: Value, is_output: bool) {
-        self.parts[part].part.arguments.push(Argument {
-            pin: Some(pin.to_owned()),
+        let part = &mut self.parts[part].part;
+        part.arguments.push(Argument {
+            pin: Some(pin_here(&part.name, pin).to_owned()),
             value,
             is_output,
         });
@@ -374,9 +375,7 @@ fn part(place: LineColumn, node: Node<'_, '_>) -> Drawn {
             )
         })
         .collect();
-    if let Some(formula) = node.child("Equation") {
-        part.templates.push(("expression".to_owned(), formula.words()));
-    }
+    part.formula = node.child("Equation").map(|formula| formula.words());
     let (enters, leaves) = power_pins(name);
     let is_or = name == "O";
     let leaves = if is_or { "out" } else { leaves };

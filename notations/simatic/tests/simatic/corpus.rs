@@ -1,7 +1,9 @@
 //! Real blocks.
 
-use super::{errors, read, read_xml, remarks};
-use ladder_notation::Companion;
+use super::{analysis, errors, read, read_xml, remarks};
+use ladder_notation::{Companion, Notation};
+use ladder_notation_simatic::SimaticMl;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 fn corpus() -> Option<PathBuf> {
@@ -90,5 +92,33 @@ fn both_forms_of_a_block_are_one_program() {
             return;
         };
         assert_eq!(read_xml(&export).written.text, document);
+    }
+}
+
+/// How often each part and each wired pin is in an export.
+fn parts_and_pins(export: &str) -> BTreeMap<&str, usize> {
+    let mut counts = BTreeMap::new();
+    for element in export.split('<') {
+        let is_part = element.starts_with("Part ") || element.starts_with("Call ");
+        let is_other = ["NameCon ", "TemplateValue ", "Negated ", "OpenCon "]
+            .iter()
+            .any(|name| element.starts_with(name));
+        if is_part || is_other {
+            let name = element.split("Name=\"").nth(1).and_then(|rest| rest.split('"').next());
+            *counts.entry(name.unwrap_or_default()).or_default() += 1;
+        }
+    }
+    counts
+}
+
+#[test]
+fn what_an_export_becomes_is_written_as_it_was() {
+    for name in ["MCPVerify_FC_LAD.xml", "MCPVerify_FB_LAD_v3.xml"] {
+        let Some(export) = text(name) else { return };
+        let ladder = read_xml(&export).written.text;
+        let writing = SimaticMl.write(&analysis(&ladder)).expect("it has no errors");
+        let written = String::from_utf8(writing.bytes).expect("it is text");
+        assert_eq!(parts_and_pins(&written), parts_and_pins(&export), "{name}");
+        assert_eq!(read_xml(&written).written.text, ladder, "{name}");
     }
 }

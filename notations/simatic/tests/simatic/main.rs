@@ -18,18 +18,22 @@ fn read(text: &str, companions: Vec<Companion>) -> Converted {
 
 /// The same of a file with this name.
 fn read_as(name: &str, text: &str, companions: Vec<Companion>) -> Converted {
+    read_with(&Simatic, name, text, companions)
+}
+
+/// The same of a file in this notation.
+fn read_with(notation: &dyn Notation, name: &str, text: &str, companions: Vec<Companion>) -> Converted {
     let source = Source {
         name: name.into(),
         bytes: text.as_bytes(),
         companions,
     };
-    convert(&Simatic, &source, &Options::default()).unwrap_or_else(|error| panic!("{error}\n{text}"))
+    convert(notation, &source, &Options::default()).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
 /// What a file of SimaticML becomes.
 fn read_xml(text: &str) -> Converted {
-    let source = Source::alone("block", text.as_bytes());
-    convert(&SimaticMl, &source, &Options::default()).unwrap_or_else(|error| panic!("{error}"))
+    read_with(&SimaticMl, "block", text, Vec::new())
 }
 
 /// The report in lines.

@@ -1,17 +1,19 @@
-//! Programs of any wiring as SIMATIC source documents, and back.
+//! Programs of any wiring as SIMATIC source documents and as SimaticML, and back.
 
 use ladder_analysis::analyze;
 use ladder_format::Options;
 use ladder_invariants::generator::{Mode, program};
 use ladder_invariants::trace::{Stimulus, next_to};
-use ladder_notations::{Source, Writing, by_name, convert};
+use ladder_notations::{Notation, Source, Writing, by_name, convert};
 use ladder_syntax::parse;
 use std::sync::Arc;
 
-/// Any wiring and any instruction: what is written without a remark does the same when it is read, and is written the same again.
+/// Any wiring and any instruction: what is written without a remark does the same when it is read, and is written the same again. As
+/// SimaticML it is the same program.
 #[test]
 fn simatic_says_what_it_cannot() {
     let notation = by_name("simatic").expect("the notation is registered");
+    let export = by_name("simaticml").expect("the notation is registered");
     let mut written = 0;
     for seed in 0..400 {
         let mode = [Mode::Boolean, Mode::Boolean, Mode::Sensible, Mode::Wild][seed as usize % 4];
@@ -20,44 +22,52 @@ fn simatic_says_what_it_cannot() {
         let Ok(writing) = notation.write(&analysis) else {
             continue;
         };
-        let is_whole = writing.report.remarks().next().is_none();
-        let read = |writing: Writing| {
-            let shown = String::from_utf8_lossy(&writing.bytes).into_owned();
-            let source = Source {
-                companions: writing.companions,
-                ..Source::alone("test", &writing.bytes)
-            };
-            let back = convert(notation, &source, &Options::default());
-            (
-                back.unwrap_or_else(|error| panic!("{error}\n{shown}\nof\n{text}"))
-                    .written
-                    .text,
-                shown,
-            )
-        };
-        let (ladder, shown) = read(writing);
+        let remarks = |writing: &Writing| writing.report.remarks().cloned().collect::<Vec<_>>();
+        let said = remarks(&writing);
+        let (ladder, shown) = read(notation, writing, &text);
+        let writing = export.write(&analysis).expect("it is written as a document");
+        let said_there = remarks(&writing);
+        let (ladder_there, shown_there) = read(export, writing, &text);
+        if said == said_there {
+            let there = drawn(&ladder_there);
+            assert_eq!(there, drawn(&ladder), "{shown_there}\nand\n{shown}\nof\n{text}");
+        }
         let analysis = analyze(&Arc::new(parse(&ladder)), "test.clad");
         let errors: Vec<&str> = analysis.errors().map(|error| error.message.as_str()).collect();
-        if is_whole {
+        if said.is_empty() {
             written += 1;
+            assert_eq!(said_there, [], "{text}");
             assert!(errors.is_empty(), "{errors:?}\n{ladder}\nof\n{shown}\nof\n{text}");
             let different = next_to(&text, &ladder, Stimulus { seed, scans: 60 });
             assert_eq!(different, None, "{ladder}\nof\n{shown}\nof\n{text}");
             let again = notation.write(&analysis).expect("it was written once");
-            let (same, shown) = read(again);
-            // The states of functions are declared in a section of their own: where it is does not matter.
-            let drawn = |text: &str| {
-                let lines = text
-                    .lines()
-                    .filter(|line| !line.is_empty() && !line.starts_with('#'));
-                let (rungs, mut rest): (Vec<_>, Vec<_>) =
-                    lines.partition(|line| line.starts_with(['+', '|']));
-                rest.sort_unstable();
-                (rungs.join("\n"), rest.join("\n"))
-            };
+            let (same, shown) = read(notation, again, &text);
             assert_eq!(drawn(&same), drawn(&ladder), "{shown}\nof\n{text}");
         }
     }
     println!("{written} of 400 programs without a remark");
     assert!(written > 80, "{written}");
+}
+
+/// What is written of a text, read again, and as it is written.
+fn read(notation: &'static dyn Notation, writing: Writing, text: &str) -> (String, String) {
+    let shown = String::from_utf8_lossy(&writing.bytes).into_owned();
+    let source = Source {
+        companions: writing.companions,
+        ..Source::alone("test", &writing.bytes)
+    };
+    let back = convert(notation, &source, &Options::default());
+    let back = back.unwrap_or_else(|error| panic!("{error}\n{shown}\nof\n{text}"));
+    (back.written.text, shown)
+}
+
+/// The rungs of a text and what it declares, without what is said. The states of functions are declared in a section of their own: where
+/// it is does not matter.
+fn drawn(text: &str) -> (String, String) {
+    let lines = text
+        .lines()
+        .filter(|line| !line.is_empty() && !line.starts_with('#'));
+    let (rungs, mut rest): (Vec<_>, Vec<_>) = lines.partition(|line| line.starts_with(['+', '|']));
+    rest.sort_unstable();
+    (rungs.join("\n"), rest.join("\n"))
 }

@@ -1,23 +1,38 @@
 //! XML as text: elements with their attributes, indented.
 
-use ladder_notation::xml::escape;
+use super::escape;
 
 /// A document on its way.
 #[derive(Debug, Default)]
-pub(super) struct Xml {
+pub struct XmlText {
     out: String,
     depth: usize,
 }
 
-impl Xml {
-    pub(super) fn start() -> Xml {
-        Xml {
+impl XmlText {
+    /// A document without anything in it.
+    pub fn start() -> XmlText {
+        XmlText {
             out: "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n".to_owned(),
             depth: 0,
         }
     }
 
-    pub(super) fn finish(self) -> String {
+    /// A piece that is appended to a document later, so deep within it.
+    pub fn within(depth: usize) -> XmlText {
+        XmlText {
+            depth,
+            ..XmlText::default()
+        }
+    }
+
+    /// Appends a piece.
+    pub fn append(&mut self, piece: &XmlText) {
+        self.out.push_str(&piece.out);
+    }
+
+    /// The text of it.
+    pub fn finish(self) -> String {
         self.out
     }
 
@@ -35,14 +50,14 @@ impl Xml {
     }
 
     /// An element with nothing in it.
-    pub(super) fn empty(&mut self, name: &str, attributes: &[(&str, &str)]) {
+    pub fn empty(&mut self, name: &str, attributes: &[(&str, &str)]) {
         self.begin(name, attributes);
         self.out.push_str("/>\n");
     }
 
     /// An element with a text in it.
-    pub(super) fn words(&mut self, name: &str, words: &str) {
-        self.begin(name, &[]);
+    pub fn words(&mut self, name: &str, attributes: &[(&str, &str)], words: &str) {
+        self.begin(name, attributes);
         self.out.push('>');
         escape(&mut self.out, words);
         self.out.push_str("</");
@@ -51,7 +66,7 @@ impl Xml {
     }
 
     /// An element with others in it.
-    pub(super) fn around(&mut self, name: &str, attributes: &[(&str, &str)], inside: impl FnOnce(&mut Xml)) {
+    pub fn around(&mut self, name: &str, attributes: &[(&str, &str)], inside: impl FnOnce(&mut XmlText)) {
         self.begin(name, attributes);
         self.out.push_str(">\n");
         self.depth += 1;
