@@ -226,7 +226,7 @@ pub(crate) const ROWS: &[Row] = &[
     row(&["Calculate"], &["Calc"], Form::Calculate, SRC),
     row(&["JumpCoil"], &["Jump"], Form::Jump { negated: false }, None),
     row(&["I_JumpCoil"], &["JumpNot"], Form::Jump { negated: true }, None),
-    row(&["ReturnCoil", "Return", "ReturnTrue", "ReturnFalse"], &["Return"], Form::Return, None),
+    row(&["Return", "ReturnCoil", "ReturnTrue", "ReturnFalse"], &["Return"], Form::Return, None),
 ];
 
 /// The instruction of a name in a source document. Upper and lower case make a difference there, and people forget it: only

@@ -104,7 +104,10 @@ fn parts_and_pins(export: &str) -> BTreeMap<&str, usize> {
             .iter()
             .any(|name| element.starts_with(name));
         if is_part || is_other {
-            let name = element.split("Name=\"").nth(1).and_then(|rest| rest.split('"').next());
+            let name = element
+                .split("Name=\"")
+                .nth(1)
+                .and_then(|rest| rest.split('"').next());
             *counts.entry(name.unwrap_or_default()).or_default() += 1;
         }
     }

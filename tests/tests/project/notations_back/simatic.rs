@@ -29,8 +29,9 @@ fn simatic_says_what_it_cannot() {
         let said_there = remarks(&writing);
         let (ladder_there, shown_there) = read(export, writing, &text);
         if said == said_there {
-            let there = drawn(&ladder_there);
-            assert_eq!(there, drawn(&ladder), "{shown_there}\nand\n{shown}\nof\n{text}");
+            // First values are written one by one there.
+            let (rungs, _) = drawn(&ladder_there);
+            assert_eq!(rungs, drawn(&ladder).0, "{shown_there}\nand\n{shown}\nof\n{text}");
         }
         let analysis = analyze(&Arc::new(parse(&ladder)), "test.clad");
         let errors: Vec<&str> = analysis.errors().map(|error| error.message.as_str()).collect();
@@ -40,6 +41,8 @@ fn simatic_says_what_it_cannot() {
             assert!(errors.is_empty(), "{errors:?}\n{ladder}\nof\n{shown}\nof\n{text}");
             let different = next_to(&text, &ladder, Stimulus { seed, scans: 60 });
             assert_eq!(different, None, "{ladder}\nof\n{shown}\nof\n{text}");
+            let different = next_to(&text, &ladder_there, Stimulus { seed, scans: 60 });
+            assert_eq!(different, None, "{ladder_there}\nof\n{shown_there}\nof\n{text}");
             let again = notation.write(&analysis).expect("it was written once");
             let (same, shown) = read(notation, again, &text);
             assert_eq!(drawn(&same), drawn(&ladder), "{shown}\nof\n{text}");

@@ -1,6 +1,7 @@
 //! Units as SimaticML, the XML that the Openness of TIA Portal exports and imports.
 
 mod access;
+mod graph;
 mod network;
 
 use super::Made;

@@ -48,7 +48,7 @@ fn calls_jumps_and_counters() {
          +--[ ]( on )--[$Watch]( m, 3, alarm )--<JMP>( end )--+\n\n\
          +--[ ]( w.3 )--[CTUD]( c, 4, R := on )--(S)( bits[2..4] )--+\n\n\
          +--[ ]( SYS.FIRST_SCAN )--\\--(RES)( t )--+\n|                         /--[LIMIT]( n, 1, n, 9 )--[SEL]( n, on, n, 0 )--+\n\n\
-         +--<LBL>( end )--[ ]( %IX0.3 )--[OSR]--(/)( alarm )--+\n\n+--[NOT]--( )( alarm )--+\n",
+         +--<LBL>( end )--[ ]( %IX0.3 )--[OSR]--(/)( alarm )--+\n\n+--[NOT]--( )( alarm )--+\n\n+--[ ]( on )--<RET>--+\n",
         expect_file!["exports/calls.xml"],
     );
 }

@@ -115,7 +115,7 @@ fn a_program_is_a_function_block() {
 fn what_has_no_form_is_refused_with_its_place() {
     check(
         "VAR\n    a, b, y : BOOL;\n    c : CTC;\n    k : SR;\n    s : STRING[9];\nEND_VAR\n\n+--[ ]( a )--(S)( y )--( )( b )--+\n\n+--[NOT]--( )( y )--+\n\n+--[ ]( a )--<END>--+\n\n+--[ ]( a )--[CTC]( c, 4 )--( )( y )--+\n\n\
-         +--[ ]( a )--\\--( )( b )--+\n|            /--<JMP>( on )--+\n\n+--<LBL>( on )--[ ]( b )--( )( y )--+\n\n+--[ ]( a )--[LEN]( y2, s )--+\n",
+         +--[ ]( a )--\\--( )( b )--+\n|            /--<JMP>( on )--+\n\n+--<LBL>( on )--[ ]( b )--( )( y )--+\n\n+--[ ]( a )--[LEN]( y2, s )--+\n\n+--[ ]( a )--<RET>--+\n",
         expect![[r#"
             {
                 S7_Optimized := "TRUE";
@@ -183,6 +183,15 @@ fn what_has_no_form_is_refused_with_its_place() {
                 }
                 NETWORK
                     // +--[ ]( a )--[LEN]( y2, s )--+
+                END_NETWORK
+                {
+                    S7_Language := "LAD"
+                }
+                NETWORK
+                    RUNG wire#powerrail
+                        Contact( #"a" )
+                        Return( )
+                    END_RUNG
                 END_NETWORK
             END_FUNCTION_BLOCK
             3:1 tag `c`: Refused("`c` cannot be declared: `CTC` has no form there")
