@@ -189,6 +189,23 @@ impl Expression {
         }
     }
 
+    /// The expression with other operands and arguments; a tag has none.
+    #[must_use]
+    pub fn map_inner(self, with: &mut impl FnMut(Expression) -> Expression) -> Expression {
+        match self {
+            Expression::Literal(_) | Expression::Path(_) => self,
+            Expression::Unary(sign, inner) => Expression::Unary(sign, Box::new(with(*inner))),
+            Expression::Group(inner) => Expression::Group(Box::new(with(*inner))),
+            Expression::Binary(operator, left, right) => {
+                let left = with(*left);
+                Expression::Binary(operator, Box::new(left), Box::new(with(*right)))
+            }
+            Expression::Call(name, arguments) => {
+                Expression::Call(name, arguments.into_iter().map(with).collect())
+            }
+        }
+    }
+
     /// How tightly it holds together.
     const fn binding(&self) -> u8 {
         match self {

@@ -3,6 +3,7 @@
 
 mod block;
 mod expression;
+mod of_text;
 mod path;
 mod read;
 mod write;
@@ -36,6 +37,8 @@ pub enum Item {
     Blank,
     /// Ladder text as it is: types, or the definition of a block.
     Text(String),
+    /// A line of ladder text as it is, and what it was made from.
+    Kept(String, Origin),
     /// `VAR` .. `END_VAR`, or `TYPE` .. `END_TYPE`
     Section(Section),
     /// A network.

@@ -27,14 +27,15 @@ impl Block {
         let mut blocks = NodeView::root(&tree).children().filter_map(ast::Block::cast);
         match (blocks.next(), blocks.next()) {
             (Some(block), None) if usize::from(block.range().len()) == text.trim().len() => {
-                of(block).ok_or_else(why)?
+                block_of(block).ok_or_else(why)?
             }
             _ => Err(why()),
         }
     }
 }
 
-fn of(block: ast::Block<'_>) -> Option<Result<Block, Invalid>> {
+/// A block of a tree. None: it lacks something.
+pub(super) fn block_of(block: ast::Block<'_>) -> Option<Result<Block, Invalid>> {
     let operands: Option<Vec<Operand>> = block.operands().map(operand).collect();
     let operands = operands?;
     let shape = match block.shape() {

@@ -35,8 +35,13 @@ impl WrittenProgram {
 
     /// What the text at an offset was made from, if it was made from anything.
     pub fn origin_around(&self, offset: TextSize) -> Option<Origin> {
-        let (range, origin) = self.nearest(offset)?;
-        range.contains(offset).then_some(*origin)
+        self.place_around(offset).map(|(_, origin)| origin)
+    }
+
+    /// The place that an offset is in.
+    pub fn place_around(&self, offset: TextSize) -> Option<(TextRange, Origin)> {
+        let place = self.nearest(offset).copied();
+        place.filter(|(range, _)| range.contains(offset))
     }
 
     /// The last place that begins at an offset or before it.
@@ -100,6 +105,10 @@ impl Writer {
                 Item::Directive(text) => self.line(&format!("# ladder: {} #", text.replace('#', ""))),
                 Item::Blank => self.line(""),
                 Item::Text(text) => self.line(text.trim_end()),
+                Item::Kept(text, origin) => {
+                    self.noted(Some(*origin), |out| out.push_str(text));
+                    self.line("");
+                }
                 Item::Section(section) => self.section(section),
                 Item::Network(network) => self.network(network),
                 Item::Block { header, items } => {

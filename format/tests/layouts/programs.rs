@@ -204,3 +204,41 @@ fn an_offset_leads_back_to_its_origin() {
     assert_eq!(at("+--[ ]( b )"), Some(3), "in the rail before it");
     assert_eq!(written.origin_at((written.text.len() as u32).into()), Some(4));
 }
+
+#[test]
+fn a_text_as_a_sketch() {
+    let text = r"# ladder: profile iec #
+VAR_INPUT
+    a, b : BOOL;  # both doors #
+END_VAR
+
+|  # Above. #  |
++--\--[ ]( a )--# relay #--\--( )( y )--+  # behind #
+|  /--[ ]( b )-------------/            |
+";
+    let sketch = ProgramSketch::of_text(&ladder_syntax::parse(text));
+    check(
+        sketch.items,
+        expect![[r#"
+        # ladder: profile iec #
+        VAR_INPUT
+            a, b : BOOL;  # both doors #
+        END_VAR
+
+        # Above. #
+        # behind #
+        +--\--[ ]( a )--# relay #--\-----------------------------------------( )( y )--+
+        |  /--[ ]( b )-------------/                                                   |
+        0: # ladder: profile iec #
+        24: VAR_INPUT
+        38: a, b : BOOL;  # both doors #
+        67: END_VAR
+        79: # Above. #
+        136: # behind #
+        99: [ ]( a )
+        109: # relay #
+        123: ( )( y )
+        153: [ ]( b )
+    "#]],
+    );
+}

@@ -1,5 +1,6 @@
 //! What formatting keeps of a text, and what it leaves out.
 
+use ladder_format::program::ProgramSketch;
 use ladder_format::{Options, apply, format, format_text};
 use ladder_syntax::wiring::{PartKind, wiring};
 use ladder_syntax::{NodeOrToken, Parse, SyntaxKind, parse};
@@ -34,6 +35,44 @@ pub(crate) fn check_with(text: &str, options: &Options) {
         !new.contains(" \n") || text.contains(" \n"),
         "blanks at a line end"
     );
+    // What is only drawn wrong is an error of the analysis.
+    let is_stray = drawing(&after, &new).concat().contains(" Stray");
+    if errors(&after).is_empty() && !is_stray && !new.contains(['#', '\u{feff}']) {
+        check_sketch(&new, &after);
+    }
+}
+
+/// Checks that a text without errors and comments is drawn again by its sketch.
+fn check_sketch(text: &str, before: &Parse) {
+    let written = ProgramSketch::of_text(before).write(&Options::default());
+    let after = parse(&written.text);
+    let shown = || format!("{text}\n=>\n{}", written.text);
+    // Empty lists have no form of their own.
+    let sorted = |parse: &Parse| {
+        let mut words = words(parse);
+        words.retain(|(kind, _)| !matches!(kind, SyntaxKind::L_PAREN | SyntaxKind::R_PAREN));
+        words.sort();
+        words
+    };
+    assert_eq!(sorted(before), sorted(&after), "words changed\n{}", shown());
+    let joined = |parse: &Parse, text: &str| {
+        let drawn = drawing(parse, text).join("\n");
+        drawn.replace("()", "").replace(" Wire -", "")
+    };
+    assert_eq!(
+        joined(before, text),
+        joined(&after, &written.text),
+        "wiring changed\n{}",
+        shown()
+    );
+    assert!(errors(&after).is_empty(), "errors\n{}", shown());
+    for (range, origin) in written.places {
+        assert!(
+            text[origin as usize..].starts_with(written.text[range].chars().next().unwrap_or_default()),
+            "{}",
+            shown()
+        );
+    }
 }
 
 /// All that may not change: every token but white space, wires and `|`, in capitals where letters may change.

@@ -4,7 +4,7 @@ use super::checks::{self, Words};
 use super::python_name::python_name;
 use super::{dsl, grid, model, nicknames, order, read_back, sketch};
 use ladder_analysis::{Analysis, Severity};
-use ladder_notation::{Finding, Notation, Outcome, ReadError, Reading, Source, WriteError, Writing};
+use ladder_notation::{Finding, Notation, Outcome, ReadError, Reading, Source, Target, WriteError, Writing};
 
 /// The Python DSL.
 #[derive(Debug)]
@@ -52,17 +52,19 @@ impl Notation for Click {
     }
 
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
-        let (mut program, mut report) = read_back::program(analysis)?;
-        order::remarks(&program, order::Look::InPlace, &mut report);
-        let text = dsl::write(&program, &mut report);
-        report.entries.sort_by_key(|entry| entry.place);
-        for nickname in &mut program.nicknames {
-            nickname.name = python_name(&nickname.name);
-        }
-        Ok(Writing {
-            bytes: text.into_bytes(),
-            companions: nicknames::companion(&program.nicknames).into_iter().collect(),
-            report,
+        Target::SERIES_AND_BRANCHES.write(analysis, |analysis, _| {
+            let (mut program, mut report) = read_back::program(analysis)?;
+            order::remarks(&program, order::Look::InPlace, &mut report);
+            let text = dsl::write(&program, &mut report);
+            report.entries.sort_by_key(|entry| entry.place);
+            for nickname in &mut program.nicknames {
+                nickname.name = python_name(&nickname.name);
+            }
+            Ok(Writing {
+                bytes: text.into_bytes(),
+                companions: nicknames::companion(&program.nicknames).into_iter().collect(),
+                report,
+            })
         })
     }
 }
@@ -101,14 +103,16 @@ impl Notation for ClickGrid {
     }
 
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
-        let (program, mut report) = read_back::program(analysis)?;
-        order::remarks(&program, order::Look::Before, &mut report);
-        let (text, companions) = grid::write(&program, &mut report);
-        report.entries.sort_by_key(|entry| entry.place);
-        Ok(Writing {
-            bytes: text.into_bytes(),
-            companions,
-            report,
+        Target::SERIES_AND_BRANCHES.write(analysis, |analysis, _| {
+            let (program, mut report) = read_back::program(analysis)?;
+            order::remarks(&program, order::Look::Before, &mut report);
+            let (text, companions) = grid::write(&program, &mut report);
+            report.entries.sort_by_key(|entry| entry.place);
+            Ok(Writing {
+                bytes: text.into_bytes(),
+                companions,
+                report,
+            })
         })
     }
 }

@@ -1,7 +1,11 @@
 //! The blocks of networks that were read.
 
+use ladder_analysis::context::Body;
 use ladder_format::Circuit;
-use ladder_format::program::{Block, Drawing, Element, Expression, Item, Network, Operand, Part, RungPiece};
+use ladder_format::program::{
+    Block, Declaration, Drawing, Element, Expression, Item, Network, Operand, Origin, Part, RungPiece,
+    Section, SectionKind,
+};
 use ladder_syntax::Name;
 use std::collections::HashMap;
 
@@ -67,26 +71,186 @@ fn in_circuit<'c>(circuit: &'c Circuit<Element>, found: &mut impl FnMut(&'c Bloc
     }
 }
 
-/// Changes each block on a rung.
-pub(crate) fn change(items: &mut [Item], with: &impl Fn(&mut Block)) {
-    let change_one = |element: &mut Element| {
-        if let Part::Block(block) = &mut element.part {
-            with(block);
-        }
-    };
-    for item in items {
-        match item {
-            Item::Block { items, .. } => change(items, with),
-            Item::Network(network) => match &mut network.drawing {
-                Drawing::Circuit(circuit) => circuit.for_each_mut(&mut |element| change_one(element)),
+/// Changes each block on a rung; it is handed in with the number of its network, in the order of the text.
+pub(crate) fn change(items: &mut [Item], with: &mut impl FnMut(usize, &mut Block)) {
+    fn go_on(items: &mut [Item], number: &mut usize, with: &mut impl FnMut(usize, &mut Block)) {
+        for item in items {
+            let network = match item {
+                Item::Block { items, .. } => {
+                    go_on(items, number, with);
+                    continue;
+                }
+                Item::Network(network) => network,
+                _ => continue,
+            };
+            let mut change_one = |element: &mut Element| {
+                if let Part::Block(block) = &mut element.part {
+                    with(*number, block);
+                }
+            };
+            match &mut network.drawing {
+                Drawing::Circuit(circuit) => circuit.for_each_mut(&mut change_one),
                 Drawing::Rungs(rungs) => rungs.iter_mut().flatten().for_each(|piece| {
                     if let RungPiece::Element(element) = piece {
                         change_one(element);
                     }
                 }),
-            },
+            }
+            *number += 1;
+        }
+    }
+    go_on(items, &mut 0, with);
+}
+
+/// The blocks on rungs by their origins.
+pub(crate) fn by_origin(items: &[Item]) -> HashMap<Origin, &Block> {
+    fn enter<'i>(items: &'i [Item], found: &mut HashMap<Origin, &'i Block>) {
+        for item in items {
+            match item {
+                Item::Block { items, .. } => enter(items, found),
+                Item::Network(Network {
+                    drawing: Drawing::Rungs(rungs),
+                    ..
+                }) => {
+                    for piece in rungs.iter().flatten() {
+                        if let RungPiece::Element(element) = piece
+                            && let (Some(block), Some(origin)) = (element.as_block(), element.origin)
+                        {
+                            found.insert(origin, block);
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+    let mut found = HashMap::new();
+    enter(items, &mut found);
+    found
+}
+
+/// Blocks in series in the place of those with some origins, which go on to them.
+pub(crate) type Replaced = HashMap<Origin, Vec<Block>>;
+
+/// Puts other blocks into the place of some. In that of a block without any is wire.
+pub(crate) fn replace(items: &mut [Item], by: &Replaced) {
+    for item in items {
+        match item {
+            Item::Block { items, .. } => replace(items, by),
+            Item::Network(Network {
+                drawing: Drawing::Rungs(rungs),
+                ..
+            }) => {
+                for rung in rungs {
+                    let pieces = std::mem::take(rung).into_iter();
+                    rung.extend(pieces.flat_map(|piece| {
+                        match &piece {
+                            RungPiece::Element(Element {
+                                origin: Some(origin), ..
+                            }) if by.contains_key(origin) => by[origin]
+                                .iter()
+                                .map(|block| RungPiece::Element(Element::of(block.clone(), Some(*origin))))
+                                .collect(),
+                            _ => vec![piece],
+                        }
+                    }));
+                }
+            }
             _ => {}
         }
+    }
+}
+
+/// A network of one rung, from rail to rail.
+pub(crate) fn rung(blocks: impl IntoIterator<Item = Block>, origin: Option<Origin>) -> Item {
+    let elements = blocks
+        .into_iter()
+        .map(|block| Circuit::Element(Element::of(block, origin)));
+    Item::Network(Network {
+        comments: Vec::new(),
+        drawing: Drawing::Circuit(Circuit::Series(elements.collect())),
+    })
+}
+
+/// What a pass does around a network.
+#[derive(Default)]
+pub(crate) struct Around {
+    /// Above it and its comments.
+    pub(crate) above: Vec<Item>,
+    pub(crate) below: Vec<Item>,
+    /// The network itself goes.
+    pub(crate) is_gone: bool,
+}
+
+/// Puts something around networks, which are numbered in the order of the text.
+pub(crate) fn put_around(items: &mut Vec<Item>, by: &mut HashMap<usize, Around>) {
+    fn put(items: &mut Vec<Item>, by: &mut HashMap<usize, Around>, number: &mut usize) {
+        for mut item in std::mem::take(items) {
+            if let Item::Block { items, .. } = &mut item {
+                put(items, by, number);
+            }
+            if !matches!(item, Item::Network(_)) {
+                items.push(item);
+                continue;
+            }
+            let around = by.remove(number).unwrap_or_default();
+            *number += 1;
+            let comments = items.iter().rev().take_while(|item| is_comment(item)).count();
+            let above = items.len() - comments;
+            items.splice(above..above, around.above);
+            items.extend((!around.is_gone).then_some(item));
+            items.extend(around.below);
+        }
+    }
+    put(items, by, &mut 0);
+}
+
+/// The comments in the wires of a network, on lines of their own.
+pub(crate) fn comments(items: &[Item], number: usize) -> Vec<Item> {
+    fn networks<'i>(items: &'i [Item], found: &mut Vec<&'i Network>) {
+        for item in items {
+            match item {
+                Item::Network(network) => found.push(network),
+                Item::Block { items, .. } => networks(items, found),
+                _ => {}
+            }
+        }
+    }
+    let mut found = Vec::new();
+    networks(items, &mut found);
+    let Some(Drawing::Rungs(rungs)) = found.get(number).map(|network| &network.drawing) else {
+        return Vec::new();
+    };
+    let comments = rungs.iter().flatten().filter_map(|piece| match piece {
+        RungPiece::Element(Element {
+            part: Part::Comment(text),
+            ..
+        }) => Some(Item::Comment(text.clone())),
+        _ => None,
+    });
+    comments.collect()
+}
+
+/// Whether a line of ladder text is a comment.
+pub(crate) fn is_comment(item: &Item) -> bool {
+    matches!(item, Item::Kept(line, _) if line.starts_with('#'))
+}
+
+/// Declares tags where the networks of a body see them.
+pub(crate) fn declare(items: &mut Vec<Item>, body: Body, declarations: Vec<Declaration>) {
+    let mut section = Section::new(SectionKind::Var);
+    section.declarations = declarations;
+    let blocks = items.iter_mut().filter_map(|item| match item {
+        Item::Block { items, .. } => Some(items),
+        _ => None,
+    });
+    match body {
+        Body::Block(block) => {
+            for items in blocks.skip(block).take(1) {
+                items.insert(0, Item::Section(section.clone()));
+            }
+        }
+        _ => items.extend([Item::Blank, Item::Section(section)]),
     }
 }
 

@@ -1,13 +1,13 @@
-//! Programs whose formulas call functions (`[CALC]( y, a + MIN(b, c * 2) )`), for systems whose formulas have others: what they call
-//! becomes an instruction of its own, in front of the formula, and tags hold the parts.
+//! Formulas that call functions (`[CALC]( y, a + MIN(b, c * 2) )`), for systems whose formulas have others: what they call becomes
+//! an instruction of its own, in front of the formula, and tags hold the parts.
 
-use crate::edited::{Edited, Edits, own_networks, write_edited};
-use crate::{WriteError, Writing};
+use crate::elements::{Replaced, by_origin, declare, replace};
+use crate::rewritten::own_networks;
 use ladder_analysis::Analysis;
 use ladder_analysis::context::Body;
 use ladder_analysis::program::{Argument, Block, BlockKind, Expr, ExprKind};
-use ladder_instructions::Op;
-use ladder_syntax::TextRange;
+use ladder_format::program::{self, Declaration, Expression, Operand, Path, ProgramSketch};
+use ladder_instructions::{Op, Shape};
 
 /// The comment on a tag for a part.
 const PART: &str = "a part of a formula";
@@ -15,144 +15,169 @@ const PART: &str = "a part of a formula";
 /// The functions. No other system has them in its formulas.
 const FUNCTIONS: [Op; 5] = [Op::Min, Op::Max, Op::Limit, Op::Sel, Op::Mux];
 
-/// Writes a program in whose formulas none of `MIN`, `MAX`, `LIMIT`, `SEL` and `MUX` is called.
-///
-/// # Errors
-///
-/// Those of `write`.
-pub fn with_calls_as_instructions(
-    analysis: &Analysis,
-    write: impl Fn(&Analysis) -> Result<Writing, WriteError>,
-) -> Result<Writing, WriteError> {
-    write_edited(analysis, by_instructions(analysis), &write)
-}
-
-fn by_instructions(analysis: &Analysis) -> Option<Edited> {
-    let text = analysis.context.parse.to_string();
-    let mut parts = Parts {
-        lower: text.to_lowercase(),
-        text: &text,
-        number: 0,
-        body: Body::Main,
-        edits: Edits::default(),
-    };
-    for (network, body) in own_networks(analysis)? {
-        parts.body = body;
-        for block in &network.blocks {
-            if let Some(instead) = parts.of(block) {
-                parts.edits.instead.push((block.location.range, instead));
-            }
-        }
-    }
-    if parts.edits.is_empty() {
+/// A program in whose formulas none of `MIN`, `MAX`, `LIMIT`, `SEL` and `MUX` is called. None: it has none of them.
+pub(crate) fn by_instructions(analysis: &Analysis) -> Option<ProgramSketch> {
+    let networks = own_networks(analysis)?;
+    let blocks = networks
+        .iter()
+        .flat_map(|(network, body)| network.blocks.iter().map(move |block| (block, *body)));
+    let formulas: Vec<(&Block, &Expr, Body)> = blocks
+        .filter_map(|(block, body)| Some((block, formula(block)?, body)))
+        .collect();
+    if formulas.is_empty() {
         return None;
     }
-    parts.edits.program(&analysis.context)
+    let mut sketch = ProgramSketch::of_text(&analysis.context.parse);
+    let drawn = by_origin(&sketch.items);
+    let mut parts = Parts {
+        text: analysis.context.parse.to_string().to_lowercase(),
+        number: 0,
+        declared: Vec::new(),
+    };
+    let (mut instead, mut declared) = (Replaced::new(), Vec::new());
+    for (block, formula, body) in formulas {
+        let at = block.location.range.start().into();
+        if let Some(chain) = drawn.get(&at).and_then(|drawn| parts.of(formula, drawn)) {
+            instead.insert(at, chain);
+            declared.push((body, std::mem::take(&mut parts.declared)));
+        }
+    }
+    replace(&mut sketch.items, &instead);
+    for (body, parts) in declared {
+        declare(&mut sketch.items, body, parts);
+    }
+    Some(sketch)
 }
 
-/// The mnemonic of an instruction, its result, and its other operands.
-type Instruction = (String, String, String);
+/// The formula of a block, if it calls one of the functions.
+fn formula(block: &Block) -> Option<&Expr> {
+    let BlockKind::Instruction(row) = block.kind else {
+        return None;
+    };
+    match (row.op, &block.arguments.get(1)?.argument) {
+        (Op::Calc, Argument::Value(formula)) => calls(formula).then_some(formula),
+        _ => None,
+    }
+}
 
 /// The parts of formulas.
-struct Parts<'t> {
-    text: &'t str,
-    lower: String,
+struct Parts {
+    /// The program in small letters.
+    text: String,
     number: usize,
-    /// What the network is in.
-    body: Body,
-    edits: Edits,
+    declared: Vec<Declaration>,
 }
 
-impl Parts<'_> {
-    /// What stands in the place of a formula that calls one of the functions.
-    fn of(&mut self, block: &Block) -> Option<String> {
-        let BlockKind::Instruction(row) = block.kind else {
+impl Parts {
+    /// What is in the place of a formula that calls one of the functions.
+    fn of(&mut self, formula: &Expr, drawn: &program::Block) -> Option<Vec<program::Block>> {
+        let [Operand::Value(to), Operand::Value(own)] = drawn.operands() else {
             return None;
         };
-        let [to, from] = &block.arguments[..] else {
-            return None;
-        };
-        let (Op::Calc, Argument::Value(formula)) = (row.op, &from.argument) else {
-            return None;
-        };
-        if !calls(formula) {
-            return None;
-        }
         let mut chain = Vec::new();
-        let to = self.text[to.range].trim().to_owned();
-        let value = self.text_of(formula, &mut chain);
+        let value = self.without_calls(formula, own.clone(), &mut chain)?;
+        chain.push(program::Block::of(Op::Calc, [to.clone(), value.clone()]).ok()?);
         // The value of the last call is that of the formula.
-        match chain.last_mut() {
-            Some((_, result, _)) if *result == value && matches!(formula.kind, ExprKind::Call(..)) => {
-                result.clone_from(&to);
-            }
-            _ => chain.push(("CALC".to_owned(), to, value)),
+        if let [.., last, _] = &chain[..]
+            && matches!(last.operands().first(), Some(Operand::Value(result)) if *result == value)
+        {
+            let operands =
+                std::iter::once(Operand::from(to.clone())).chain(last.operands()[1..].iter().cloned());
+            let last = program::Block::of(last.op()?, operands.collect::<Vec<_>>()).ok()?;
+            self.declared.pop();
+            chain.truncate(chain.len() - 2);
+            chain.push(last);
         }
-        let chain: Vec<String> = chain
-            .iter()
-            .map(|(name, result, operands)| format!("[{name}]( {result}, {operands} )"))
-            .collect();
-        Some(chain.join("--"))
+        Some(chain)
     }
 
-    /// An expression without these calls; the instructions in their place are added to the chain.
-    fn text_of(&mut self, formula: &Expr, chain: &mut Vec<Instruction>) -> String {
-        let own = &self.text[formula.range];
+    /// An expression without these calls; the instructions in their place are added to the chain. None: it is not drawn as it is meant.
+    fn without_calls(
+        &mut self,
+        formula: &Expr,
+        own: Expression,
+        chain: &mut Vec<program::Block>,
+    ) -> Option<Expression> {
         if !calls(formula) {
-            return own.to_owned();
+            return Some(own);
         }
-        if let ExprKind::Call(op, arguments) = &formula.kind
-            && FUNCTIONS.contains(op)
-        {
-            let name = own.split('(').next().unwrap_or_default().trim().to_uppercase();
-            let operands: Vec<String> = arguments
-                .iter()
-                .map(|argument| self.operand(argument, chain))
-                .collect();
-            return self.part(formula, name, operands.join(", "), chain);
-        }
-        let inner: Vec<&Expr> = match &formula.kind {
-            ExprKind::Call(_, arguments) => arguments.iter().collect(),
-            ExprKind::Pass(inner) | ExprKind::Unary(_, inner) => vec![inner],
-            ExprKind::Binary(_, left, right) | ExprKind::Compare(_, left, right) => vec![left, right],
-            _ => Vec::new(),
+        let (inner, own): (Vec<&Expr>, Expression) = match (&formula.kind, own) {
+            (ExprKind::Pass(inner), own) => return self.without_calls(inner, own, chain),
+            (_, Expression::Group(own)) => {
+                let inner = self.without_calls(formula, *own, chain)?;
+                return Some(match inner {
+                    Expression::Path(_) => inner,
+                    inner => Expression::Group(Box::new(inner)),
+                });
+            }
+            (ExprKind::Call(op, arguments), Expression::Call(name, own)) if FUNCTIONS.contains(op) => {
+                let operands = arguments.iter().zip(own);
+                let operands: Option<Vec<Expression>> = operands
+                    .map(|(argument, own)| self.operand(argument, own, chain))
+                    .collect();
+                return self.part(formula, &name, operands?, chain);
+            }
+            (ExprKind::Call(_, arguments), own @ Expression::Call(..)) => (arguments.iter().collect(), own),
+            (ExprKind::Unary(_, inner), own @ Expression::Unary(..)) => (vec![&**inner], own),
+            (
+                ExprKind::Binary(_, left, right) | ExprKind::Compare(_, left, right),
+                own @ Expression::Binary(..),
+            ) => (vec![&**left, &**right], own),
+            _ => return None,
         };
-        let (mut out, mut from) = (String::new(), formula.range.start());
-        for inner in inner {
-            out.push_str(&self.text[TextRange::new(from, inner.range.start())]);
-            out.push_str(&self.text_of(inner, chain));
-            from = inner.range.end();
-        }
-        out + &self.text[TextRange::new(from, formula.range.end())]
+        let mut inner = inner.into_iter();
+        let mut is_drawn = true;
+        let without = own.map_inner(&mut |own| {
+            let part = inner
+                .next()
+                .and_then(|inner| self.without_calls(inner, own.clone(), chain));
+            is_drawn &= part.is_some();
+            part.unwrap_or(own)
+        });
+        is_drawn.then_some(without)
     }
 
     /// An argument of a call as an operand: a tag, a literal, or a part.
-    fn operand(&mut self, argument: &Expr, chain: &mut Vec<Instruction>) -> String {
+    fn operand(
+        &mut self,
+        argument: &Expr,
+        own: Expression,
+        chain: &mut Vec<program::Block>,
+    ) -> Option<Expression> {
         let mut inner = argument;
         while let ExprKind::Pass(of) = &inner.kind {
             inner = of;
         }
-        let text = self.text_of(inner, chain);
-        match &inner.kind {
-            ExprKind::Constant(_) | ExprKind::Read(_) => text,
-            ExprKind::Call(op, _) if FUNCTIONS.contains(op) => text,
-            _ => self.part(inner, "CALC".to_owned(), text, chain),
+        let own = self.without_calls(inner, own, chain)?;
+        match (&inner.kind, &own) {
+            (ExprKind::Constant(_) | ExprKind::Read(_), _) => Some(own),
+            (ExprKind::Call(op, _), Expression::Path(_)) if FUNCTIONS.contains(op) => Some(own),
+            _ => self.part(inner, "CALC", vec![own], chain),
         }
     }
 
-    fn part(&mut self, of: &Expr, name: String, operands: String, chain: &mut Vec<Instruction>) -> String {
-        let part = loop {
+    fn part(
+        &mut self,
+        of: &Expr,
+        mnemonic: &str,
+        operands: Vec<Expression>,
+        chain: &mut Vec<program::Block>,
+    ) -> Option<Expression> {
+        let name = loop {
             self.number += 1;
             let part = format!("part_{}", self.number);
-            if !self.lower.contains(&part) {
+            if !self.text.contains(&part) {
                 break part;
             }
         };
-        let ty = of.ty.name();
-        self.edits
-            .declare(self.body, &format!("{part} : {ty};  # {PART} #"));
-        chain.push((name, part.clone(), operands));
-        part
+        let part = Expression::from(Path::tag(&name));
+        self.declared.push(Declaration {
+            comment: Some(PART.to_owned()),
+            ..Declaration::new(name, of.ty.name())
+        });
+        let operands = std::iter::once(part.clone()).chain(operands);
+        chain.push(program::Block::spelled(Shape::Logical, mnemonic, operands).ok()?);
+        Some(part)
     }
 }
 

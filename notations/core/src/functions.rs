@@ -5,58 +5,25 @@
 
 pub(crate) mod again;
 
-use crate::edited::edited_line;
-use crate::{WriteError, Writing};
+use crate::elements::{Replaced, is_comment, replace, rung};
+use ladder_analysis::Analysis;
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::names::scope::{Origin, TagFacts};
+use ladder_analysis::networks::BlockAt;
 use ladder_analysis::networks::network::Meaning;
-use ladder_analysis::networks::{BlockAt, NetworkAt};
 use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Type;
 use ladder_analysis::written::facts::NodeKind;
-use ladder_analysis::{Analysis, AnalyzeOptions, analyze};
-use ladder_syntax::{Item, LineKind, Name, TextRange, parse};
+use ladder_format::program::{
+    Block, Declaration, Item, Operand as Written, Path, ProgramSketch, Qualifier, Section, SectionKind,
+};
+use ladder_syntax::Name;
 use std::collections::{BTreeMap, BTreeSet, HashSet};
-use std::ops::Range;
-
-/// Writes a program whose functions are blocks. Where they cannot be, `write` is handed the program as it is.
-///
-/// # Errors
-///
-/// Those of `write`.
-pub(crate) fn with_functions_as_blocks(
-    analysis: &Analysis,
-    write: impl Fn(&Analysis) -> Result<Writing, WriteError>,
-) -> Result<Writing, WriteError> {
-    let Some((blocks, moved)) = as_blocks(analysis) else {
-        return write(analysis);
-    };
-    let mut writing = write(&blocks)?;
-    for entry in &mut writing.report.entries {
-        let line = entry.place.line;
-        let after = moved.partition_point(|part| part.lines.start <= line);
-        let part = after.checked_sub(1).map(|part| &moved[part]);
-        if let Some(part) = part.filter(|part| part.lines.contains(&line)) {
-            entry.place.line = part.from + (line - part.lines.start).min(part.most);
-        }
-    }
-    writing.report.entries.sort_by_key(|entry| entry.place);
-    Ok(writing)
-}
 
 /// Functions call each other no deeper: see the language.
 const DEEPEST: usize = 64;
 /// All calls together are handed no more.
 const MOST_OPERANDS: usize = 200_000;
-
-/// Lines of a block, from 1.
-struct Moved {
-    lines: Range<u32>,
-    /// The line of the program that the first of them stands for.
-    from: u32,
-    /// The others stand for lines after it, at most so many.
-    most: u32,
-}
 
 /// The comment on a block that is a function. The name follows.
 const MARK: &str = "In ladder text this is the function ";
@@ -77,8 +44,6 @@ struct Function {
     block: String,
     /// The tag that holds its state.
     state: String,
-    /// Its lines, with the comments above it and in it.
-    lines: Vec<usize>,
     /// The network with which it begins.
     first: usize,
     /// What it is handed, by name.
@@ -103,8 +68,8 @@ struct Call<'c> {
     function: usize,
 }
 
-/// A program whose functions are blocks, and what stands elsewhere in it. None: it has none, or one cannot be a block.
-fn as_blocks(analysis: &Analysis) -> Option<(Analysis, Vec<Moved>)> {
+/// A program whose functions are blocks. None: it has none, or one cannot be a block.
+pub(crate) fn as_blocks(analysis: &Analysis) -> Option<ProgramSketch> {
     let context = &analysis.context;
     if context.functions.is_empty() || analysis.has_errors() {
         return None;
@@ -122,15 +87,39 @@ fn as_blocks(analysis: &Analysis) -> Option<(Analysis, Vec<Moved>)> {
     if handed.map(|function| function.operands.len()).sum::<usize>() > MOST_OPERANDS {
         return None;
     }
-    for (function, lines) in lines_of_functions(context) {
-        functions.get_mut(&function)?.lines = lines;
+    let (mut items, mut bodies) = taken_out(context);
+    let mut instead = Replaced::new();
+    for call in &calls {
+        let called = functions.get(&call.function)?.call()?;
+        instead.insert(call.block.range().start().into(), vec![called]);
     }
-    let (text, moved) = text(context, &functions, &calls);
-    let blocks = analyze(
-        &parse(&text).into(),
-        AnalyzeOptions::new(&context.name).among(&context.others),
-    );
-    blocks.program().is_some().then_some((blocks, moved))
+    for function in functions.values() {
+        let first = context.networks.at(function.first);
+        for block in first.blocks().filter(|block| head(*block) == "<FUN>") {
+            instead.insert(block.range().start().into(), Vec::new());
+        }
+    }
+    items.extend(declarations(context, &functions));
+    for (number, function) in &functions {
+        let mut own = bodies.remove(number).unwrap_or_default();
+        // What only begins the function has nothing to do there.
+        let is_bare = context.networks.at(function.first).blocks().count() == 1;
+        let first = own.iter().position(|item| matches!(item, Item::Network(_)))?;
+        let below = own.split_off(first);
+        items.push(Item::Blank);
+        items.extend(own);
+        let begins = if is_bare { "" } else { BEGINS };
+        items.push(Item::Comment(format!("{MARK}{}{begins}", function.name)));
+        let first = context.networks.at(function.first).blocks().next();
+        let mut inside = function.head(first.map(|block| block.range().start().into()));
+        inside.extend(below.into_iter().skip(usize::from(is_bare)));
+        items.push(Item::Block {
+            header: format!("[{}]", function.block),
+            items: inside,
+        });
+    }
+    replace(&mut items, &instead);
+    Some(ProgramSketch { items })
 }
 
 /// What an instruction is called; of a block of one's own nothing.
@@ -277,176 +266,109 @@ fn hand_on(functions: &mut Functions) -> Option<()> {
     None
 }
 
-/// The lines of each function of a file: its networks, and the comments above and between these.
-pub(crate) fn lines_of_functions(context: &Context) -> BTreeMap<usize, Vec<usize>> {
-    let parse = &context.parse;
-    let structure = parse.structure();
-    let mut lines: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    let mut above: Vec<usize> = Vec::new();
-    let mut current = None;
-    for item in &structure.items {
-        match *item {
-            Item::Decoration(line) => above.push(line),
-            Item::Network(number) => {
-                let above = std::mem::take(&mut above);
-                let Body::Function(function) = context.bodies[number] else {
+/// The items of a file, without its functions, and those of each function: its networks, and the comments above and between these.
+pub(crate) fn taken_out(context: &Context) -> (Vec<Item>, BTreeMap<usize, Vec<Item>>) {
+    let mut functions: BTreeMap<usize, Vec<Item>> = BTreeMap::new();
+    let (mut items, mut above) = (Vec::new(), Vec::new());
+    let (mut number, mut current) = (0, None);
+    for item in ProgramSketch::of_text(&context.parse).items {
+        match &item {
+            Item::Network(_) => {
+                let body = context.bodies[number];
+                number += 1;
+                let Body::Function(function) = body else {
+                    items.append(&mut above);
+                    items.push(item);
                     continue;
                 };
-                let own = lines.entry(function).or_default();
                 let is_first = current.replace(function) != Some(function);
-                let is_comment = |line: &&usize| parse.lines()[**line].kind == LineKind::Comment;
-                let from = if is_first {
-                    above.len() - above.iter().rev().take_while(is_comment).count()
-                } else {
-                    0
-                };
-                own.extend(&above[from..]);
-                own.extend(structure.networks[number].lines.clone());
+                let comments = above.iter().rev().take_while(|item| is_comment(item)).count();
+                let from = if is_first { above.len() - comments } else { 0 };
+                let own = functions.entry(function).or_default();
+                own.extend(above.drain(from..));
+                own.push(item);
+                items.append(&mut above);
             }
-            _ => above.clear(),
-        }
-    }
-    lines
-}
-
-/// The text with blocks in the place of functions: they stand at its end, and all else keeps its line.
-fn text(context: &Context, functions: &Functions, calls: &[Call<'_>]) -> (String, Vec<Moved>) {
-    let parse = &context.parse;
-    let edits = edits(context, functions, calls);
-    let line_text = |line: usize| edited_line(context, line, &edits);
-    let moved: HashSet<usize> = functions
-        .values()
-        .flat_map(|function| function.lines.iter().copied())
-        .collect();
-    let mut text = String::new();
-    for line in 0..parse.lines().len() {
-        if moved.contains(&line) {
-            text.extend(parse.lines()[line].text().chars().filter(|c| *c == '\n'));
-        } else {
-            text.push_str(&line_text(line));
-        }
-    }
-    if !text.ends_with('\n') {
-        text.push('\n');
-    }
-    text.push_str(&declarations(context, functions));
-    let mut places = Vec::new();
-    let count = |text: &str| text.matches('\n').count() as u32 + 1;
-    for function in functions.values() {
-        let number = |line: usize| context.line_number(parse.line_start(line)) as u32;
-        let first = context.networks.at(function.first);
-        let is_above = |line: &&usize| **line < first.first_line;
-        let mut push = |text: &mut String, more: &str, from: u32, most: u32| {
-            let start = count(text);
-            text.push_str(more);
-            if !text.ends_with('\n') {
-                text.push('\n');
-            }
-            let lines = start..count(text);
-            places.push(Moved { lines, from, most });
-        };
-        text.push('\n');
-        for line in function.lines.iter().take_while(is_above) {
-            push(&mut text, &line_text(*line), number(*line), u32::MAX);
-        }
-        // What only begins the function has nothing to do there.
-        let is_bare = first.blocks().count() == 1;
-        push(&mut text, &function.head(is_bare), number(first.first_line), 0);
-        for line in function.lines.iter().skip_while(is_above) {
-            let begins = structure_lines(context, function.first).contains(line);
-            if !(begins && is_bare) {
-                push(&mut text, &line_text(*line), number(*line), u32::MAX);
+            Item::Blank => above.push(item),
+            Item::Kept(..) if is_comment(&item) => above.push(item),
+            _ => {
+                if let Item::Block { items, .. } = &item {
+                    number += items
+                        .iter()
+                        .filter(|item| matches!(item, Item::Network(_)))
+                        .count();
+                }
+                items.append(&mut above);
+                items.push(item);
             }
         }
-        text.push_str("END_FUNCTION_BLOCK\n");
     }
-    (text, places)
-}
-
-fn structure_lines(context: &Context, network: usize) -> Range<usize> {
-    context.parse.structure().networks[network].lines.clone()
-}
-
-/// What stands in the place of calls, and of `<FUN>`, in the order of the text.
-fn edits(context: &Context, functions: &Functions, calls: &[Call<'_>]) -> Vec<(TextRange, String)> {
-    let mut edits = Vec::new();
-    for call in calls {
-        if let Some(called) = functions.get(&call.function) {
-            edits.push((call.block.range(), called.call()));
-        }
-    }
-    for function in functions.values() {
-        let first: NetworkAt<'_> = context.networks.at(function.first);
-        for block in first.blocks().filter(|block| head(*block) == "<FUN>") {
-            let range = block.range();
-            edits.push((range, "-".repeat(range.len().into())));
-        }
-    }
-    edits.sort_by_key(|(at, _)| at.start());
-    edits
+    items.append(&mut above);
+    (items, functions)
 }
 
 /// The tags that hold the states, and those that are handed on and that nothing declares: else what they are would follow from
 /// the blocks.
-fn declarations(context: &Context, functions: &Functions) -> String {
+fn declarations(context: &Context, functions: &Functions) -> Vec<Item> {
     let is_handed = |tag: &&TagFacts| {
         let mut functions = functions.values();
         matches!(tag.origin, Origin::Undeclared | Origin::Form)
             && functions.any(|function| function.operands.contains_key(tag.name.as_str()))
     };
-    let mut text = String::new();
+    let mut sections = Vec::new();
     for tag in context.scopes[0].tags.iter().filter(is_handed) {
-        let section = match (tag.role, tag.retain) {
-            (Role::Input, _) => "VAR_INPUT",
-            (Role::Output, false) => "VAR_OUTPUT",
-            (Role::Output, true) => "VAR_OUTPUT RETAIN",
-            (Role::Internal, false) => "VAR",
-            (Role::Internal, true) => "VAR RETAIN",
-        };
-        if let Some(ty) = tag.ty {
-            text.push_str(&format!("{section}\n    {} : {ty};\nEND_VAR\n", tag.name));
-        }
+        let mut section = Section::new(match tag.role {
+            Role::Input => SectionKind::VarInput,
+            Role::Output => SectionKind::VarOutput,
+            Role::Internal => SectionKind::Var,
+        });
+        section.qualifier = (tag.retain && tag.role != Role::Input).then_some(Qualifier::Retain);
+        let ty = tag
+            .ty
+            .map(|ty| Declaration::new(tag.name.as_str(), ty.to_string()));
+        section.declarations.extend(ty);
+        sections.push(Item::Section(section));
     }
-    text.push_str("VAR\n");
-    for function in functions.values() {
-        text.push_str(&format!("    {} : {};\n", function.state, function.block));
-    }
-    text.push_str("END_VAR\n");
-    text
+    let mut states = Section::new(SectionKind::Var);
+    let declared = functions
+        .values()
+        .map(|function| Declaration::new(&function.state, &function.block));
+    states.declarations.extend(declared);
+    sections.push(Item::Section(states));
+    sections
 }
 
 impl Function {
-    /// The block up to the network with which the function begins.
-    fn head(&self, is_bare: bool) -> String {
-        let begins = if is_bare { "" } else { BEGINS };
-        let mut text = format!(
-            "# {MARK}{}{begins} #\nFUNCTION_BLOCK [{}]\n",
-            self.name, self.block
-        );
-        for (section, is_input) in [("VAR_INPUT", true), ("VAR_IN_OUT", false)] {
+    /// The block up to the network with which the function begins, made from what begins it.
+    fn head(&self, origin: Option<u32>) -> Vec<Item> {
+        let mut items = Vec::new();
+        for (kind, is_input) in [(SectionKind::VarInput, true), (SectionKind::VarInOut, false)] {
             let own = self
                 .operands
                 .iter()
                 .filter(|(_, operand)| operand.is_input == is_input);
-            let own: Vec<String> = own
-                .map(|(name, operand)| format!("    {name} : {};\n", operand.ty))
-                .collect();
-            if !own.is_empty() {
-                text.push_str(&format!("{section}\n{}END_VAR\n", own.concat()));
-            }
+            let mut section = Section::new(kind);
+            let declared = own.map(|(name, operand)| Declaration {
+                origin,
+                ..Declaration::new(name, &operand.ty)
+            });
+            section.declarations = declared.collect();
+            items.push(Item::Section(section));
         }
-        text.push_str("+--[/]( EN )--<RET>--+\n");
-        text
+        items.push(rung(
+            [Block::negated_contact(Path::tag("EN")), Block::ret()],
+            origin,
+        ));
+        items
     }
 
     /// A call of the block.
-    fn call(&self) -> String {
-        let operands = self.operands.keys().map(|name| format!(", {name} := {name}"));
-        format!(
-            "[{}]( {}{} )",
-            self.block,
-            self.state,
-            operands.collect::<String>()
-        )
+    fn call(&self) -> Option<Block> {
+        let handed = self
+            .operands
+            .keys()
+            .map(|name| Written::Given(name.clone(), Path::tag(name).into()));
+        let operands = std::iter::once(Path::tag(&self.state).into()).chain(handed);
+        Block::user(&self.block[1..], operands).ok()
     }
 }

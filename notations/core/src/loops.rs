@@ -4,31 +4,20 @@
 
 pub(crate) mod again;
 
-use crate::edited::{Edited, Edits, first_line, own_networks, write_edited};
+use crate::elements::{Around, Replaced, by_origin, declare, put_around, replace, rung};
 use crate::functions::head;
-use crate::{WriteError, Writing};
+use crate::rewritten::own_networks;
+use crate::target::Stays;
 use ladder_analysis::Analysis;
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::program::{Argument, Block, Expr, ExprKind, Network};
 use ladder_analysis::values::types::{Scalar, passes};
 use ladder_analysis::values::value::Value;
-use ladder_syntax::{TextRange, TextSize};
+use ladder_format::program::{self, Declaration, Expression, Item, Operand, Path, ProgramSketch};
+use ladder_instructions::Op;
+use ladder_syntax::{Name, TextSize};
 use std::collections::HashMap;
 use std::ops::RangeInclusive;
-
-/// Writes a program whose loops are jumps. One that cannot be, because something outside jumps into it or an `<MCR>` rules it, stays
-/// a loop for `write`, and so does one for which `are_jumps` says no, of what it is in and its number of turns as it is written.
-///
-/// # Errors
-///
-/// Those of `write`.
-pub fn with_loops_as_jumps(
-    analysis: &Analysis,
-    are_jumps: impl Fn(Body, &str) -> bool,
-    write: impl Fn(&Analysis) -> Result<Writing, WriteError>,
-) -> Result<Writing, WriteError> {
-    write_edited(analysis, as_jumps(analysis, &are_jumps), &write)
-}
 
 /// The comment on the tag with the turns.
 const MARK: &str = "how often a loop runs, which is <FOR> in ladder text";
@@ -43,67 +32,162 @@ struct Loop {
     /// The networks: the one with the FOR, and the one with the NEXT.
     first: usize,
     last: usize,
-    /// The FOR, and how many turns there are.
-    place: TextRange,
-    count: TextRange,
-    /// The tag that has the number of the turn.
-    turn: Option<TextRange>,
-    next: TextRange,
+    /// Where the FOR is, and the NEXT.
+    begin: TextSize,
+    end: TextSize,
 }
 
-/// The program with jumps. None: it has no loops that can be.
-fn as_jumps(analysis: &Analysis, are_jumps: &dyn Fn(Body, &str) -> bool) -> Option<Edited> {
+/// A program whose loops are jumps. One that cannot be, because something outside jumps into it or an `<MCR>` rules it, stays a loop,
+/// and so does one that is an instruction of the system. None: none is to be.
+pub(crate) fn as_jumps(analysis: &Analysis, stays: fn(&Context) -> Stays) -> Option<ProgramSketch> {
     let context = &analysis.context;
     let networks = own_networks(analysis)?;
-    let text = context.parse.to_string();
-    let mut loops = loops(context, &networks, &text.to_lowercase());
-    loops.retain(|it| are_jumps(context.bodies[it.first], &text[it.count]));
+    let mut loops = loops(context, &networks);
     if loops.is_empty() {
         return None;
     }
-    edits(context, &text, &loops).program(context)
+    let stays = stays(context);
+    let mut sketch = ProgramSketch::of_text(&context.parse);
+    let drawn = by_origin(&sketch.items);
+    // How many turns each has, and the tag with their number.
+    let mut turns = HashMap::new();
+    loops.retain(|it| {
+        let operands = drawn
+            .get(&it.begin.into())
+            .map_or(&[][..], |block| block.operands());
+        let Some(Operand::Value(count)) = operands.first() else {
+            return false;
+        };
+        let turn = operands.iter().find_map(|operand| match operand {
+            Operand::Taken(_, tag) => Some(tag.clone()),
+            _ => None,
+        });
+        let is_instruction = match context.bodies[it.first] {
+            Body::Block(block) => stays.blocks.contains(&block),
+            _ => false,
+        };
+        let is_jump = !is_instruction && !stays.turns.contains(&Name::new(&count.to_string()));
+        turns.insert(it.first, (count.clone(), turn));
+        is_jump
+    });
+    if loops.is_empty() {
+        return None;
+    }
+    let (mut around, mut instead) = (HashMap::new(), Replaced::new());
+    let mut declared: Vec<(Body, Vec<Declaration>)> = Vec::new();
+    for it in &loops {
+        let (count, turn) = turns.remove(&it.first)?;
+        draw(it, context, (count, turn), &mut around, &mut instead)?;
+        let tags = [("count", MARK), ("turn", TURN)].map(|(what, comment)| Declaration {
+            comment: Some(comment.to_owned()),
+            ..Declaration::new(format!("{}_{what}", it.name), it.ty.name())
+        });
+        let body = context.bodies[it.first];
+        match declared.iter_mut().find(|(other, _)| *other == body) {
+            Some((_, all)) => all.extend(tags),
+            None => declared.push((body, tags.into())),
+        }
+    }
+    replace(&mut sketch.items, &instead);
+    put_around(&mut sketch.items, &mut around);
+    for (body, tags) in declared {
+        declare(&mut sketch.items, body, tags);
+    }
+    Some(sketch)
+}
+
+/// The jumps of a loop.
+fn draw(
+    it: &Loop,
+    context: &Context,
+    (count, turn): (Expression, Option<Expression>),
+    around: &mut HashMap<usize, Around>,
+    instead: &mut Replaced,
+) -> Option<()> {
+    let name = &it.name;
+    let tag = |what: &str| Expression::from(Path::tag(format!("{name}_{what}")));
+    let end = format!("{name}_end");
+    let from = Some(it.begin.into());
+    let block = |op: Op, operands: Vec<Expression>| program::Block::of(op, operands).ok();
+    let own = |blocks: Vec<program::Block>, from| [rung(blocks, from), Item::Blank];
+    instead.insert(it.begin.into(), vec![block(Op::Mov, vec![tag("count"), count])?]);
+    let begins = around.entry(it.first).or_default();
+    for what in ["count", "turn"] {
+        begins
+            .above
+            .extend(own(vec![block(Op::Mov, vec![tag(what), 0.into()])?], from));
+    }
+    let ends = vec![
+        block(Op::Ge, vec![tag("turn"), tag("count")])?,
+        program::Block::jump(&end),
+    ];
+    begins.below.push(Item::Blank);
+    begins.below.extend(own(vec![program::Block::label(name)], from));
+    begins.below.extend(own(ends, from));
+    let next = block(Op::Add, vec![tag("turn"), tag("turn"), 1.into()])?;
+    begins.below.extend(own(vec![next], from));
+    if let Some(turn) = turn {
+        begins
+            .below
+            .extend(own(vec![block(Op::Mov, vec![turn, tag("turn")])?], from));
+    }
+    let last = around.entry(it.last).or_default();
+    let from = Some(it.end.into());
+    last.is_gone = context.networks.at(it.last).blocks().count() == 1;
+    last.below.push(Item::Blank);
+    last.below.extend(own(vec![program::Block::jump(name)], from));
+    last.below.extend(own(vec![program::Block::label(&end)], from));
+    instead.insert(it.end.into(), Vec::new());
+    Some(())
 }
 
 /// The loops of a file that can be jumps.
-fn loops(context: &Context, networks: &[(&Network, Body)], text: &str) -> Vec<Loop> {
+fn loops(context: &Context, networks: &[(&Network, Body)]) -> Vec<Loop> {
+    let begins: Vec<_> = (context.networks.iter())
+        .flat_map(|network| network.blocks().map(move |block| (network.index, block)))
+        .filter(|(_, block)| head(*block) == "<FOR>")
+        .collect();
+    if begins.is_empty() {
+        return Vec::new();
+    }
     let blocks = networks.iter().flat_map(|(network, _)| &network.blocks);
     let by_start: HashMap<TextSize, &Block> = blocks
         .map(|block| (block.location.range.start(), block))
         .collect();
     let marks = marks(context);
+    let text = context.parse.to_string().to_lowercase();
     let mut loops = Vec::new();
     let mut number = 0;
-    for network in &context.networks {
-        let mut found = network.blocks().filter(|block| head(*block) == "<FOR>");
-        let (Some(begin), None) = (found.next(), found.next()) else {
-            continue;
-        };
-        let body = context.bodies[network.index];
-        let has = |index: usize, op: &str| context.networks.at(index).blocks().any(|block| head(block) == op);
-        let of_body = |index: &usize| context.bodies[*index] == body;
-        let mut after = (network.index + 1..context.networks.len()).take_while(of_body);
-        let Some(last) = after.find(|index| has(*index, "<NEXT>")) else {
-            continue;
-        };
-        let of_body = marks.iter().filter(|mark| context.bodies[mark.network] == body);
-        let own: Vec<&Mark> = of_body.collect();
-        let is_ruled = own.iter().any(|mark| mark.head == "<MCR>");
-        let nests = (network.index + 1..=last).any(|index| has(index, "<FOR>"));
-        if is_ruled || nests || has(network.index, "<LBL>") || is_entered(&own, network.index + 1..=last) {
+    for (at, (first, begin)) in begins.iter().enumerate() {
+        let (first, body) = (*first, context.bodies[*first]);
+        let is_next_to = |other: Option<&(usize, _)>| other.is_some_and(|(other, _)| *other == first);
+        if is_next_to(begins.get(at + 1)) || at.checked_sub(1).is_some_and(|at| is_next_to(begins.get(at))) {
             continue;
         }
-        let Some(block) = by_start.get(&begin.range().start()) else {
+        let has = |index: usize, op: &str| {
+            context
+                .networks
+                .at(index)
+                .blocks()
+                .find(|block| head(*block) == op)
+        };
+        let of_body = |index: &usize| context.bodies[*index] == body;
+        let mut after = (first + 1..context.networks.len()).take_while(of_body);
+        let Some((last, next)) = after.find_map(|index| Some((index, has(index, "<NEXT>")?))) else {
             continue;
         };
-        let Some((ty, count, turn)) = counted(block) else {
+        let own: Vec<&Mark> = (marks.iter().filter(|mark| context.bodies[mark.network] == body)).collect();
+        let is_ruled = own.iter().any(|mark| mark.head == "<MCR>");
+        let nests = begins.get(at + 1).is_some_and(|(other, _)| *other <= last);
+        if is_ruled || nests || has(first, "<LBL>").is_some() || is_entered(&own, first + 1..=last) {
+            continue;
+        }
+        let Some(ty) = by_start
+            .get(&begin.range().start())
+            .and_then(|block| counted(block))
+        else {
             continue;
         };
-        let next = context
-            .networks
-            .at(last)
-            .blocks()
-            .find(|block| head(*block) == "<NEXT>");
-        let Some(next) = next else { continue };
         let name = loop {
             number += 1;
             let name = format!("loop_{number}");
@@ -114,12 +198,10 @@ fn loops(context: &Context, networks: &[(&Network, Body)], text: &str) -> Vec<Lo
         loops.push(Loop {
             name,
             ty,
-            first: network.index,
+            first,
             last,
-            place: begin.range(),
-            count,
-            turn,
-            next: next.range(),
+            begin: begin.range().start(),
+            end: next.range().start(),
         });
     }
     loops
@@ -166,10 +248,9 @@ fn is_entered(marks: &[&Mark], inside: RangeInclusive<usize>) -> bool {
     names(false, "<JMP>").iter().any(|label| labels.contains(label))
 }
 
-/// The type that counts, how many turns there are, and the tag that has their number.
-fn counted(head: &Block) -> Option<(Scalar, TextRange, Option<TextRange>)> {
-    let count = head.arguments.first()?;
-    let Argument::Value(number) = &count.argument else {
+/// The type that counts.
+fn counted(head: &Block) -> Option<Scalar> {
+    let Argument::Value(number) = &head.arguments.first()?.argument else {
         return None;
     };
     let turn = head
@@ -182,7 +263,7 @@ fn counted(head: &Block) -> Option<(Scalar, TextRange, Option<TextRange>)> {
         None if fits(number, Scalar::Dint) => Scalar::Dint,
         None => Scalar::Lint,
     };
-    fits(number, ty).then_some((ty, count.range, turn.map(|turn| turn.range)))
+    fits(number, ty).then_some(ty)
 }
 
 /// Whether a number of turns is one of this type.
@@ -194,47 +275,4 @@ fn fits(number: &Expr, ty: Scalar) -> bool {
         (ExprKind::Pass(inner), _) => fits(inner, ty),
         _ => passes(number.ty, ty) && ty.is_integer(),
     }
-}
-
-/// What makes jumps of loops.
-fn edits(context: &Context, text: &str, loops: &[Loop]) -> Edits {
-    let parse = &context.parse;
-    let structure = parse.structure();
-    let mut edits = Edits::default();
-    for it in loops {
-        let Loop { name, ty, .. } = it;
-        let (body, ty) = (context.bodies[it.first], ty.name());
-        edits.declare(body, &format!("{name}_count : {ty};  # {MARK} #"));
-        edits.declare(body, &format!("{name}_turn : {ty};  # {TURN} #"));
-        edits
-            .instead
-            .push((it.place, format!("[MOV]( {name}_count, {} )", &text[it.count])));
-        let own = &structure.networks[it.first].lines;
-        edits
-            .before
-            .entry(first_line(context, it.first))
-            .or_default()
-            .push_str(&format!(
-                "+--[MOV]( {name}_count, 0 )--+\n\n+--[MOV]( {name}_turn, 0 )--+\n\n"
-            ));
-        let turn = it.turn.map(|turn| {
-            // `I => k`
-            let turn = text[turn].rsplit(['>', '=']).next().unwrap_or_default().trim();
-            format!("+--[MOV]( {turn}, {name}_turn )--+\n\n")
-        });
-        edits.after.entry(own.end - 1).or_default().push_str(&format!(
-            "\n+--<LBL>( {name} )--+\n\n+--[GE]( {name}_turn, {name}_count )--<JMP>( {name}_end )--+\n\n\
-             +--[ADD]( {name}_turn, {name}_turn, 1 )--+\n\n{}",
-            turn.unwrap_or_default()
-        ));
-        let last = &structure.networks[it.last].lines;
-        let ends = format!("\n+--<JMP>( {name} )--+\n\n+--<LBL>( {name}_end )--+\n\n");
-        edits.after.entry(last.end - 1).or_default().push_str(&ends);
-        if context.networks.at(it.last).blocks().count() == 1 {
-            edits.gone.extend(last.clone());
-        } else {
-            edits.instead.push((it.next, "-".repeat(it.next.len().into())));
-        }
-    }
-    edits
 }

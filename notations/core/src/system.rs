@@ -4,14 +4,18 @@
 
 pub(crate) mod again;
 
-use crate::edited::{Edited, Edits, first_line, own_networks, write_edited};
-use crate::{Entry, LineColumn, Lines, Outcome, WriteError, Writing};
+use crate::elements::{Around, change, declare, put_around, rung};
+use crate::rewritten::own_networks;
+use crate::target::Target;
+use crate::{Lines, Report};
 use ladder_analysis::Analysis;
 use ladder_analysis::context::Body;
-use ladder_analysis::program::Place;
-use ladder_analysis::program::SystemTag;
-use ladder_syntax::TextRange;
-use std::collections::HashSet;
+use ladder_analysis::program::{Place, SystemTag};
+use ladder_format::program::{
+    Block, Declaration, Expression, Invalid, Item, Path, ProgramSketch, Section, SectionKind, Step,
+};
+use ladder_instructions::Op;
+use std::collections::{HashMap, HashSet};
 
 /// The block.
 const BLOCK: &str = "$LadderSys";
@@ -22,30 +26,6 @@ const OUTPUT: &str = "sys_";
 /// What the comment on it says.
 const ABOUT: &str = "What ladder text has in SYS, as far as it is used";
 
-/// Writes a program that names no number of the scan, no time and no clock of `SYS`, but for those that the system has,
-/// or has in the body of a block that it knows itself.
-///
-/// # Errors
-///
-/// Those of `write`.
-pub fn with_system_tags(
-    analysis: &Analysis,
-    has: impl Fn(Body, SystemTag) -> bool,
-    write: impl Fn(&Analysis) -> Result<Writing, WriteError>,
-) -> Result<Writing, WriteError> {
-    let (edited, in_blocks) = kept(analysis, &has).unzip();
-    let mut writing = write_edited(analysis, edited, &write)?;
-    for (place, tag) in in_blocks.into_iter().flatten() {
-        writing.report.entries.push(Entry {
-            place,
-            element: format!("SYS.{}", tag.name()),
-            outcome: Outcome::Approximated("the block counts scans and time only while it runs".to_owned()),
-        });
-    }
-    writing.report.entries.sort_by_key(|entry| entry.place);
-    Ok(writing)
-}
-
 /// Whether the block keeps a tag of `SYS`: of the others one is high in the first scan, which each system knows, two are constants, and
 /// no other system counts faults as ladder text does.
 const fn is_kept(tag: SystemTag) -> bool {
@@ -55,14 +35,18 @@ const fn is_kept(tag: SystemTag) -> bool {
     )
 }
 
-/// A program with the block, and what the bodies of blocks name of it. None: the program has no such tags, or something else has the
-/// name of the block.
-fn kept(
-    analysis: &Analysis,
-    has: &dyn Fn(Body, SystemTag) -> bool,
-) -> Option<(Edited, Vec<(LineColumn, SystemTag)>)> {
+/// A program that names no number of the scan, no time and no clock of `SYS`, but for those that the target has, and in bodies of
+/// blocks that are instructions there. None: the program has no such tags, or something else has the name of the block.
+pub(crate) fn with_block(analysis: &Analysis, target: &Target, report: &mut Report) -> Option<ProgramSketch> {
     let context = &analysis.context;
-    let mut named: Vec<(TextRange, SystemTag, Body)> = Vec::new();
+    if SystemTag::ALL.iter().all(|tag| (target.has_system_tag)(*tag)) {
+        return None;
+    }
+    let stays = (target.stays)(context);
+    let is_instruction = |body| matches!(body, Body::Block(block) if stays.blocks.contains(&block));
+    let mut named = HashSet::new();
+    let text = context.parse.to_string();
+    let places = Lines::of(&text);
     for (network, body) in own_networks(analysis)? {
         let body = match body {
             Body::Function(_) => Body::Main,
@@ -72,37 +56,73 @@ fn kept(
         for (place, at) in bound.flat_map(|bound| bound.places()) {
             if let Place::System(tag) = place
                 && is_kept(*tag)
-                && !has(body, *tag)
+                && !(target.has_system_tag)(*tag)
+                && !is_instruction(body)
             {
-                named.push((at, *tag, body));
+                named.insert((body, *tag));
+                if body != Body::Main {
+                    let why = "the block counts scans and time only while it runs";
+                    let place = places.place(&text, at.start().into());
+                    report.approximated(place, format!("SYS.{}", tag.name()), why);
+                }
             }
         }
     }
-    let text = context.parse.to_string();
     let lower = text.to_lowercase();
     if named.is_empty() || lower.contains(INSTANCE) || lower.contains(&BLOCK.to_lowercase()) {
         return None;
     }
-    let places = Lines::of(&text);
-    let mut edits = Edits::default();
-    let (mut with_instance, mut in_blocks) = (HashSet::new(), Vec::new());
-    for (at, tag, body) in &named {
-        edits.instead.push((*at, format!("{INSTANCE}.{}", output(*tag))));
-        if *body != Body::Main {
-            in_blocks.push((places.place(&text, at.start().into()), *tag));
-        }
-        if with_instance.insert(*body) {
-            edits.declare(*body, &format!("{INSTANCE} : {BLOCK};"));
-            let mut networks = context.networks.iter();
-            let first = networks.find(|network| context.bodies[network.index] == *body)?;
-            let before = edits.before.entry(first_line(context, first.index)).or_default();
-            before.push_str(&format!("+--[{BLOCK}]( {INSTANCE} )--+\n\n"));
-        }
-    }
     let mut tags: Vec<SystemTag> = SystemTag::ALL.to_vec();
-    tags.retain(|tag| named.iter().any(|(_, other, _)| other == tag));
-    edits.end = block(&tags);
-    Some((edits.program(context)?, in_blocks))
+    tags.retain(|tag| named.iter().any(|(_, other)| other == tag));
+    let body_of = |network: usize| match context.bodies[network] {
+        Body::Function(_) => Body::Main,
+        body => body,
+    };
+    let mut sketch = ProgramSketch::of_text(&context.parse);
+    change(&mut sketch.items, &mut |network, block| {
+        block.change_paths(|path| {
+            if let Some(tag) = system_tag(path)
+                && named.contains(&(body_of(network), tag))
+            {
+                INSTANCE.clone_into(&mut path.root);
+                path.steps[0] = Step::Member(output(tag));
+            }
+        });
+    });
+    let bodies: HashSet<Body> = named.iter().map(|(body, _)| *body).collect();
+    let mut around = HashMap::new();
+    for body in &bodies {
+        let first = context
+            .networks
+            .iter()
+            .find(|network| body_of(network.index) == *body)?;
+        let above = vec![rung([call()?], None), Item::Blank];
+        let around: &mut Around = around.entry(first.index).or_default();
+        around.above = above;
+    }
+    put_around(&mut sketch.items, &mut around);
+    for body in bodies {
+        declare(&mut sketch.items, body, vec![Declaration::new(INSTANCE, BLOCK)]);
+    }
+    sketch
+        .items
+        .extend([Item::Blank, Item::Comment(ABOUT.to_owned()), block(&tags).ok()?]);
+    Some(sketch)
+}
+
+/// The call of the block.
+fn call() -> Option<Block> {
+    Block::user(&BLOCK[1..], [Path::tag(INSTANCE)]).ok()
+}
+
+/// Which tag of `SYS` a path is, if it is one.
+fn system_tag(path: &Path) -> Option<SystemTag> {
+    let Some(Step::Member(name)) = path.steps.first() else {
+        return None;
+    };
+    let mut tags = SystemTag::ALL.iter().copied();
+    let is_system = path.root.eq_ignore_ascii_case("SYS");
+    tags.find(|tag| is_system && tag.name().eq_ignore_ascii_case(name))
 }
 
 /// The output for a tag.
@@ -111,49 +131,74 @@ fn output(tag: SystemTag) -> String {
 }
 
 /// The block that keeps these tags.
-fn block(tags: &[SystemTag]) -> String {
-    let (mut outputs, mut locals, mut networks) = (String::new(), String::new(), String::new());
+fn block(tags: &[SystemTag]) -> Result<Item, Invalid> {
+    let (mut outputs, mut locals) = (
+        Section::new(SectionKind::VarOutput),
+        Section::new(SectionKind::Var),
+    );
+    let mut networks = Vec::new();
+    let tag = |name: &str| Expression::from(Path::tag(name));
     // What the others follow from.
     let passed = output(SystemTag::ScanTime);
     if !tags.contains(&SystemTag::ScanTime) {
-        locals.push_str(&format!("    {passed} : TIME;\n"));
+        locals.declarations.push(Declaration::new(&passed, "TIME"));
     }
-    let has_clock = tags.iter().any(|tag| matches!(tag, SystemTag::Clock(_)));
-    if has_clock {
-        locals.push_str("    milliseconds : DINT;\n");
-        networks.push_str(&format!("\n+--[TYP]( milliseconds, {passed} )--+\n"));
+    if tags.iter().any(|tag| matches!(tag, SystemTag::Clock(_))) {
+        locals.declarations.push(Declaration::new("milliseconds", "DINT"));
+        networks.push(vec![Block::of(Op::Typ, [tag("milliseconds"), tag(&passed)])?]);
     }
-    for tag in tags {
-        let name = output(*tag);
-        let first = if *tag == SystemTag::Scan { " := -1" } else { "" };
-        outputs.push_str(&format!("    {name} : {}{first};\n", tag.ty().name()));
-        let network = match tag {
-            SystemTag::Scan => format!("[ADD]( {name}, {name}, 1 )"),
-            SystemTag::Time => format!("[ADD]( {name}, {name}, {passed} )"),
+    for system in tags {
+        let name = output(*system);
+        outputs.declarations.push(Declaration {
+            initial: (*system == SystemTag::Scan).then(|| "-1".to_owned()),
+            ..Declaration::new(&name, system.ty().name())
+        });
+        let add = |to: &str, more: Expression| Block::of(Op::Add, [tag(to), tag(to), more]);
+        networks.push(match system {
+            SystemTag::Scan => vec![add(&name, 1.into())?],
+            SystemTag::Time => vec![add(&name, tag(&passed))?],
             SystemTag::Clock(clock) => {
-                let phase = format!("in_{}", tag.name().to_lowercase());
-                locals.push_str(&format!("    {phase} : DINT;\n"));
+                let phase = format!("in_{}", system.name().to_lowercase());
                 let whole = clock.period() / 1_000_000;
-                format!(
-                    "[ADD]( {phase}, {phase}, milliseconds )--[MOD]( {phase}, {phase}, {whole} )--[GE]( {phase}, {} )--( )( {name} )",
-                    whole / 2
-                )
+                let of_phase = |op, number: i64| Block::of(op, [tag(&phase), number.into()]);
+                locals.declarations.push(Declaration::new(&phase, "DINT"));
+                vec![
+                    add(&phase, tag("milliseconds"))?,
+                    Block::of(Op::Mod, [tag(&phase), tag(&phase), whole.into()])?,
+                    of_phase(Op::Ge, whole / 2)?,
+                    Block::coil(tag(&name)),
+                ]
             }
             _ => continue,
-        };
-        networks.push_str(&format!("\n+--{network}--+\n"));
+        });
     }
-    format!(
-        "# {ABOUT} #\nFUNCTION_BLOCK [{BLOCK}]\nVAR_OUTPUT\n{outputs}END_VAR\nVAR\n{locals}{TIMERS}{networks}END_FUNCTION_BLOCK\n"
-    )
+    locals.declarations.extend([
+        Declaration {
+            names: vec!["one".to_owned(), "two".to_owned()],
+            ..Declaration::new("", "TON")
+        },
+        Declaration {
+            names: vec!["before_one".to_owned(), "before_two".to_owned()],
+            ..Declaration::new("", "TIME")
+        },
+        Declaration::new("by_two", "BOOL"),
+    ]);
+    let mut items = vec![
+        Item::Section(outputs),
+        Item::Section(locals),
+        Item::Text(TIMERS.to_owned()),
+    ];
+    for network in networks {
+        items.extend([Item::Blank, rung(network, None)]);
+    }
+    Ok(Item::Block {
+        header: format!("[{BLOCK}]"),
+        items,
+    })
 }
 
 /// The time since the scan before. A timer that has run out has to rest for a scan: two of them take turns.
-const TIMERS: &str = "    one, two : TON;
-    before_one, before_two : TIME;
-    by_two : BOOL;
-END_VAR
-
+const TIMERS: &str = "
 +--[/]( one.Q )--[TON]( one, T#1h )--+
 
 +--\\--[LT]( one.ET, T#20m )--\\--[TON]( two, T#2h )--+

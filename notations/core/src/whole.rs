@@ -3,26 +3,27 @@
 mod functions;
 mod search;
 
+use crate::elements::is_comment;
+use crate::rewritten::{ADDED, Rewritten};
 use crate::{LineColumn, WriteError};
 use functions::Functions;
 use ladder_analysis::context::{Callee, Context};
 use ladder_analysis::names::named_types::NamedType;
-use ladder_analysis::{Analysis, AnalyzeOptions, analyze, library, link_files};
-use ladder_syntax::{Item, LineKind, Name, Parse, parse};
+use ladder_analysis::{Analysis, library, link_files};
+use ladder_format::program::{Drawing, Item, Origin, ProgramSketch, RungPiece};
+use ladder_syntax::{LineKind, Name, Parse};
 use search::{Search, Used};
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// A definition of another file in the text of a program.
+/// A definition of another file in a program.
 pub(crate) struct Added {
     /// `$Motor`, or the name of a function.
     pub(crate) name: String,
     pub(crate) is_block: bool,
     /// What its file is called.
     from: Arc<str>,
-    /// Its lines, from 1.
-    pub(crate) lines: Range<u32>,
     /// The first of the program's own calls that needs it.
     pub(crate) used: LineColumn,
 }
@@ -44,15 +45,16 @@ fn file(name: &str) -> &str {
 /// What a program needs of another file: that file among the others, and the block or function.
 type Needed = (usize, Used);
 
-/// The program with what it uses of other files: that stands below its last network, and above comments at its end, so that all
-/// else keeps its place. None: it uses nothing of them.
+/// The program with what it uses of other files: that is below its last network, and above comments at its end. Origins of it are
+/// [`ADDED`] and its number. The program as it is: it uses nothing of them.
 ///
 /// # Errors
 ///
 /// If they cannot be one text.
-pub(crate) fn whole(analysis: &Analysis) -> Result<Option<(Analysis, Vec<Added>)>, WriteError> {
+pub(crate) fn whole(analysis: &Analysis) -> Result<(Rewritten, Vec<Added>), WriteError> {
+    let program = Rewritten::of(analysis);
     if analysis.has_errors() {
-        return Ok(None);
+        return Ok((program, Vec::new()));
     }
     let linked;
     let files = match analysis.others() {
@@ -63,7 +65,7 @@ pub(crate) fn whole(analysis: &Analysis) -> Result<Option<(Analysis, Vec<Added>)
         }
     };
     if files.is_empty() {
-        return Ok(None);
+        return Ok((program, Vec::new()));
     }
     let context = &analysis.context;
     // What is used by others comes first, and functions at the end.
@@ -71,54 +73,52 @@ pub(crate) fn whole(analysis: &Analysis) -> Result<Option<(Analysis, Vec<Added>)
     found.reverse();
     found.sort_by_key(|((_, used), _)| matches!(used, Used::Function(_)));
     agree(context, files, &found)?;
-    let mut text = context.parse.to_string();
-    let end = text.split_off(end_of_networks(&context.parse, text.len()));
-    if !text.ends_with('\n') {
-        text.push('\n');
-    }
+    let mut items = ProgramSketch::of_text(&context.parse).items;
+    let is_end = |item: &Item| is_comment(item) || *item == Item::Blank;
+    let end = items.iter().rev().take_while(|item| is_end(item)).count();
+    let end = items.split_off(items.len() - end);
     let needed: Vec<Needed> = found.iter().map(|(needed, _)| needed.clone()).collect();
-    let functions = Functions::of(context, files, &needed);
-    if !functions.declarations.is_empty() {
-        text.push_str(&format!("\n{}", functions.declarations));
-    }
-    text.push_str(&functions::globals(context, files));
-    let mut added = Vec::new();
+    let mut functions = Functions::of(context, files, &needed);
+    items.append(&mut functions.declarations);
+    items.extend(functions::globals(context, files));
+    let (mut added, mut sketches) = (Vec::new(), HashMap::new());
     for ((from, item), used) in found {
         let other = &files[from].context;
-        let (name, definition) = match item {
-            Used::Block(block) => (
-                other.user_blocks[block].name.clone(),
-                definition(&other.parse, block),
-            ),
+        let origin = ADDED + added.len() as Origin;
+        let (name, mut definition) = match item {
+            Used::Block(block) => {
+                let sketch = sketches
+                    .entry(from)
+                    .or_insert_with(|| ProgramSketch::of_text(&other.parse).items);
+                (other.user_blocks[block].name.clone(), definition(sketch, block))
+            }
             Used::Function(Callee::Own(function)) => {
                 let name = other.functions[function].name.to_string();
-                (name, functions.text(from, function))
+                (name, functions.take(from, function))
             }
             Used::Function(Callee::Other(_)) => continue,
         };
-        text.push('\n');
-        let first = line_count(&text);
-        text.push_str(&definition);
+        mark(&mut definition, origin);
+        items.push(Item::Blank);
+        items.append(&mut definition);
         added.push(Added {
             is_block: name.starts_with('$'),
             name,
             from: Arc::clone(&other.name),
-            lines: first..line_count(&text),
             used,
         });
     }
     let (mut types, mut known) = (String::new(), HashSet::new());
     loop {
-        let mut whole = text.clone();
+        let mut sketch = ProgramSketch { items: items.clone() };
         if !types.is_empty() {
-            whole.push_str(&format!("\nTYPE\n{types}END_TYPE\n"));
+            let lines = ["TYPE", &types, "END_TYPE"].map(|text| Item::Text(text.to_owned()));
+            sketch.items.push(Item::Blank);
+            sketch.items.extend(lines);
         }
-        whole.push_str(&end);
-        let whole = analyze(
-            &parse(&whole).into(),
-            AnalyzeOptions::new(&context.name).among(&context.others),
-        );
-        if let Some(error) = whole.errors().next() {
+        sketch.items.extend(end.iter().cloned());
+        let whole = program.with(&sketch);
+        if let Some(error) = whole.analysis.errors().next() {
             let message = format!(
                 "with what it uses of other files the program has an error: {}",
                 error.message
@@ -126,13 +126,13 @@ pub(crate) fn whole(analysis: &Analysis) -> Result<Option<(Analysis, Vec<Added>)
             return Err(WriteError::new(message));
         }
         let before = types.len();
-        for ty in whole.context.types.of_others() {
+        for ty in whole.analysis.context.types.of_others() {
             if known.insert(ty.declaration.key.clone()) {
                 types.extend(declaration(files, ty));
             }
         }
         if types.len() == before {
-            return Ok(Some((whole, added)));
+            return Ok((whole, added));
         }
     }
 }
@@ -196,22 +196,38 @@ fn agree(own: &Context, files: &[Arc<Analysis>], found: &[(Needed, LineColumn)])
     Ok(())
 }
 
-/// Where the comments at the end of a text begin.
-fn end_of_networks(parse: &Parse, length: usize) -> usize {
-    let items = parse.structure().items.iter().rev();
-    let last = items.map_while(|item| match item {
-        Item::Decoration(line) => Some(*line),
-        _ => None,
-    });
-    last.last().map_or(length, |line| parse.line_start(line).into())
+/// The definition of a block, with the comments directly above it.
+fn definition(items: &[Item], block: usize) -> Vec<Item> {
+    let mut blocks = (0..items.len()).filter(|at| matches!(items[*at], Item::Block { .. }));
+    let Some(at) = blocks.nth(block) else {
+        return Vec::new();
+    };
+    let above = items[..at]
+        .iter()
+        .rev()
+        .take_while(|item| is_comment(item))
+        .count();
+    items[at - above..=at].to_vec()
 }
 
-/// The definition of a block, with the comments that stand directly above it.
-fn definition(parse: &Parse, block: usize) -> String {
-    let lines = parse.structure().blocks[block].lines.clone();
-    let above = (0..lines.start).rev();
-    let above = above.take_while(|line| parse.lines()[*line].kind == LineKind::Comment);
-    text_of(parse, lines.start - above.count()..lines.end)
+/// Gives all of some items, which come from a text, one origin.
+fn mark(items: &mut [Item], origin: Origin) {
+    for item in items {
+        match item {
+            Item::Kept(_, own) => *own = origin,
+            Item::Block { items, .. } => mark(items, origin),
+            Item::Network(network) => {
+                if let Drawing::Rungs(rungs) = &mut network.drawing {
+                    for piece in rungs.iter_mut().flatten() {
+                        if let RungPiece::Element(element) = piece {
+                            element.origin = Some(origin);
+                        }
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
 }
 
 /// The declaration of a type in its file.
@@ -238,9 +254,4 @@ fn text_of(parse: &Parse, lines: Range<usize>) -> String {
         text.push('\n');
     }
     text
-}
-
-/// The number of the line that a text ends on.
-fn line_count(text: &str) -> u32 {
-    text.matches('\n').count() as u32 + 1
 }

@@ -28,7 +28,7 @@ mod word;
 mod write;
 
 use ladder_analysis::Analysis;
-use ladder_notation::{Notation, ReadError, Reading, Source, WriteError, Writing};
+use ladder_notation::{Notation, ReadError, Reading, Source, Target, WriteError, Writing};
 
 /// See the module.
 #[derive(Debug)]
@@ -73,6 +73,6 @@ impl Notation for Iot {
     }
 
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
-        write::write(analysis)
+        Target::SERIES_AND_BRANCHES.write(analysis, |analysis, _| write::write(analysis))
     }
 }

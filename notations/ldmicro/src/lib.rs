@@ -30,7 +30,7 @@ mod text;
 pub use drawn::LdmicroText;
 
 use ladder_analysis::Analysis;
-use ladder_notation::{Notation, ReadError, Reading, Source, WriteError, Writing};
+use ladder_notation::{Notation, ReadError, Reading, Source, Target, WriteError, Writing};
 
 /// See the module.
 #[derive(Debug)]
@@ -67,12 +67,13 @@ impl Notation for Ldmicro {
     }
 
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
-        let (file, report) = export::file(analysis)?;
-        let bytes = save::save(&file);
-        Ok(Writing {
-            bytes,
-            companions: Vec::new(),
-            report,
+        Target::SERIES_AND_BRANCHES.write(analysis, |analysis, _| {
+            let (file, report) = export::file(analysis)?;
+            Ok(Writing {
+                bytes: save::save(&file),
+                companions: Vec::new(),
+                report,
+            })
         })
     }
 }

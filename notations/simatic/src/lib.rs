@@ -22,10 +22,7 @@ mod write;
 mod xml;
 
 use ladder_analysis::Analysis;
-use ladder_notation::{
-    Notation, ReadError, Reading, Source, WriteError, Writing, text_of, with_blocks_alone,
-    with_calls_as_instructions, with_system_tags,
-};
+use ladder_notation::{Notation, ReadError, Reading, Source, Target, WriteError, Writing, text_of};
 use model::Unit;
 use read::resource::Texts;
 use scope::Library;
@@ -108,16 +105,17 @@ fn sketched(unit: &Unit, next: &[(String, Result<Unit, String>)]) -> Reading {
     sketch::reading(unit, &library)
 }
 
+/// What the controllers have.
+const TARGET: Target = Target {
+    has_system_tag: standard::has,
+    has_calls_in_formulas: false,
+    ..Target::BLOCKS_ALONE
+};
+
 /// Writes the units of a program.
 fn written(analysis: &Analysis, write: impl Fn(Made) -> Writing) -> Result<Writing, WriteError> {
-    with_blocks_alone(analysis, |analysis, unwritable| {
-        with_system_tags(
-            analysis,
-            |_, tag| standard::has(tag),
-            |analysis| {
-                with_calls_as_instructions(analysis, |analysis| write::made(analysis, unwritable).map(&write))
-            },
-        )
+    TARGET.write(analysis, |analysis, unwritable| {
+        write::made(analysis, unwritable).map(&write)
     })
 }
 

@@ -24,7 +24,7 @@ mod word;
 mod write;
 
 use ladder_analysis::Analysis;
-use ladder_notation::{Notation, ReadError, Reading, Source, WriteError, Writing};
+use ladder_notation::{Notation, ReadError, Reading, Source, Target, WriteError, Writing};
 
 /// See the module.
 #[derive(Debug)]
@@ -60,7 +60,7 @@ impl Notation for Textbook {
     }
 
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
-        write::write(analysis)
+        Target::SERIES_AND_BRANCHES.write(analysis, |analysis, _| write::write(analysis))
     }
 }
 

@@ -224,8 +224,8 @@ END_VAR
     expect![[r#"
         start (open contact I0.1 V open contact Q2) & closed contact I5.0 & active coil Q2 end
         # +--[ ]( Q2 )---------------[TON]( t, 5s )--( )( Q3 )--+
-        11:1 network: the grammar has no `[TON]`; the grammar has contacts and coils of single tags only
         1:1 tag `start`: the grammar knows names such as I0, M0 and Q0 only; it is `I0` there
+        11:1 network: the grammar has no `[TON]`; the grammar has contacts and coils of single tags only
     "#]]
     .assert_eq(&written);
     let lines: Vec<&str> = written.lines().filter(|line| line.starts_with("start")).collect();

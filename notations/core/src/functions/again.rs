@@ -43,7 +43,7 @@ pub(crate) fn functions_again(files: &mut [&mut ProgramSketch]) {
         file.items = without(std::mem::take(&mut file.items), &|block| {
             functions.contains_key(block)
         });
-        change(&mut file.items, &call);
+        change(&mut file.items, &mut |_, block| call(block));
         for section in sections(&mut file.items) {
             section
                 .declarations
@@ -55,7 +55,7 @@ pub(crate) fn functions_again(files: &mut [&mut ProgramSketch]) {
     let mut locals = Vec::new();
     for block in found {
         let mut own = block.items;
-        change(&mut own, &call);
+        change(&mut own, &mut |_, block| call(block));
         let mut renamed = block.tags.unwrap_or_default();
         renamed.retain(|name, tag| *name != Name::new(tag));
         for section in sections(&mut own) {
@@ -74,7 +74,7 @@ pub(crate) fn functions_again(files: &mut [&mut ProgramSketch]) {
             locals.push(section.clone());
         }
         if !renamed.is_empty() {
-            change(&mut own, &|block: &mut Block| rename(block, &renamed));
+            change(&mut own, &mut |_, block| rename(block, &renamed));
         }
         let items = &mut files[home].items;
         items.extend(function(block.function, block.begins, block.said, own));

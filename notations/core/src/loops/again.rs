@@ -166,7 +166,7 @@ impl Found {
         let (Ok(head), Ok(next)) = (Block::of(Op::For, operands), Block::of(Op::Next, Operand::NONE)) else {
             return;
         };
-        change(&mut items[self.head..=self.head], &|block: &mut Block| {
+        change(&mut items[self.head..=self.head], &mut |_, block| {
             if parts.counted(block).is_some() {
                 *block = head.clone();
             }

@@ -1,13 +1,13 @@
 //! What was written along is taken out again: the tags are those of `SYS`, where the block is as it was written.
 
-use super::{BLOCK, INSTANCE, OUTPUT, block, output};
-use crate::elements::{Call, blocks, change, series};
+use super::{ABOUT, BLOCK, INSTANCE, OUTPUT, block, call, output};
+use crate::elements::{Call, blocks, change, rung, series};
 use crate::items::{block_name, trim, without};
 use crate::{Notation, Source};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::SystemTag;
 use ladder_format::Options;
-use ladder_format::program::{Block, Declaration, Item, Path, ProgramSketch, SectionKind, Step};
+use ladder_format::program::{Declaration, Item, Path, ProgramSketch, Section, SectionKind, Step};
 use ladder_syntax::Name;
 use std::collections::BTreeSet;
 
@@ -24,7 +24,7 @@ pub(crate) fn system_tags_again(program: &mut ProgramSketch, notation: &dyn Nota
     }
     let mut items = without(program.items.clone(), &|block| *block == Name::new(BLOCK));
     remove_instances(&mut items);
-    change(&mut items, &|block: &mut Block| block.change_paths(of_system));
+    change(&mut items, &mut |_, block| block.change_paths(of_system));
     let again = ProgramSketch { items };
     if !has_errors(&again) {
         *program = again;
@@ -77,17 +77,27 @@ fn is_as_written(program: &ProgramSketch, tags: &[SystemTag], notation: &dyn Not
         ProgramSketch { items }.write(&Options::default()).text
     };
     let own = text_of(program);
-    let directives = program.items.iter().filter_map(|item| match item {
-        Item::Directive(said) if said.starts_with("profile") => Some(format!("# ladder: {said} #\n")),
-        _ => None,
+    let directives = program.items.iter().filter(|item| match item {
+        Item::Directive(said) => said.starts_with("profile"),
+        _ => false,
     });
-    [String::new(), directives.collect()]
+    let (Ok(block), Some(call)) = (block(tags), call()) else {
+        return false;
+    };
+    let mut instance = Section::new(SectionKind::Var);
+    instance.declarations.push(Declaration::new(INSTANCE, BLOCK));
+    let alone = [
+        Item::Section(instance),
+        rung([call], None),
+        Item::Blank,
+        Item::Comment(ABOUT.to_owned()),
+        block,
+    ];
+    [Vec::new(), directives.cloned().collect()]
         .into_iter()
-        .any(|directive| {
-            let text = format!(
-                "{directive}VAR\n    {INSTANCE} : {BLOCK};\nEND_VAR\n+--[{BLOCK}]( {INSTANCE} )--+\n\n{}",
-                block(tags)
-            );
+        .any(|mut items: Vec<Item>| {
+            items.extend_from_slice(&alone);
+            let text = ProgramSketch { items }.write(&Options::default()).text;
             let Ok(writing) = notation.write(&analyzed(&text)) else {
                 return false;
             };
@@ -112,7 +122,7 @@ fn called(items: &[Item]) -> BTreeSet<Name> {
 
 /// Takes out the instances and their calls. What is said above a call stays.
 fn remove_instances(items: &mut Vec<Item>) {
-    let Ok(call) = Block::user(&BLOCK[1..], [Path::tag(INSTANCE)]) else {
+    let Some(call) = call() else {
         return;
     };
     for mut item in std::mem::take(items) {

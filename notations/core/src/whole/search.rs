@@ -8,6 +8,8 @@ use ladder_analysis::networks::BlockAt;
 use ladder_analysis::networks::network::Meaning;
 use ladder_analysis::values::types::Type;
 use ladder_analysis::written::facts::NodeKind;
+use ladder_format::program;
+use ladder_instructions::Op;
 use ladder_syntax::{LineColumn, Name};
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -119,6 +121,14 @@ pub(super) fn used_by(context: &Context, block: BlockAt<'_>) -> Option<Used> {
                 _ => None,
             }
         }
+        _ => None,
+    }
+}
+
+/// The function that a block of a sketch begins or calls.
+pub(super) fn called_name(block: &program::Block) -> Option<&str> {
+    match block.op()? {
+        Op::Fun | Op::Call => block.only()?.path()?.whole(),
         _ => None,
     }
 }

@@ -95,13 +95,13 @@ impl Writer<'_> {
             Op::Call => {
                 let name = self.source(block.arguments[0].range).trim().to_owned();
                 let routine = self.names.spell(super::names::Kind::Routine, &name);
-                if self.body.is_some() {
+                if self.scope.body.is_some() {
                     return Err("an Add-On Instruction calls no routine".to_owned());
                 }
                 vec![it("JSR", &[&routine, "0"])]
             }
             // The main routine and an Add-On Instruction return to nobody.
-            Op::Ret if self.in_function => vec![it("RET", &[])],
+            Op::Ret if self.scope.in_function => vec![it("RET", &[])],
             Op::Ret => vec![it("TND", &[])],
             Op::Mcr => vec![it("MCR", &[])],
             op => self.data(op, block)?,
@@ -163,13 +163,13 @@ impl Writer<'_> {
         let edge = self.made("edge", "BOOL", "the edge of a contact");
         let mut rung = self.condition(value, true)?;
         rung.push(it(name, &[&storage, &edge]));
-        self.before.push(rung);
+        self.sheet.before.push(rung);
         Ok(vec![it("XIC", &[&edge])])
     }
 
     fn comparison(&mut self, op: Op, block: &Block) -> Result<Series> {
         let values = values(block);
-        if let ([low, test, high], Op::Le, true) = (&values[..], op, self.is_own)
+        if let ([low, test, high], Op::Le, true) = (&values[..], op, self.input.is_own)
             && let (Some(least), Some(most)) = (number(low), number(high))
             && least <= most
         {
@@ -220,7 +220,7 @@ impl Writer<'_> {
     fn set(&mut self, block: &Block, used: bool) -> Result<Lowered> {
         let pieces = self.coil("OTL", block)?;
         // Its power is the tag.
-        let cut = (used && !self.is_own).then(|| {
+        let cut = (used && !self.input.is_own).then(|| {
             let bits = pieces.iter().map(|piece| match piece {
                 Piece::It(text) => Piece::It(text.replacen("OTL", "XIC", 1)),
                 other @ Piece::Branch(_) => other.clone(),
@@ -240,7 +240,7 @@ impl Writer<'_> {
             return self.coil("OTU", block);
         };
         let own = self.target(block)?;
-        match self.program.tags[state.0 as usize].ty {
+        match self.input.program.tags[state.0 as usize].ty {
             Type::State(ty) => super::state::reset_state(&own, ty),
             _ => Err("this operand has no counterpart there".to_owned()),
         }
@@ -271,7 +271,7 @@ impl Writer<'_> {
         }
         let label = self.names.spell(super::names::Kind::Label, &name);
         if op == Op::Lbl {
-            self.label = Some(label);
+            self.sheet.label = Some(label);
             return Ok(Vec::new());
         }
         Ok(vec![it("JMP", &[&label])])

@@ -1,9 +1,9 @@
 //! Definitions of blocks as Add-On Instructions.
 
-use super::Writer;
 use super::data::Comments;
 use super::names::Kind;
 use super::native::Known;
+use super::{Scope, Writer};
 use crate::model::{Aoi, Routine, Rung, Tag, Usage};
 use ladder_analysis::names::scope::Origin;
 use ladder_syntax::Name;
@@ -13,7 +13,7 @@ impl Writer<'_> {
     /// Keeps what is said above a definition.
     pub(super) fn described(&mut self, body: usize, waiting: &mut Vec<String>) {
         let said = std::mem::take(waiting).join("\n");
-        self.body_comments.insert(body, said);
+        self.data.body_comments.insert(body, said);
     }
 
     /// A name that a definition sees.
@@ -22,12 +22,12 @@ impl Writer<'_> {
     ///
     /// If it is a tag of the program, or one that cannot be declared there.
     pub(super) fn visible(&mut self, name: &str) -> super::Result<()> {
-        let scopes = &self.analysis.context.scopes;
-        let scope = scopes.iter().find(|scope| scope.block == self.body);
+        let scopes = &self.input.analysis.context.scopes;
+        let scope = scopes.iter().find(|scope| scope.block == self.scope.body);
         let tag = scope.and_then(|scope| scope.tags.get(scope.find(&Name::new(name))?));
         let Some(tag) = tag else { return Ok(()) };
         if tag.is_alias() || tag.origin == Origin::Shared {
-            return match self.body {
+            return match self.scope.body {
                 Some(_) => Err(format!(
                     "an Add-On Instruction does not see the tag `{name}` of the program"
                 )),
@@ -44,22 +44,21 @@ impl Writer<'_> {
     pub(super) fn definitions(
         &mut self,
         bodies: &mut HashMap<usize, Vec<Rung>>,
-        locals: &mut HashMap<usize, (Vec<Tag>, Vec<String>)>,
+        locals: &mut HashMap<usize, Scope>,
         said: &Comments,
     ) -> Vec<Aoi> {
-        let mut users: Vec<usize> = self.body_of.keys().copied().collect();
-        users.sort_by_key(|user| self.body_of[user]);
+        let mut users: Vec<usize> = self.facts.body_of.keys().copied().collect();
+        users.sort_by_key(|user| self.facts.body_of[user]);
         let mut out = Vec::new();
         for user in users {
-            let Some(Known::Own(name)) = self.known.get(&user).cloned() else {
+            let Some(Known::Own(name)) = self.facts.known.get(&user).cloned() else {
                 continue;
             };
-            let body = self.body_of[&user];
+            let body = self.facts.body_of[&user];
             let rungs = bodies.remove(&body).unwrap_or_default();
-            let (made, first) = locals.remove(&body).unwrap_or_default();
-            self.first_scan = first;
-            let first = self.first_scan_rung();
-            let aoi = self.definition(user, body, name, rungs, first, made, said);
+            let local = locals.remove(&body).unwrap_or_default();
+            let first = self.first_scan_rung(&local.first_scan);
+            let aoi = self.definition(user, body, name, rungs, first, local.made, said);
             out.push(aoi);
         }
         out
@@ -76,19 +75,19 @@ impl Writer<'_> {
         made: Vec<Tag>,
         said: &Comments,
     ) -> Aoi {
-        let block = self.program.blocks[user].name.clone();
-        let analysis = self.analysis;
+        let block = self.input.program.blocks[user].name.clone();
+        let analysis = self.input.analysis;
         let scope = analysis
             .context
             .scopes
             .iter()
             .find(|scope| scope.block == Some(body));
-        self.body = Some(body);
+        self.scope.body = Some(body);
         let tags = scope
             .map(|scope| self.tags(scope, &block, said))
             .unwrap_or_default();
-        self.body = None;
-        let program = self.program;
+        self.scope.body = None;
+        let program = self.input.program;
         let mut required = Vec::new();
         for (parameter, (tag, _)) in program.blocks[user].parameters.iter().enumerate() {
             if self.is_given(user, parameter) {
@@ -118,6 +117,7 @@ impl Writer<'_> {
         }
         locals.extend(made);
         let comment = self
+            .data
             .body_comments
             .get(&body)
             .filter(|said| !said.is_empty())

@@ -44,7 +44,7 @@ impl Writer<'_> {
                 if op == Op::Typ && !(is_between(ty) && is_between(value.ty)) && !ty.is_string() {
                     return Err("this conversion has no counterpart there".to_owned());
                 }
-                if op == Op::Typ && !self.is_own && narrows(value.ty, ty) {
+                if op == Op::Typ && !self.input.is_own && narrows(value.ty, ty) {
                     self.note("what is too large for its type is cut there, and no fault");
                 }
                 if !Self::is_simple(value) {
@@ -148,7 +148,7 @@ impl Writer<'_> {
         let [base, exponent] = all else {
             return Err("there a power has two operands".to_owned());
         };
-        if ty.is_integer() && !self.is_own {
+        if ty.is_integer() && !self.input.is_own {
             self.note("there a power is computed with 32 bits of a real");
         }
         let (base, exponent) = (self.value(base)?, self.value(exponent)?);
@@ -185,7 +185,7 @@ impl Writer<'_> {
     /// A formula as an instruction of its own where it has one. `as_block`: it is a block of its own here, too.
     fn compute_with(&mut self, to: &str, ty: Scalar, formula: &Expr, as_block: bool) -> Result<Series> {
         let mut out = Vec::new();
-        if !self.is_own {
+        if !self.input.is_own {
             self.divisors(formula, &mut out)?;
             if narrow(ty) && divides_after(formula) {
                 self.note("parts of the formula are DINT there, and do not wrap in the type of the result");
@@ -211,7 +211,7 @@ impl Writer<'_> {
                 }
             }
             ExprKind::Call(op, inner) if inner.len() == 1 && Self::is_simple(&inner[0]) => {
-                if !self.is_own {
+                if !self.input.is_own {
                     out.extend(self.domain(*op, &inner[0])?);
                 }
                 match function(*op) {
@@ -256,7 +256,7 @@ impl Writer<'_> {
 
     /// Outside of its domain a function is a fault here.
     fn domain(&mut self, op: Op, value: &Expr) -> Result<Series> {
-        if self.is_own {
+        if self.input.is_own {
             return Ok(Vec::new());
         }
         Ok(match op {

@@ -88,7 +88,7 @@ impl At {
 impl Writer<'_> {
     /// What the comments at declarations say.
     pub(super) fn comments(&self) -> Comments {
-        let entries = cross_reference(&self.analysis.context);
+        let entries = cross_reference(&self.input.analysis.context);
         let said = entries.into_iter().filter(|entry| !entry.comment.is_empty());
         said.map(|entry| {
             let block = entry.block.unwrap_or_default().to_ascii_uppercase();
@@ -102,7 +102,7 @@ impl Writer<'_> {
         let mut out = Vec::new();
         for facts in &scope.tags {
             let is_shared = facts.is_alias() || matches!(facts.origin, Origin::Implicit | Origin::Shared);
-            if is_shared || self.absorbed_names.contains(&Name::new(&facts.name)) {
+            if is_shared || self.facts.absorbed_names.contains(&Name::new(&facts.name)) {
                 continue;
             }
             match self.tag(facts, block) {
@@ -127,7 +127,7 @@ impl Writer<'_> {
     fn tag(&mut self, facts: &TagFacts, block: &str) -> Result<Tag> {
         let ty = facts.ty.ok_or("its type is not known")?;
         let there = self.ty(ty)?;
-        if ty.scalar() == Some(Scalar::Time) && !self.is_own {
+        if ty.scalar() == Some(Scalar::Time) && !self.input.is_own {
             let place = self.place_of(facts);
             let why = "there a time is a DINT in milliseconds";
             self.report
@@ -229,14 +229,14 @@ impl Writer<'_> {
     /// A text of another length than Logix' own.
     fn text_type(&mut self, length: u16) -> String {
         let name = format!("STRING_{length}");
-        if self.types.iter().all(|ty| ty.name != name) {
+        if self.data.types.iter().all(|ty| ty.name != name) {
             let member = |name: &str, ty: &str, size: Option<u32>| Member {
                 name: name.to_owned(),
                 ty: ty.to_owned(),
                 dimensions: size.into_iter().collect(),
                 ..Member::default()
             };
-            self.types.push(DataType {
+            self.data.types.push(DataType {
                 name: name.clone(),
                 is_string: true,
                 members: vec![
@@ -258,7 +258,7 @@ impl Writer<'_> {
             return Ok(structure.name.to_string());
         }
         let name = self.names.spell(Kind::Type, &structure.name);
-        if self.types.iter().any(|ty| ty.name == name) {
+        if self.data.types.iter().any(|ty| ty.name == name) {
             return Ok(name);
         }
         let (comment, said) = self.structure_comments(&structure.name, &name);
@@ -300,7 +300,7 @@ impl Writer<'_> {
             }
             members.push(member);
         }
-        self.types.push(DataType {
+        self.data.types.push(DataType {
             name: name.clone(),
             members,
             comment,
@@ -311,7 +311,7 @@ impl Writer<'_> {
 
     /// What the comments at the declaration of a structure say: above it, and at its members.
     fn structure_comments(&mut self, name: &str, there: &str) -> (Option<String>, HashMap<Name, String>) {
-        let parse = &self.analysis.context.parse;
+        let parse = &self.input.analysis.context.parse;
         let lines = parse.lines();
         let said_on = |line: usize| {
             let all = comments::on_line(parse, line);
@@ -331,7 +331,7 @@ impl Writer<'_> {
         let Some(header) = sections.flat_map(|section| section.lines.clone()).find(is_it) else {
             return (None, members);
         };
-        self.type_order.insert(there.to_owned(), header);
+        self.data.type_order.insert(there.to_owned(), header);
         let mut above: Vec<String> = Vec::new();
         for line in (0..header)
             .rev()
@@ -380,7 +380,7 @@ impl Writer<'_> {
             }
             Type::State(state) => {
                 let key = (at.block.clone(), Name::new(&at.path));
-                state_value(state, self.presets.get(&key).map_or("0", String::as_str))
+                state_value(state, self.data.presets.get(&key).map_or("0", String::as_str))
             }
             Type::Compound(id) => match id.get() {
                 Compound::Structure(structure) => {
@@ -403,7 +403,7 @@ impl Writer<'_> {
 
     /// What an instance of a block begins with: the values of its parameters.
     fn instance(&mut self, name: &str) -> Result<Option<Raw>> {
-        let program = self.program;
+        let program = self.input.program;
         let Some(block) = program
             .blocks
             .iter()

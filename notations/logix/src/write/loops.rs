@@ -32,10 +32,10 @@ fn last_tag(block: &Block) -> Option<TagId> {
 impl Writer<'_> {
     /// Finds the loops that belong to instructions.
     pub(super) fn find_loops(&mut self) {
-        if !self.is_own {
+        if !self.input.is_own {
             return;
         }
-        let program = self.program;
+        let program = self.input.program;
         for (number, network) in program.networks.iter().enumerate() {
             // Several of one rung follow each other.
             let mut next = number + 1;
@@ -43,7 +43,8 @@ impl Writer<'_> {
                 let BlockKind::User(user) = block.kind else {
                     continue;
                 };
-                let Some(Known::Native(name @ ("FAL" | "FSC" | "FOR"))) = self.known.get(&user).cloned()
+                let Some(Known::Native(name @ ("FAL" | "FSC" | "FOR"))) =
+                    self.facts.known.get(&user).cloned()
                 else {
                     continue;
                 };
@@ -51,10 +52,11 @@ impl Writer<'_> {
                 let Some(count) = self.is_loop(name, turns, next) else {
                     continue;
                 };
-                self.loops.insert(block.location.range.start(), next);
-                self.skipped.extend(next..next + count);
+                self.facts.loops.insert(block.location.range.start(), next);
+                self.facts.skipped.extend(next..next + count);
                 next += count;
-                self.absorbed_names
+                self.facts
+                    .absorbed_names
                     .insert(Name::new(&program.tags[turns.0 as usize].name));
             }
         }
@@ -63,7 +65,7 @@ impl Writer<'_> {
     /// Whether networks are the loop of an instruction, and how many they are.
     fn is_loop(&mut self, name: &str, turns: TagId, first: usize) -> Option<usize> {
         use Op::{Add, Calc, Call, Contact, Ge, Jmp, Lbl, NegatedContact, Next, ResetCoil, SetCoil};
-        let program = self.program;
+        let program = self.input.program;
         let at = |number: usize| {
             program
                 .networks
@@ -98,7 +100,8 @@ impl Writer<'_> {
                 }
                 // The number of the turn.
                 if let Some(turn) = last_tag(own) {
-                    self.absorbed_names
+                    self.facts
+                        .absorbed_names
                         .insert(Name::new(&program.tags[turn.0 as usize].name));
                 }
                 Some(4 + usize::from(leaves))
@@ -108,9 +111,9 @@ impl Writer<'_> {
 
     /// `FAL`, `FSC` or `FOR` with what its loop does.
     pub(super) fn looped(&mut self, name: &str, block: &Block, texts: &[&str]) -> Result<Piece> {
-        let first = self.loops.get(&block.location.range.start()).copied();
+        let first = self.facts.loops.get(&block.location.range.start()).copied();
         let first = first.ok_or("it has no counterpart without the loop that the reader writes after it")?;
-        let program = self.program;
+        let program = self.input.program;
         let body = &program.networks[first + 1];
         if name == "FOR" {
             let [from, to, step, _] = texts else {

@@ -28,15 +28,12 @@ mod xml;
 use crate::model::{Raw, Tag};
 use crate::types::Elem;
 use ladder_analysis::Analysis;
-use ladder_analysis::context::{Body, Context};
+use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::TagFacts;
 use ladder_analysis::networks::NetworkAt;
 use ladder_analysis::program::{Program, TagId};
-use ladder_instructions::Profile;
-use ladder_notation::{
-    LineColumn, Lines, Report, Unwritable, WriteError, Writing, stand_in, with_arrays_as_elements,
-    with_calls_as_instructions, with_loops_as_jumps, with_other_files, with_system_tags,
-};
+use ladder_instructions::{Op, Profile};
+use ladder_notation::{LineColumn, Lines, Report, Stays, Target, Unwritable, WriteError, Writing, stand_in};
 use ladder_syntax::{Name, TextSize};
 use names::{Kind, Names};
 use native::Known;
@@ -60,22 +57,22 @@ impl Lowered {
     }
 }
 
-/// What writes a program.
-struct Writer<'a> {
+/// What is written.
+struct Input<'a> {
     analysis: &'a Analysis,
     program: &'a Program,
     text: &'a str,
     lines: Lines,
     /// The program has the arithmetic and timing of Logix.
     is_own: bool,
-    names: Names,
-    report: Report,
-    types: Vec<crate::model::DataType>,
-    /// Where each type is declared, by its line.
-    type_order: HashMap<String, usize>,
+}
+
+/// What is known of the program before its first rung is written.
+#[derive(Default)]
+struct Facts {
     /// Tags that the reader declared for one instruction, and that nothing else uses.
     helpers: HashSet<TagId>,
-    /// Those that are not needed, and what stands for them.
+    /// Those that are not needed, and what is in the place of them.
     absorbed: HashMap<TagId, Option<String>>,
     absorbed_names: HashSet<Name>,
     /// The bits with which routines end the loop that calls them.
@@ -87,62 +84,88 @@ struct Writer<'a> {
     known: HashMap<usize, Known>,
     /// For each user-defined block its definition in the text.
     body_of: HashMap<usize, usize>,
-    /// What is said above each definition.
-    body_comments: HashMap<usize, String>,
-    /// The parameters that a call has a value for.
-    given: HashSet<(usize, usize)>,
-    /// The definition that is being written.
+}
+
+/// The program, or the definition that is being written.
+#[derive(Default)]
+struct Scope {
+    /// The definition.
     body: Option<usize>,
     in_function: bool,
-    /// Tags that the rungs of this scope need besides the program's.
+    /// Tags that its rungs need besides the program's.
     made: Vec<Tag>,
-    /// Bits of this scope that are off when the first scan begins.
+    /// Bits that are off when the first scan begins.
     first_scan: Vec<String>,
-    /// The bits of pulses.
-    pulses: HashMap<String, String>,
-    /// The presets of timers and counters, by the block and the path.
-    presets: HashMap<(String, Name), String>,
+}
+
+/// The network that is being written.
+#[derive(Default)]
+struct Sheet {
     rungs: Vec<Series>,
     before: Vec<Series>,
     label: Option<String>,
     note: Option<String>,
 }
 
-/// Writes a program.
-pub(crate) fn write(analysis: &Analysis) -> std::result::Result<Writing, WriteError> {
-    with_other_files(analysis, |analysis, unwritable| {
-        // Blocks that were read from there are instructions again.
-        let natives = native::natives(&analysis.context);
-        let is_native = |body: Body| matches!(body, Body::Block(block) if natives.contains(&block));
-        with_system_tags(
-            analysis,
-            |body, _| is_native(body),
-            |analysis| by_own_means(analysis, &is_native, unwritable),
-        )
-    })
+/// What the rungs need besides tags of their own.
+#[derive(Default)]
+struct Data {
+    types: Vec<crate::model::DataType>,
+    /// Where each type is declared, by its line.
+    type_order: HashMap<String, usize>,
+    /// What is written above each definition.
+    body_comments: HashMap<usize, String>,
+    /// The parameters that a call has a value for.
+    given: HashSet<(usize, usize)>,
+    /// The presets of timers and counters, by the block and the path.
+    presets: HashMap<(String, Name), String>,
+    /// The bits of pulses.
+    pulses: HashMap<String, String>,
 }
 
-/// Writes a program with nothing that only ladder text has, but in the bodies of blocks that are instructions there.
-fn by_own_means(
-    analysis: &Analysis,
-    is_native: &dyn Fn(Body) -> bool,
-    unwritable: &Unwritable,
-) -> std::result::Result<Writing, WriteError> {
-    let plain =
-        |analysis: &Analysis| with_calls_as_instructions(analysis, |analysis| file(analysis, unwritable));
-    if analysis.context.profile != Profile::Logix {
-        return with_arrays_as_elements(analysis, &["[UNPACK]"], |analysis| {
-            with_loops_as_jumps(analysis, |_, _| true, plain)
-        });
-    }
-    // Loops that were read from there are in an instruction again.
-    let turns = turns_of_instructions(&analysis.context);
-    let are_jumps = |body: Body, count: &str| !is_native(body) && !turns.contains(&Name::new(count.trim()));
-    with_loops_as_jumps(analysis, are_jumps, plain)
+/// What writes a program.
+struct Writer<'a> {
+    input: Input<'a>,
+    facts: Facts,
+    scope: Scope,
+    sheet: Sheet,
+    data: Data,
+    names: Names,
+    report: Report,
+}
+
+/// What the controllers have.
+const TARGET: Target = Target {
+    lacks_on_arrays: Some(&[Op::Unpack]),
+    has_functions: true,
+    has_system_tag: |_| false,
+    has_calls_in_formulas: false,
+    has_bridges: false,
+    // Blocks and loops that were read from there are instructions again.
+    stays: |context| Stays {
+        blocks: native::natives(context),
+        turns: turns_of_instructions(context),
+    },
+    ..Target::BLOCKS_ALONE
+};
+
+/// Writes a program.
+pub(crate) fn write(analysis: &Analysis) -> std::result::Result<Writing, WriteError> {
+    let target = match analysis.context.profile {
+        Profile::Logix => Target {
+            lacks_on_arrays: None,
+            ..TARGET
+        },
+        _ => TARGET,
+    };
+    target.write(analysis, file)
 }
 
 /// The tags with the numbers of turns of `FAL`, `FSC` and `FOR`.
 fn turns_of_instructions(context: &Context) -> HashSet<Name> {
+    if context.profile != Profile::Logix {
+        return HashSet::new();
+    }
     let blocks = context.networks.iter().flat_map(NetworkAt::blocks);
     let instructions =
         blocks.filter(|block| matches!(block.head_text().as_str(), "[$FAL]" | "[$FSC]" | "[$FOR]"));
@@ -162,35 +185,19 @@ fn file(analysis: &Analysis, unwritable: &Unwritable) -> std::result::Result<Wri
         return Err(WriteError::new("the program has errors"));
     };
     let mut writer = Writer {
-        analysis: &whole,
-        program,
-        text: &text,
-        lines: Lines::of(&text),
-        is_own: analysis.context.profile == Profile::Logix,
+        input: Input {
+            analysis: &whole,
+            program,
+            text: &text,
+            lines: Lines::of(&text),
+            is_own: analysis.context.profile == Profile::Logix,
+        },
+        facts: Facts::default(),
+        scope: Scope::default(),
+        sheet: Sheet::default(),
+        data: Data::default(),
         names: Names::default(),
         report: Report::default(),
-        types: Vec::new(),
-        type_order: HashMap::new(),
-        helpers: HashSet::new(),
-        absorbed: HashMap::new(),
-        absorbed_names: HashSet::new(),
-        leaves: HashSet::new(),
-        loops: HashMap::new(),
-        skipped: HashSet::new(),
-        known: HashMap::new(),
-        body_of: HashMap::new(),
-        body_comments: HashMap::new(),
-        given: HashSet::new(),
-        body: None,
-        in_function: false,
-        made: Vec::new(),
-        first_scan: Vec::new(),
-        pulses: HashMap::new(),
-        presets: HashMap::new(),
-        rungs: Vec::new(),
-        before: Vec::new(),
-        label: None,
-        note: None,
     };
     if !matches!(analysis.context.profile, Profile::Logix | Profile::Iec) {
         let why = "arithmetic, timers and counters are those of Logix there, not of the profile of this file";
@@ -217,22 +224,22 @@ fn is_nothing(comment: &str) -> bool {
 
 impl Writer<'_> {
     fn at(&self, offset: usize) -> LineColumn {
-        self.lines.place(self.text, offset)
+        self.input.lines.place(self.input.text, offset)
     }
 
     fn place_of(&self, tag: &TagFacts) -> LineColumn {
-        self.at(self.analysis.context.place_of(tag).start().into())
+        self.at(self.input.analysis.context.place_of(tag).start().into())
     }
 
     /// Notes why a network is not quite the same.
     fn note(&mut self, why: &str) {
-        self.note.get_or_insert_with(|| why.to_owned());
+        self.sheet.note.get_or_insert_with(|| why.to_owned());
     }
 
     /// A tag that the rungs need.
     fn made(&mut self, like: &str, ty: &str, what: &str) -> String {
         let name = self.names.fresh(Kind::Tag, like);
-        self.made.push(Tag {
+        self.scope.made.push(Tag {
             name: name.clone(),
             ty: ty.to_owned(),
             value: Elem::named(ty).map(|_| Raw::Scalar(ty.to_owned(), "0".to_owned())),
@@ -246,7 +253,7 @@ impl Writer<'_> {
     fn storage(&mut self, like: &str, risen: bool) -> String {
         let name = self.made(like, "BOOL", "the memory of an edge");
         if risen {
-            self.first_scan.push(name.clone());
+            self.scope.first_scan.push(name.clone());
         }
         name
     }

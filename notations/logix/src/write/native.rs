@@ -94,19 +94,20 @@ pub(super) fn natives(context: &Context) -> HashSet<usize> {
 impl Writer<'_> {
     /// Finds out what each block is.
     pub(super) fn know_blocks(&mut self, unwritable: &Unwritable) {
-        let context = &self.analysis.context;
-        for (number, block) in self.program.blocks.iter().enumerate() {
+        let context = &self.input.analysis.context;
+        for (number, block) in self.input.program.blocks.iter().enumerate() {
             let of = context
                 .user_blocks
                 .iter()
                 .position(|own| own.name.eq_ignore_ascii_case(&block.name));
             let Some(of) = of.filter(|of| *of < context.own_blocks) else {
-                self.known
+                self.facts
+                    .known
                     .insert(number, Known::Not("it is defined in another file".to_owned()));
                 continue;
             };
             if let Some(why) = unwritable.get(&Name::new(&block.name)) {
-                self.known.insert(number, Known::Not(why.clone()));
+                self.facts.known.insert(number, Known::Not(why.clone()));
                 continue;
             }
             let lines = context.parse.structure().blocks[of].lines.clone();
@@ -116,7 +117,7 @@ impl Writer<'_> {
                 None => match UnreadPart::of(context, lines.start, &text) {
                     Some(part) => Known::Unread(part),
                     None if block.parameters.iter().any(|(tag, kind)| {
-                        let ty = self.program.tags[tag.0 as usize].ty;
+                        let ty = self.input.program.tags[tag.0 as usize].ty;
                         *kind != ParameterKind::InOut
                             && !ty.scalar().is_some_and(|ty| !ty.is_string() && !ty.is_date())
                     }) || !block.parts.iter().all(Vec::is_empty)
@@ -139,14 +140,14 @@ impl Writer<'_> {
                     }
                 },
             };
-            self.body_of.insert(number, of);
-            self.known.insert(number, known);
+            self.facts.body_of.insert(number, of);
+            self.facts.known.insert(number, known);
         }
     }
 
     /// The name that an Add-On Instruction had: what the reader says above its definition.
     fn original(&self, header: usize, block: &str) -> Option<String> {
-        let lines = self.analysis.context.parse.lines();
+        let lines = self.input.analysis.context.parse.lines();
         let above = (0..header)
             .rev()
             .take_while(|line| matches!(lines[*line].kind, LineKind::Comment));
@@ -168,9 +169,9 @@ impl Writer<'_> {
     ///
     /// It cannot be an Add-On Instruction.
     pub(super) fn block_type(&mut self, name: &str) -> Result<String> {
-        let all = &self.program.blocks;
+        let all = &self.input.program.blocks;
         let number = all.iter().position(|block| block.name.eq_ignore_ascii_case(name));
-        match number.and_then(|number| self.known.get(&number)) {
+        match number.and_then(|number| self.facts.known.get(&number)) {
             Some(Known::Not(why)) => Err(why.clone()),
             _ => Ok(self.names.spell(Kind::Type, name)),
         }
@@ -178,7 +179,7 @@ impl Writer<'_> {
 
     /// A user-defined block on a rung.
     pub(super) fn user(&mut self, user: usize, block: &Block) -> Result<Series> {
-        match self.known.get(&user).cloned() {
+        match self.facts.known.get(&user).cloned() {
             Some(Known::Native(own)) => self.native(own, block),
             Some(Known::Unread(part)) => self.unread_call(&part, block),
             Some(Known::Own(name)) => self.call(user, &name, block),
@@ -238,7 +239,7 @@ impl Writer<'_> {
 
     /// A call of an Add-On Instruction: the instance, then each parameter.
     fn call(&mut self, user: usize, name: &str, block: &Block) -> Result<Series> {
-        let definition = &self.program.blocks[user];
+        let definition = &self.input.program.blocks[user];
         let parameters = definition.parameters.clone();
         let mut operands = Vec::new();
         let instance = block.arguments.iter().find(|bound| bound.parameter.is_none());
@@ -251,7 +252,7 @@ impl Writer<'_> {
             if !self.is_given(user, number) {
                 continue;
             }
-            let ty = self.program.tags[tag.0 as usize].ty;
+            let ty = self.input.program.tags[tag.0 as usize].ty;
             let given = block
                 .arguments
                 .iter()
@@ -270,7 +271,7 @@ impl Writer<'_> {
                         if ty.scalar() == Some(Scalar::Bool) {
                             return Err("there an input takes a tag or a number".to_owned());
                         }
-                        if !self.is_own {
+                        if !self.input.is_own {
                             self.note("there an input is computed only while the block has power");
                         }
                         let text = self.formula(value)?;
@@ -283,7 +284,7 @@ impl Writer<'_> {
                 },
                 (Some(bound), _) => self.argument(bound)?,
                 (None, ParameterKind::Input) => {
-                    let initial = self.program.tags[tag.0 as usize].initial.first().cloned();
+                    let initial = self.input.program.tags[tag.0 as usize].initial.first().cloned();
                     super::data::number_of(initial.as_ref(), ty.scalar())?
                 }
                 (None, _) => {
@@ -299,8 +300,8 @@ impl Writer<'_> {
 
     /// Whether a parameter is an operand of calls: one of them has a value for it.
     pub(super) fn is_given(&self, user: usize, parameter: usize) -> bool {
-        self.given.contains(&(user, parameter))
-            || self.program.blocks[user].parameters[parameter].1 == ParameterKind::InOut
+        self.data.given.contains(&(user, parameter))
+            || self.input.program.blocks[user].parameters[parameter].1 == ParameterKind::InOut
     }
 }
 

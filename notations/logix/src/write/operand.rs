@@ -14,7 +14,7 @@ const MILLISECOND: i64 = 1_000_000;
 
 impl Writer<'_> {
     pub(super) fn source(&self, range: TextRange) -> &str {
-        &self.text[range]
+        &self.input.text[range]
     }
 
     /// A tag or a part of one.
@@ -56,8 +56,8 @@ impl Writer<'_> {
             match upper.as_str() {
                 "MOD" | "AND" | "OR" | "XOR" | "NOT" => return Ok(format!(" {upper} ")),
                 "SHL" | "SHR" => return Err("an index that is shifted has no counterpart there".to_owned()),
-                "EN" if self.body.is_some() => return Ok("EnableIn".to_owned()),
-                "ENO" if self.body.is_some() => return Ok("EnableOut".to_owned()),
+                "EN" if self.scope.body.is_some() => return Ok("EnableIn".to_owned()),
+                "ENO" if self.scope.body.is_some() => return Ok("EnableOut".to_owned()),
                 _ => {}
             }
             self.visible(word)?;
@@ -77,7 +77,7 @@ impl Writer<'_> {
     }
 
     fn state_of(&self, tag: ladder_analysis::program::TagId) -> Option<StateType> {
-        match self.program.tags[tag.0 as usize].ty {
+        match self.input.program.tags[tag.0 as usize].ty {
             Type::State(state) => Some(state),
             _ => None,
         }
@@ -113,7 +113,7 @@ impl Writer<'_> {
             ExprKind::Constant(value) => self.constant(value, expr),
             ExprKind::Read(place) => {
                 if let Place::Tag(tag) = place
-                    && let Some(Some(text)) = self.absorbed.get(tag)
+                    && let Some(Some(text)) = self.facts.absorbed.get(tag)
                 {
                     return Ok(text.clone());
                 }

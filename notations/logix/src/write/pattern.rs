@@ -81,7 +81,7 @@ impl Writer<'_> {
         if op_of(first) == Some(Op::SetCoil)
             && let Some(Argument::Place(Place::Tag(tag), _)) =
                 first.arguments.first().map(|bound| &bound.argument)
-            && self.leaves.contains(tag)
+            && self.facts.leaves.contains(tag)
             && block(1).and_then(op_of) == Some(Op::Ret)
         {
             return Ok(Some((only(it("BRK", &[])), 2)));
@@ -144,16 +144,16 @@ impl Writer<'_> {
     /// The helper that a block writes: a tag that the reader declared for one instruction.
     fn helper(&self, block: &Block) -> Option<TagId> {
         match &block.arguments.first()?.argument {
-            Argument::Place(Place::Tag(tag), _) => self.helpers.contains(tag).then_some(*tag),
+            Argument::Place(Place::Tag(tag), _) => self.facts.helpers.contains(tag).then_some(*tag),
             _ => None,
         }
     }
 
     /// Notes that a helper is not needed; what stands for it in operands.
     fn absorb(&mut self, helper: TagId, value: Option<String>) {
-        let name = self.program.tags[helper.0 as usize].name.clone();
-        self.absorbed.insert(helper, value);
-        self.absorbed_names.insert(ladder_syntax::Name::new(&name));
+        let name = self.input.program.tags[helper.0 as usize].name.clone();
+        self.facts.absorbed.insert(helper, value);
+        self.facts.absorbed_names.insert(ladder_syntax::Name::new(&name));
     }
 
     /// A formula that decides, as one instruction.
@@ -201,7 +201,7 @@ impl Writer<'_> {
         network: &Network,
         legs: &[Circuit<usize>],
     ) -> Result<Option<(Piece, usize)>> {
-        if !self.is_own {
+        if !self.input.is_own {
             return Ok(None);
         }
         let compared = |circuit: &Circuit<usize>, name: &str| -> Option<Vec<Expr>> {

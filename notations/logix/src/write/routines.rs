@@ -3,8 +3,8 @@
 use super::names::{Kind, Names};
 use super::native::Known;
 use super::rung::{Piece, Series, it, text};
-use super::{Result, Writer};
-use crate::model::{Program, Project, Routine, Rung, Tag};
+use super::{Result, Scope, Writer};
+use crate::model::{Program, Project, Routine, Rung};
 use ladder_analysis::program::{Argument, BlockKind, Network};
 use ladder_instructions::Op;
 use ladder_notation::{Unwritable, comments};
@@ -21,7 +21,7 @@ impl Writer<'_> {
         self.count_uses();
         self.find_loops();
         let mut project = Project {
-            rate: self.analysis.context.cycle.map(rate),
+            rate: self.input.analysis.context.cycle.map(rate),
             ..Project::default()
         };
         self.names.fresh(Kind::Routine, MAIN);
@@ -30,18 +30,18 @@ impl Writer<'_> {
             ..Routine::default()
         }];
         let mut bodies: HashMap<usize, Vec<Rung>> = HashMap::new();
-        let mut locals: HashMap<usize, (Vec<Tag>, Vec<String>)> = HashMap::new();
+        let mut locals: HashMap<usize, Scope> = HashMap::new();
         let mut waiting: Vec<String> = Vec::new();
         let mut said_of_all: Vec<String> = Vec::new();
         let mut has_begun = false;
-        let program = self.program;
+        let program = self.input.program;
         let networks = program.networks.iter().enumerate();
         let networks = networks.filter(|(_, network)| network.location.file == 0);
         // Blocks and functions stand in another order in the text.
         let by_start: HashMap<_, _> = networks
             .map(|found| (found.1.location.range.start(), found))
             .collect();
-        let parse = self.analysis.context.parse.clone();
+        let parse = self.input.analysis.context.parse.clone();
         let mut within = None;
         for item in &parse.structure().items {
             match *item {
@@ -71,14 +71,14 @@ impl Writer<'_> {
                 }
                 Item::Network(number) => {
                     has_begun = true;
-                    let start = self.analysis.context.networks.at(number).range.start();
+                    let start = self.input.analysis.context.networks.at(number).range.start();
                     let Some(&(index, network)) = by_start.get(&start) else {
                         let place = self.at(start.into());
                         let why = "nothing uses the function or block that it is in";
                         self.report.refused(place, "network", why);
                         continue;
                     };
-                    if self.skipped.contains(&index) {
+                    if self.facts.skipped.contains(&index) {
                         self.translated(network);
                         continue;
                     }
@@ -94,7 +94,7 @@ impl Writer<'_> {
                         && let Some(name) = function(network)
                     {
                         let name = self.source(name).trim().to_owned();
-                        self.in_function = true;
+                        self.scope.in_function = true;
                         routines.push(Routine {
                             name: self.names.spell(Kind::Routine, &name),
                             comment: comment(&mut waiting),
@@ -111,21 +111,13 @@ impl Writer<'_> {
                             continue;
                         }
                         Some(body) => {
-                            self.body = Some(body);
-                            let (made, first) = locals.remove(&body).unwrap_or_default();
-                            let outer = (
-                                std::mem::replace(&mut self.made, made),
-                                std::mem::replace(&mut self.first_scan, first),
-                                std::mem::replace(&mut self.in_function, false),
-                            );
+                            let own = locals.remove(&body).unwrap_or_else(|| Scope {
+                                body: Some(body),
+                                ..Scope::default()
+                            });
+                            let outer = std::mem::replace(&mut self.scope, own);
                             let rungs = self.rungs_of(network, comment(&mut waiting));
-                            let own = (
-                                std::mem::replace(&mut self.made, outer.0),
-                                std::mem::replace(&mut self.first_scan, outer.1),
-                            );
-                            self.in_function = outer.2;
-                            locals.insert(body, own);
-                            self.body = None;
+                            locals.insert(body, std::mem::replace(&mut self.scope, outer));
                             bodies.entry(body).or_default().extend(rungs);
                             continue;
                         }
@@ -148,7 +140,7 @@ impl Writer<'_> {
                 ..Rung::default()
             });
         }
-        if let Some(first) = self.first_scan_rung() {
+        if let Some(first) = self.first_scan_rung(&self.scope.first_scan) {
             routines[0].rungs.insert(0, first);
         }
         for routine in &mut routines {
@@ -156,13 +148,13 @@ impl Writer<'_> {
             (routine.rungs, routine.foreign) = self.in_one_language(rungs);
         }
         if project.name.is_empty() {
-            let name = &self.analysis.context.name;
+            let name = &self.input.analysis.context.name;
             let stem = name.rsplit(['/', '\\']).next().unwrap_or_default();
             let stem = stem.split('.').next().unwrap_or_default();
             project.name = Names::default().spell(Kind::Tag, stem);
         }
         let said = self.comments();
-        let scopes = &self.analysis.context.scopes;
+        let scopes = &self.input.analysis.context.scopes;
         project.aois = self.definitions(&mut bodies, &mut locals, &said);
         let mut tags = Vec::new();
         if let Some(scope) = scopes.iter().find(|scope| scope.block.is_none()) {
@@ -174,11 +166,11 @@ impl Writer<'_> {
                 }
             }
         }
-        tags.append(&mut self.made);
-        project.types = std::mem::take(&mut self.types);
+        tags.append(&mut self.scope.made);
+        project.types = std::mem::take(&mut self.data.types);
         project
             .types
-            .sort_by_key(|ty| self.type_order.get(&ty.name).copied().unwrap_or(usize::MAX));
+            .sort_by_key(|ty| self.data.type_order.get(&ty.name).copied().unwrap_or(usize::MAX));
         let has_nothing = |routine: &Routine| routine.rungs.is_empty() && routine.foreign.is_none();
         let is_empty = routines.iter().all(has_nothing) && tags.is_empty();
         if !is_empty || project.aois.is_empty() {
@@ -196,13 +188,13 @@ impl Writer<'_> {
 
     /// Whether the definition of a block is written as an Add-On Instruction.
     fn is_written(&self, body: usize) -> bool {
-        let of = self.body_of.iter().find(|(_, own)| **own == body);
-        of.is_some_and(|(user, _)| matches!(self.known.get(user), Some(Known::Own(_))))
+        let of = self.facts.body_of.iter().find(|(_, own)| **own == body);
+        of.is_some_and(|(user, _)| matches!(self.facts.known.get(user), Some(Known::Own(_))))
     }
 
     /// Each name is spelled as it is first, so that those of helpers give way.
     fn spell_tags(&mut self) {
-        let scopes = &self.analysis.context.scopes;
+        let scopes = &self.input.analysis.context.scopes;
         let names: Vec<_> = scopes
             .iter()
             .flat_map(|scope| &scope.tags)
@@ -218,7 +210,7 @@ impl Writer<'_> {
     /// Which tags are used once written and once read, and which parameters calls give.
     fn count_uses(&mut self) {
         let mut count: HashMap<u32, usize> = HashMap::new();
-        for network in &self.program.networks {
+        for network in &self.input.program.networks {
             for block in &network.blocks {
                 for bound in &block.arguments {
                     for (place, _) in bound.places() {
@@ -227,30 +219,33 @@ impl Writer<'_> {
                         }
                     }
                     if let (BlockKind::User(user), Some(parameter)) = (block.kind, bound.parameter) {
-                        self.given.insert((user, parameter));
+                        self.data.given.insert((user, parameter));
                     }
                 }
             }
         }
-        if !self.is_own {
+        if !self.input.is_own {
             return;
         }
         let said = self.comments();
-        for (number, tag) in self.program.tags.iter().enumerate() {
+        for (number, tag) in self.input.program.tags.iter().enumerate() {
             let block = tag
                 .block
-                .map(|block| self.program.blocks[block].name.to_ascii_uppercase());
+                .map(|block| self.input.program.blocks[block].name.to_ascii_uppercase());
             let key = (block.unwrap_or_default(), Name::new(&tag.name));
             if said
                 .get(&key)
                 .is_some_and(|said| said.ends_with("ends the loop that calls it"))
             {
-                self.leaves.insert(ladder_analysis::program::TagId(number as u32));
-                self.absorbed_names.insert(Name::new(&tag.name));
+                self.facts
+                    .leaves
+                    .insert(ladder_analysis::program::TagId(number as u32));
+                self.facts.absorbed_names.insert(Name::new(&tag.name));
             }
             let is_helper = said.get(&key).is_some_and(|said| said.starts_with("helper: "));
             if is_helper && count.get(&(number as u32)) == Some(&2) {
-                self.helpers
+                self.facts
+                    .helpers
                     .insert(ladder_analysis::program::TagId(number as u32));
             }
         }
@@ -264,8 +259,8 @@ impl Writer<'_> {
     /// A network as rungs, with what is said of it on the first.
     fn rungs_of(&mut self, network: &Network, mut comment: Option<String>) -> Vec<Rung> {
         let place = self.at(network.location.range.start().into());
-        self.note = None;
-        let made = (self.made.len(), self.first_scan.len());
+        self.sheet.note = None;
+        let made = (self.scope.made.len(), self.scope.first_scan.len());
         let rungs = match self.unread_routine(network) {
             Some(Ok(mut rungs)) => {
                 self.report.translated(place, "network");
@@ -279,7 +274,7 @@ impl Writer<'_> {
         };
         match rungs {
             Ok(rungs) => {
-                match self.note.take() {
+                match self.sheet.note.take() {
                     Some(note) => self.report.approximated(place, "network", note),
                     None => self.report.translated(place, "network"),
                 }
@@ -291,8 +286,8 @@ impl Writer<'_> {
                 rungs.into_iter().map(rung).collect()
             }
             Err(why) => {
-                self.made.truncate(made.0);
-                self.first_scan.truncate(made.1);
+                self.scope.made.truncate(made.0);
+                self.scope.first_scan.truncate(made.1);
                 self.report.refused(place, "network", &why);
                 let drawing = self.source(network.location.range);
                 let said = comment.map_or_else(String::new, |said| format!("{said}\n"));
@@ -306,9 +301,8 @@ impl Writer<'_> {
     }
 
     /// In the first scan what is high has risen: here it has, there the memories of edges are on.
-    pub(super) fn first_scan_rung(&mut self) -> Option<Rung> {
-        let bits = std::mem::take(&mut self.first_scan);
-        if bits.is_empty() || self.is_own {
+    pub(super) fn first_scan_rung(&self, bits: &[String]) -> Option<Rung> {
+        if bits.is_empty() || self.input.is_own {
             return None;
         }
         let mut series = vec![it("XIC", &["S:FS"])];
@@ -323,7 +317,7 @@ impl Writer<'_> {
     /// Whether several labels have a name.
     pub(super) fn ambiguous_label(&self, name: &str) -> bool {
         let key = Name::new(name);
-        let context = &self.analysis.context;
+        let context = &self.input.analysis.context;
         let of = |label: &&ladder_analysis::context::LabelFacts| label.key == key;
         let mut bodies: Vec<_> = context
             .labels

@@ -51,12 +51,3 @@ fn write(series: &[Piece], after: &str, out: &mut String) {
         out.push_str(after);
     }
 }
-
-/// How many instructions there are.
-pub(super) fn count(series: &[Piece]) -> usize {
-    let of = |piece: &Piece| match piece {
-        Piece::It(_) => 1,
-        Piece::Branch(legs) => legs.iter().map(|leg| 1 + count(leg)).sum(),
-    };
-    series.iter().map(of).sum()
-}

@@ -82,7 +82,7 @@ impl Writer<'_> {
     pub(super) fn state(&mut self, op: Op, block: &Block, used: bool) -> Result<Lowered> {
         let given = self.given(block)?;
         // In the profile of Logix power is EN.
-        let needs_output = used && !self.is_own;
+        let needs_output = used && !self.input.is_own;
         match op {
             Op::Ton | Op::Tof | Op::Tp | Op::Rto => self.timer(op, &given, needs_output),
             Op::Ctu | Op::Ctd | Op::Ctud => self.counter(op, &given, needs_output),
@@ -94,12 +94,12 @@ impl Writer<'_> {
     /// The preset is in the tag there.
     fn keep_preset(&mut self, given: &Given<'_>, number: &str) -> Result<()> {
         for tag in &given.tags {
-            let tag = &self.program.tags[tag.0 as usize];
+            let tag = &self.input.program.tags[tag.0 as usize];
             let block = tag
                 .block
-                .map(|block| self.program.blocks[block].name.to_ascii_uppercase());
+                .map(|block| self.input.program.blocks[block].name.to_ascii_uppercase());
             let key = (block.unwrap_or_default(), Name::new(&tag.name));
-            let before = self.presets.insert(key, number.to_owned());
+            let before = self.data.presets.insert(key, number.to_owned());
             if before.is_some_and(|before| before != number) {
                 return Err(format!("there `{}` has one preset, and here two", tag.name));
             }
@@ -113,7 +113,7 @@ impl Writer<'_> {
             ExprKind::Constant(Value::Int(number)) => Some(*number),
             ExprKind::Pass(inner) => self.constant_of(inner),
             ExprKind::Read(Place::Tag(tag)) => {
-                let tag = &self.program.tags[tag.0 as usize];
+                let tag = &self.input.program.tags[tag.0 as usize];
                 match tag.initial.first() {
                     _ if !tag.constant => None,
                     Some(Value::Int(number)) => Some(*number),
@@ -196,12 +196,12 @@ impl Writer<'_> {
 
     /// The bit that is high during the pulse of a TP.
     pub(super) fn pulse(&mut self, own: &str) -> String {
-        if let Some(known) = self.pulses.get(own) {
+        if let Some(known) = self.data.pulses.get(own) {
             return known.clone();
         }
         let like = format!("{}_pulse", own.replace(|c: char| !c.is_ascii_alphanumeric(), "_"));
         let name = self.made(&like, "BOOL", "the pulse");
-        self.pulses.insert(own.to_owned(), name.clone());
+        self.data.pulses.insert(own.to_owned(), name.clone());
         name
     }
 
@@ -209,7 +209,7 @@ impl Writer<'_> {
         let own = &given.own;
         let preset = given.preset.and_then(|preset| self.constant_of(preset));
         let preset = preset.ok_or("there its preset is a constant")?;
-        if op == Op::Ctu && preset < 1 && !self.is_own {
+        if op == Op::Ctu && preset < 1 && !self.input.is_own {
             return Err("with a preset below 1 its output there comes only with its first count".to_owned());
         }
         let preset = preset.to_string();
@@ -217,7 +217,7 @@ impl Writer<'_> {
         let (count, done) = (format!("{own}.ACC"), format!("{own}.DN"));
         let first = [("CU", op != Op::Ctd), ("CD", op != Op::Ctu)];
         for (bit, _) in first.iter().filter(|(_, has)| *has) {
-            self.first_scan.push(format!("{own}.{bit}"));
+            self.scope.first_scan.push(format!("{own}.{bit}"));
         }
         let counter = |name: &str| it(name, &[own, &preset, "0"]);
         let mut steps = Vec::new();

@@ -100,7 +100,7 @@ impl Writer<'_> {
         let BlockKind::User(user) = block.kind else {
             return None;
         };
-        let Some(super::native::Known::Unread(part)) = self.known.get(&user) else {
+        let Some(super::native::Known::Unread(part)) = self.facts.known.get(&user) else {
             return None;
         };
         let at = network.location.range.start().into();
@@ -130,7 +130,13 @@ impl Writer<'_> {
         };
         if name == "JSR" && why.starts_with("there is no routine") {
             let routine = operands.split(',').next().unwrap_or_default();
-            if self.analysis.context.function(&Name::new(routine)).is_some() {
+            if self
+                .input
+                .analysis
+                .context
+                .function(&Name::new(routine))
+                .is_some()
+            {
                 return Err(format!(
                     "it would call the routine `{routine}`, and is not read here"
                 ));
@@ -152,7 +158,7 @@ impl Writer<'_> {
         for rung in rungs.iter_mut().filter(|rung| rung.foreign.is_some()) {
             let why = "there a routine in another language has no rungs besides";
             self.report
-                .refused(self.lines.place(self.text, rung.at), "network", why);
+                .refused(self.input.lines.place(self.input.text, rung.at), "network", why);
             "NOP();".clone_into(&mut rung.text);
             rung.comment = Some(format!("not written: {why}"));
             rung.foreign = None;

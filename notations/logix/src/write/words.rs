@@ -26,7 +26,7 @@ fn leftmost(expr: &Expr) -> Option<&Expr> {
 impl Writer<'_> {
     /// A formula that the reader makes of `SWPB`, `TOD` or `FRD`.
     pub(super) fn of_words(&mut self, to: &str, formula: &Expr) -> Result<Option<Piece>> {
-        let Some(read) = leftmost(formula).filter(|_| self.is_own && !Self::is_simple(formula)) else {
+        let Some(read) = leftmost(formula).filter(|_| self.input.is_own && !Self::is_simple(formula)) else {
             return Ok(None);
         };
         let whole = bare(self.source(formula.range));
@@ -88,7 +88,7 @@ impl Writer<'_> {
         };
         let (own, width) = (read.ty.width(), ty.width());
         let fits = |ty: Scalar| ty.is_integer() && ty.width() <= 32;
-        if !self.is_own || !fits(ty) || !fits(read.ty) || own == width {
+        if !self.input.is_own || !fits(ty) || !fits(read.ty) || own == width {
             return Ok(None);
         }
         let is_next = |(number, part): &(usize, &Circuit<usize>)| {

@@ -159,7 +159,7 @@ fn edges_have_their_memory() {
 }
 
 #[test]
-fn a_bridge_is_the_paths_it_makes() {
+fn a_bridge_is_parted_by_tags() {
     check(
         &format!(
             "{TAGS}+--[ ]( a )--\\--[ ]( b )-----\\--( )( y )--+\n|            /--[/]( n.1 )--\\--/            |\n\
@@ -168,11 +168,18 @@ fn a_bridge_is_the_paths_it_makes() {
              +--[ ]( c )---------------/--[ ]( m.2 )--( )( x )--+\n"
         ),
         expect![[r#"
-            [XIC(a) XIC(b) ,[XIC(a) XIO(n.1) ,XIC(c) ] ]OTE(y);
-            [XIC(a) XIO(n.1) ,XIC(c) ]XIC(m.2)OTE(x);
-            NOP();
-            2:1 network: Approximated("it is a bridge, or has another order than a rung can have there: its contacts are repeated, on 2 rungs")
-            6:1 network: Refused("it is a bridge, or has an order that no rung keeps there, and what it writes decides in it")"#]],
+            XIC(a)OTE(power_1);
+            XIC(power_1)XIC(b)OTE(power_2);
+            XIC(power_1)XIO(n.1)OTE(power_3);
+            [XIC(power_3) ,XIC(c) ]OTE(power_4);
+            [XIC(power_2) ,XIC(power_4) ]OTE(y);
+            XIC(power_4)XIC(m.2)OTE(x);
+            XIC(a)OTE(power_5);
+            XIC(power_5)XIC(y)OTE(power_6);
+            XIC(power_5)XIO(n.1)OTE(power_7);
+            [XIC(power_7) ,XIC(c) ]OTE(power_8);
+            [XIC(power_6) ,XIC(power_8) ]OTE(y);
+            XIC(power_8)XIC(m.2)OTE(x);"#]],
     );
 }
 

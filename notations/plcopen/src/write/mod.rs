@@ -32,7 +32,7 @@ use ladder_analysis::program::SystemTag;
 use ladder_analysis::{Analysis, AnalyzeOptions, analyze};
 use ladder_instructions::Profile;
 use ladder_notation::{
-    LineColumn, Report, Unwritable, WriteError, Writing, no_program, refuse_unread, with_blocks_alone,
+    LineColumn, Report, Target, Unwritable, WriteError, Writing, no_program, refuse_unread,
 };
 use ladder_syntax::{Name, TextSize};
 use names::{Names, identifier};
@@ -49,7 +49,7 @@ const CYCLE: i64 = 10_000_000;
 ///
 /// If the program has errors, or needs files that are not there.
 pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
-    with_blocks_alone(analysis, |analysis, unwritable| {
+    Target::BLOCKS_ALONE.write(analysis, |analysis, unwritable| {
         let (project, report) = project(analysis, unwritable)?;
         Ok(Writing {
             bytes: emit::project(project).into_bytes(),
