@@ -84,9 +84,10 @@ impl Target {
         analysis: &Analysis,
         write: impl Fn(&Analysis, &Unwritable) -> Result<Writing, WriteError>,
     ) -> Result<Writing, WriteError> {
-        let (whole, added) = match self.has_blocks {
-            true => whole(analysis)?,
-            false => (Rewritten::of(analysis), Vec::new()),
+        let (whole, added) = if self.has_blocks {
+            whole(analysis)?
+        } else {
+            (Rewritten::of(analysis), Vec::new())
         };
         let program = self.without_what_it_lacks(whole);
         let mut unwritable = Unwritable::new();
