@@ -4,7 +4,10 @@
 use crate::graph::{Graph, Kind};
 use crate::model::{Body, Evaluation, Project, Role, Type, Unit, UnitKind, Variable};
 use crate::own;
-use ladder_notation::LineColumn;
+use ladder_format::program::{Expression, Path, ProgramSketch};
+use ladder_instructions::Op;
+use ladder_notation::{LineColumn, blocks};
+use ladder_syntax::Name;
 use std::collections::HashSet;
 
 /// Their names in the standard, the input that is power, the others as `name:type`, and the texts.
@@ -231,5 +234,19 @@ pub(crate) fn is_power(unit: &Unit, output: &str) -> bool {
     let Body::Ladder(text) = &unit.body else {
         return false;
     };
-    text.contains(&format!("( )( {} )--( )( ENO )", output.to_ascii_uppercase()))
+    let mut is_power = false;
+    let mut before = None;
+    blocks(
+        &ProgramSketch::of_text(&ladder_syntax::parse(text)).items,
+        &mut |block| {
+            let coil = block.only().filter(|_| block.op() == Some(Op::Coil));
+            let name = coil
+                .and_then(Expression::path)
+                .and_then(Path::whole)
+                .map(Name::new);
+            is_power |= name == Some(Name::new("ENO")) && before == Some(Name::new(output));
+            before = name;
+        },
+    );
+    is_power
 }

@@ -159,3 +159,37 @@ fn what_may_not_be_used_is_found() {
         ]
     );
 }
+
+/// A manifest may say that a library has no tests of its own and none in its documentation, so that nothing is built for them.
+#[test]
+fn what_is_not_tested_has_no_tests() {
+    let has_example = |text: &str| {
+        let mut is_inside = false;
+        let fences = text.lines().filter_map(|line| {
+            let line = line.trim_start();
+            let comment = line.strip_prefix("///").or_else(|| line.strip_prefix("//!"))?;
+            comment.trim().strip_prefix("```")
+        });
+        fences.fold(false, |found, language| {
+            is_inside = !is_inside;
+            found || is_inside && matches!(language, "" | "rust" | "no_run" | "should_panic")
+        })
+    };
+    for manifest in project::files(&project::root(), "toml") {
+        let source = manifest.with_file_name("src");
+        if !manifest.ends_with("Cargo.toml") || !source.is_dir() {
+            continue;
+        }
+        let settings = project::read(&manifest);
+        for file in project::files(&source, "rs") {
+            let text = project::read(&file);
+            let in_unit = settings.contains("\ntest = false") && text.contains("#[test]");
+            let in_docs = settings.contains("\ndoctest = false") && has_example(&text);
+            assert!(
+                !in_unit && !in_docs,
+                "{} has tests that do not run",
+                file.display()
+            );
+        }
+    }
+}

@@ -12,6 +12,7 @@ mod fuzz_words;
 mod incremental;
 mod instruction_reference;
 mod iot_traces;
+mod ladder_text;
 mod ldmicro_fork;
 mod ldmicro_traces;
 mod library;

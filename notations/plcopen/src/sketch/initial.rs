@@ -5,7 +5,7 @@ use crate::expression::{Meaning, operand};
 use crate::model::{Initial, Type};
 use crate::scope::{Scope, Shared, member};
 use crate::standard;
-use ladder_format::program::Literal;
+use ladder_format::program::{Expression, Literal};
 
 /// What an input has that nothing is wired to.
 pub(super) fn zero(shared: &Shared<'_>, ty: &Type) -> Option<Literal> {
@@ -28,15 +28,6 @@ pub(super) fn zero(shared: &Shared<'_>, ty: &Type) -> Option<Literal> {
 ///
 /// Why it has no counterpart.
 pub(super) fn initial_text(shared: &Shared<'_>, ty: &Type, initial: &Initial) -> Result<String, String> {
-    let text = text(shared, ty, initial)?;
-    let declaration = format!("VAR\nx : INT := {text};\nEND_VAR\n");
-    let is_well_formed = ladder_syntax::parse(&declaration).errors().is_empty();
-    is_well_formed
-        .then_some(text)
-        .ok_or_else(|| "it is no value".to_owned())
-}
-
-fn text(shared: &Shared<'_>, ty: &Type, initial: &Initial) -> Result<String, String> {
     match initial {
         Initial::Simple(text) => simple(shared, ty, text),
         Initial::Array(values) => {
@@ -46,7 +37,7 @@ fn text(shared: &Shared<'_>, ty: &Type, initial: &Initial) -> Result<String, Str
             let values: Result<Vec<String>, String> = values
                 .iter()
                 .map(|(times, value)| {
-                    let value = text(shared, of, value)?;
+                    let value = initial_text(shared, of, value)?;
                     Ok(if *times == 1 {
                         value
                     } else {
@@ -66,7 +57,7 @@ fn text(shared: &Shared<'_>, ty: &Type, initial: &Initial) -> Result<String, Str
                     Ok(format!(
                         "{} := {}",
                         member(&found.name),
-                        text(shared, &found.ty, value)?
+                        initial_text(shared, &found.ty, value)?
                     ))
                 })
                 .collect();
@@ -97,6 +88,9 @@ fn simple(shared: &Shared<'_>, ty: &Type, text: &str) -> Result<String, String> 
             scope: &Scope::default(),
         },
     )?;
+    if !matches!(value.value, Expression::Literal(_) | Expression::Path(_)) {
+        return Err("it is not a value".to_owned());
+    }
     let value = value.value.to_string();
     let is_whole = value.bytes().all(|c| c.is_ascii_digit() || c == b'-');
     Ok(match name {

@@ -1,6 +1,12 @@
 //! The definitions of the blocks as ladder text. They compute what the fork's own code does, in the same order.
 
 use super::{Count, Kind, Made, MadeCounter, Segments};
+use ladder_format::program::{
+    Block, Declaration, Drawing, Element, Expression, Invalid, Item, Network, Operand, Path, ProgramSketch,
+    Section, SectionKind,
+};
+use ladder_format::{Circuit, Options};
+use ladder_instructions::Op;
 use ladder_syntax::{NodeOrToken, SyntaxKind, parse};
 
 /// Those of blocks that have one form.
@@ -10,11 +16,16 @@ impl Made {
     /// From `FUNCTION_BLOCK` to its end.
     pub(super) fn definition(self) -> String {
         let head = self.head();
-        match self {
-            Made::Segments(segments) => segments.definition(&head),
-            Made::Counter(counter) => counter.definition(&head),
-            _ => definition_in(FIXED, &head).unwrap_or_default().to_owned(),
-        }
+        let items = match self {
+            Made::Segments(segments) => segments.items(),
+            Made::Counter(counter) => counter.items(),
+            _ => return definition_in(FIXED, &head).unwrap_or_default().to_owned(),
+        };
+        let items = vec![Item::Block {
+            header: head,
+            items: items.unwrap_or_default(),
+        }];
+        ProgramSketch { items }.write(&Options::default()).text
     }
 
     /// Whether a text that defines a block of this name is this definition.
@@ -50,47 +61,75 @@ pub(crate) fn definition_in<'t>(text: &'t str, head: &str) -> Option<&'t str> {
     None
 }
 
-/// A definition: what it does, what it changes, its inputs and own tags, and what is on its rungs.
-fn written(head: &str, says: &str, declared: [&str; 3], rungs: &[String]) -> String {
-    let mut text = format!("FUNCTION_BLOCK {head}\n# {says} #\n");
-    for (keyword, declared) in ["VAR_IN_OUT", "VAR_INPUT", "VAR"].into_iter().zip(declared) {
-        if !declared.is_empty() {
-            text.push_str(&format!("{keyword}\n{declared};\nEND_VAR\n"));
+/// A tag, by its name.
+fn tag(name: &str) -> Expression {
+    Path::tag(name).into()
+}
+
+/// What is in a definition: what it does, what it changes, its inputs and own tags, and what is on its rungs.
+fn items(says: &str, declared: [(&[&str], &str); 3], rungs: Vec<Vec<Block>>) -> Vec<Item> {
+    let mut items = vec![Item::Comment(says.to_owned())];
+    let kinds = [SectionKind::VarInOut, SectionKind::VarInput, SectionKind::Var];
+    for (kind, (names, ty)) in kinds.into_iter().zip(declared) {
+        let mut section = Section::new(kind);
+        if !names.is_empty() {
+            section.declarations.push(Declaration {
+                names: names.iter().map(|name| (*name).to_owned()).collect(),
+                ..Declaration::new("", ty)
+            });
         }
+        items.push(Item::Section(section));
     }
-    for rung in rungs {
-        text.push_str(&format!("+--{rung}--+\n"));
+    for blocks in rungs {
+        let elements = blocks
+            .into_iter()
+            .map(|block| Circuit::Element(Element::of(block, None)));
+        items.push(Item::Network(Network {
+            comments: Vec::new(),
+            drawing: Drawing::Circuit(Circuit::Series(elements.collect())),
+        }));
     }
-    text + "END_FUNCTION_BLOCK"
+    items
 }
 
 impl Segments {
     /// Numbers that stand for no character are blank; 176, the degree sign, is the last one.
-    fn definition(self, head: &str) -> String {
-        let (character, declared) = if self.fixed {
-            ("k", ["y : INT", "a : INT", "k : INT"])
+    fn items(self) -> Result<Vec<Item>, Invalid> {
+        let (name, declared): (_, [(&[&str], &str); 3]) = if self.fixed {
+            ("k", [(&["y"], "INT"), (&["a"], "INT"), (&["k"], "INT")])
         } else {
-            ("a", ["y, a : INT", "", ""])
+            ("a", [(&["y", "a"], "INT"), (&[], ""), (&[], "")])
         };
-        let last = CHARACTERS.len() - 1;
-        let segments = CHARACTERS.map(|segments| segments.to_string()).join(", ");
+        let character = || tag(name);
+        let powered = || Block::contact(tag("EN"));
+        let last = CHARACTERS.len() as i64 - 1;
+        let becomes = |op, than: i64, value: i64| {
+            let compare = Block::of(op, [character(), than.into()])?;
+            Ok(vec![
+                powered(),
+                compare,
+                Block::of(Op::Mov, [character(), value.into()])?,
+            ])
+        };
+        let segments = CHARACTERS.map(|segments| Expression::from(i64::from(segments)));
+        let table = [tag("y"), character()].into_iter().chain(segments);
         let mut rungs = vec![
-            format!("[ ]( EN )--[EQ]( {character}, 176 )--[MOV]( {character}, {last} )"),
-            format!("[ ]( EN )--[LT]( {character}, 0 )--[MOV]( {character}, 32 )"),
-            format!("[ ]( EN )--[GT]( {character}, {last} )--[MOV]( {character}, 32 )"),
-            format!("[ ]( EN )--[LUT]( y, {character}, {segments} )"),
+            becomes(Op::Eq, 176, last)?,
+            becomes(Op::Lt, 0, 32)?,
+            becomes(Op::Gt, last, 32)?,
+            vec![powered(), Block::of(Op::Lut, table)?],
         ];
         if self.fixed {
-            rungs.insert(0, "[ ]( EN )--[MOV]( k, a )".to_owned());
+            rungs.insert(0, vec![powered(), Block::of(Op::Mov, [tag("k"), tag("a")])?]);
         }
         if self.anode {
-            rungs.push("[ ]( EN )--[NOT]( y, y )".to_owned());
+            rungs.push(vec![powered(), Block::of(Op::Not, [tag("y"), tag("y")])?]);
         }
         let how = if self.anode { "low" } else { "high" };
         let says = format!(
             "The segments of a digit or an ASCII character, lit by {how} bits: a to g are bits 0 to 6, the point is 7."
         );
-        written(head, &says, declared, &rungs)
+        Ok(items(&says, declared, rungs))
     }
 }
 
@@ -107,50 +146,56 @@ const CHARACTERS: [u8; 129] = [
 ];
 
 impl MadeCounter {
-    fn definition(self, head: &str) -> String {
-        let counts = self.kind.contacts();
-        let (says, counting): (&str, &[&str]) = match self.count {
-            Count::Up => (
-                "Counts up to max; there is power from then on.",
-                &["[LT]( c, max )--[ADD]( c, c, 1 )", "[GE]( c, max )--( )( ENO )"],
-            ),
-            Count::Down => (
-                "Counts down to max; there is power until then.",
-                &["[GT]( c, max )--[SUB]( c, c, 1 )", "[GT]( c, max )--( )( ENO )"],
-            ),
-            Count::Round => (
-                "Counts up; beyond max it begins again at init, with power for one scan.",
-                &["[ADD]( c, c, 1 )--[GT]( c, max )--( )( ENO )--[MOV]( c, init )"],
-            ),
-            Count::Reverse => (
-                "Counts down; below max it begins again at init, with power for one scan.",
-                &["[SUB]( c, c, 1 )--[LT]( c, max )--( )( ENO )--[MOV]( c, init )"],
-            ),
+    fn items(self) -> Result<Vec<Item>, Invalid> {
+        let says = match self.count {
+            Count::Up => "Counts up to max; there is power from then on.",
+            Count::Down => "Counts down to max; there is power until then.",
+            Count::Round => "Counts up; beyond max it begins again at init, with power for one scan.",
+            Count::Reverse => "Counts down; below max it begins again at init, with power for one scan.",
         };
-        let mut rungs: Vec<String> = counting.iter().map(|rung| (*rung).to_owned()).collect();
-        rungs[0].insert_str(0, counts);
-        let mut declared = ["c : INT", "max : INT", ""];
+        let count = |op| Block::of(op, [tag("c"), tag("c"), 1.into()]);
+        let compare = |op| Block::of(op, [tag("c"), tag("max")]);
+        let begin = || Block::of(Op::Mov, [tag("c"), tag("init")]);
+        let ends = || Block::coil(tag("ENO"));
+        let mut rungs = vec![self.kind.contacts()?];
+        match self.count {
+            Count::Up => {
+                rungs[0].extend([compare(Op::Lt)?, count(Op::Add)?]);
+                rungs.push(vec![compare(Op::Ge)?, ends()]);
+            }
+            Count::Down => {
+                rungs[0].extend([compare(Op::Gt)?, count(Op::Sub)?]);
+                rungs.push(vec![compare(Op::Gt)?, ends()]);
+            }
+            Count::Round => rungs[0].extend([count(Op::Add)?, compare(Op::Gt)?, ends(), begin()?]),
+            Count::Reverse => rungs[0].extend([count(Op::Sub)?, compare(Op::Lt)?, ends(), begin()?]),
+        }
+        let mut declared: [(&[&str], &str); 3] = [(&["c"], "INT"), (&["max"], "INT"), (&[], "BOOL")];
         if self.from_variable {
-            let first = "[/]( begun )--[MOV]( c, init )--[MOV]( begun, TRUE )";
-            rungs.insert(0, first.to_owned());
-            declared[2] = "begun : BOOL";
+            let begun = Block::of(Op::Mov, [tag("begun"), Expression::literal("TRUE")?])?;
+            rungs.insert(0, vec![Block::negated_contact(tag("begun")), begin()?, begun]);
+            declared[2].0 = &["begun"];
         }
         if self.count.returns() || self.from_variable {
-            declared[1] = "max, init : INT";
+            declared[1].0 = &["max", "init"];
         }
-        written(head, says, declared, &rungs)
+        Ok(items(says, declared, rungs))
     }
 }
 
 impl Kind {
     /// The contacts that pass power in the scans that count.
-    const fn contacts(self) -> &'static str {
-        match self {
-            Kind::Rising => "[ ]( EN )--[OSR]--",
-            Kind::Falling => "[ ]( EN )--[OSF]--",
-            Kind::High => "[ ]( EN )--",
-            Kind::Low => "[/]( EN )--",
-        }
+    fn contacts(self) -> Result<Vec<Block>, Invalid> {
+        let power = Path::tag("EN");
+        Ok(match self {
+            Kind::Rising => vec![Block::contact(power), Block::one_shot()],
+            Kind::Falling => {
+                let fell = Block::of(Op::OneShotFalling, Operand::NONE)?;
+                vec![Block::contact(power), fell]
+            }
+            Kind::High => vec![Block::contact(power)],
+            Kind::Low => vec![Block::negated_contact(power)],
+        })
     }
 }
 
