@@ -19,8 +19,7 @@
 //!   two layers, each once, when first asked: the names of its text, and what is found in it. Most features ask
 //!   for names only, and wait for no rule.
 //! - `language` is where the server asks about a text: findings, hovers, layout, in bytes.
-//! - `compare` says what changed in a program since an earlier text; a page is built without it.
-//! - `diagram` draws programs for a page next to their text, `diagram_text` with characters.
+//! - `diagram_text` draws programs with characters.
 //! - `simulation` runs programs for the editor, on the scan engine. It knows the custom messages, but nothing of
 //!   the framework.
 //! - `notation` translates programs of other systems for the editor, and reads those that are open; it knows the custom
@@ -36,44 +35,36 @@
 
 mod busy;
 mod cancel;
-#[cfg(feature = "review")]
-mod compare;
-mod cross_reference;
 pub mod debug;
-mod diagram;
 mod diagram_text;
 mod document;
-#[doc(hidden)]
-mod fence;
 mod host;
 mod language;
-mod library_block;
 mod lines;
 mod lsp;
 mod newest;
 mod notation;
 pub mod probe;
 mod proof;
-mod rule_page;
 mod scenario_run;
 mod signal;
 mod simulation;
 pub mod typing_messages;
 
 pub use busy::{Busy, Work};
-#[cfg(feature = "review")]
-pub use compare::{Changed, Compare, CompareTheme, ComparedTexts};
-pub use cross_reference::{CrossReference, CrossReferenced, ReferencedPlace, ReferencedTag};
-pub use diagram::{Diagram, Drawn, DrawnPiece, PieceKind};
 pub use diagram_text::{DiagramText, DrawnBlock, DrawnLine, DrawnText, InkName};
 pub use document::position::{Position, Range};
-pub use fence::{DrawnFence, Fence, FencePicture, FenceWord};
 pub use host::{Clock, EventLoop, Host, Moment, Turns, Wait, World};
-pub use library_block::{AskedBlock, LibraryBlock};
+#[cfg(feature = "review")]
+pub use lsp::features::compare::{Changed, Compare, CompareTheme, ComparedTexts};
+pub use lsp::features::cross_reference::{CrossReference, CrossReferenced, ReferencedPlace, ReferencedTag};
+pub use lsp::features::diagram::{Diagram, Drawn, DrawnPiece, PieceKind};
+pub use lsp::features::fence::{DrawnFence, Fence, FencePicture, FenceWord};
+pub use lsp::features::library_block::{AskedBlock, LibraryBlock};
+pub use lsp::features::rule_page::{AskedPage, RulePage};
 pub use lsp::{Ended, Ending, Received, serve};
 pub use notation::messages as notation_messages;
 pub use proof::{LeftOpen, PropertiesProved, PropertyProved, ProveProperties};
-pub use rule_page::{AskedPage, RulePage};
 pub use scenario_run::{
     Exercised, FaultOfScenario, NetworkReached, PartSeen, PropertyViolated, RowDiffers, RunScenarios,
     ScenarioRun, ScenariosRun,

@@ -10,6 +10,7 @@ pub(crate) mod edit;
 mod folder;
 pub(crate) mod in_parallel;
 mod kind;
+mod library_source;
 pub(crate) mod membership;
 pub(crate) mod neighbours;
 pub(crate) mod on_disk;

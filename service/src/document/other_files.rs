@@ -14,12 +14,12 @@ use ladder_ide::{ScenarioFile, Which, Workspace};
 use ladder_syntax::TextRange;
 use ropey::Rope;
 
+use super::library_source;
 use super::on_disk::OnDisk;
 use super::position::{self, Range};
 use super::positions::Positions;
 use super::{Documents, Kind, Revision, address, in_parallel};
 use crate::cancel::Cancel;
-use crate::library_block;
 
 /// The files of a document's workspace, the document itself among them. They are looked for when they are first asked
 /// for: most requests stay within their document.
@@ -249,7 +249,7 @@ impl OtherFiles {
                 encoding,
             ));
         }
-        if let Some((address, text)) = library_block::file(name) {
+        if let Some((address, text)) = library_source::file(name) {
             return Some(FileText::of_file(address, text, encoding));
         }
         if let Some((path, file)) = self.files().closed(name) {

@@ -17,11 +17,11 @@ use ropey::Rope;
 
 use super::byte_edit::{ByteEdit, EditLog, Since};
 use super::kind::Kind;
+use super::library_source;
 use super::membership::Membership;
 use super::neighbours::Affected;
 use super::position::Encoding;
 use crate::language::Analysis;
-use crate::library_block;
 use crate::notation::Opened;
 
 /// What was made of a text.
@@ -403,7 +403,7 @@ impl Revision {
 
     /// Address and text of another file of the workspace or of the library, by the name that findings and programs know it by.
     pub(crate) fn text_next_to(&self, file: &str) -> Option<(String, String)> {
-        if let Some((address, text)) = library_block::file(file) {
+        if let Some((address, text)) = library_source::file(file) {
             return Some((address, text.to_owned()));
         }
         let place = self.place.as_ref()?;

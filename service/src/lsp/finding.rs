@@ -3,7 +3,7 @@
 use std::cell::{Cell, OnceCell};
 use std::fmt::Write;
 
-use ladder_analysis::Diagnostic as Finding;
+use ladder_analysis::{Diagnostic as Finding, Rule};
 use ladder_syntax::TextRange;
 use serde_json::json;
 use tower_lsp::ls_types::{
@@ -14,7 +14,6 @@ use crate::document::positions::Positions;
 use crate::document::{OtherPlaces, Revision};
 use crate::lsp::convert;
 use crate::lsp::session::agreed::Agreed;
-use crate::rule_page;
 
 /// This many places are looked up one by one; for more a table of all lines costs less.
 const FEW: usize = 100;
@@ -83,7 +82,7 @@ impl<'r> Findings<'r> {
             tags: (self.agreed.unnecessary_tag && found.rule.is_about_no_effect())
                 .then(|| vec![DiagnosticTag::UNNECESSARY]),
             code_description: (self.agreed.rule_pages)
-                .then(|| convert::uri(&rule_page::address(found.rule)))
+                .then(|| convert::uri(&address(found.rule)))
                 .flatten()
                 .map(|href| CodeDescription { href }),
             data: (self.agreed.diagnostic_data && !fixes.is_empty()).then(|| json!({ "fixes": fixes })),
@@ -160,4 +159,12 @@ mod tests {
         "#]],
         );
     }
+}
+
+/// The scheme of the addresses that findings link: they are no files, and the server has their text.
+const SCHEME: &str = "ladder-rule";
+
+/// The address of a rule's page. Links between pages, which are relative, lead from one such address to another.
+fn address(rule: Rule) -> String {
+    format!("{SCHEME}:/{}.md", rule.name())
 }

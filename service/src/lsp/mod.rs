@@ -23,7 +23,7 @@ mod backend;
 mod capabilities;
 mod convert;
 mod documents;
-mod features;
+pub(crate) mod features;
 mod finding;
 mod markup;
 mod serve;

@@ -1,9 +1,10 @@
 //! `ladder.libraryBlock`: the source of a block that the library has.
 
+use ladder_analysis::library::{self, Source};
+use serde::{Deserialize, Serialize};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
-use crate::library_block::{AskedBlock, block};
 use crate::lsp::answers::{error, json};
 use crate::simulation::{Failure, argument_of};
 
@@ -19,4 +20,29 @@ pub(crate) fn execute(params: ExecuteCommandParams) -> Result<LSPAny> {
         )))
     };
     json(&block(&asked).ok_or_else(missing)?)
+}
+
+/// The argument of `ladder.libraryBlock`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct AskedBlock {
+    /// The block's name, with the `$`.
+    pub block: String,
+}
+
+/// The answer to `ladder.libraryBlock`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct LibraryBlock {
+    /// The source, in ladder text.
+    pub text: String,
+}
+
+/// The source of a block; none if the library has none of the name.
+pub(crate) fn block(asked: &AskedBlock) -> Option<LibraryBlock> {
+    let is_it = |source: &&Source| source.name.eq_ignore_ascii_case(asked.block.trim());
+    let source = library::SOURCES.iter().find(is_it)?;
+    Some(LibraryBlock {
+        text: source.text.to_owned(),
+    })
 }
