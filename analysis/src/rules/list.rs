@@ -10,7 +10,7 @@ use super::wiring_walk::Walk;
 #[allow(clippy::wildcard_imports)]
 use super::*;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleGroup};
 use crate::findings::rule_settings::{Level, RuleSettings};
 use crate::names::context::Context;
 
@@ -155,6 +155,13 @@ pub(crate) fn position(rule: Rule) -> usize {
 /// The rule of a name, compared to the letter.
 pub fn rule_named(name: &str) -> Option<Rule> {
     ALL.iter().copied().find(|rule| rule.name() == name)
+}
+
+/// Whether what a rule finds follows from the text of the file alone, whatever other files show.
+pub fn is_of_own_text(rule: Rule) -> bool {
+    let is_of_text = matches!(rule.group(), RuleGroup::Text | RuleGroup::Connectors);
+    // A constant of another file may be a bound, and a comment may switch off what follows from one.
+    is_of_text && ![bad_declaration::RULE, suppression_unused::RULE].contains(&rule)
 }
 
 /// The checks that are asked, by what they are a function of.

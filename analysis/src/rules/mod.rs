@@ -108,7 +108,7 @@ pub(crate) mod wiring_walk;
 pub(crate) mod wrong_place;
 pub(crate) mod wrong_shape;
 
-pub use list::{ALL, rule_named};
+pub use list::{ALL, is_of_own_text, rule_named};
 pub(crate) use list::{Checks, position};
 
 use crate::findings::diagnostic::Diagnostic;

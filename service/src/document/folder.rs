@@ -81,6 +81,11 @@ impl First {
         Arc::clone(self.folder.exported())
     }
 
+    /// What its settings file says.
+    pub(super) fn settings(&self) -> &Settings {
+        &self.folder.settings
+    }
+
     /// Reads the rest.
     pub(super) fn whole(self, disk: &Arc<dyn Disk>, root: &Path) -> Folder {
         let First { mut folder, large } = self;

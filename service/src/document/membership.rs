@@ -55,6 +55,7 @@ impl Membership {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use ladder_analysis::rules::is_of_own_text;
     use crate::document::position::Encoding;
     use crate::document::revision::Revision;
 
@@ -153,7 +154,7 @@ mod tests {
         let large = format!("{}{FUNCTION}", "# a line of a long list #\n".repeat(90_000));
         let folder = workspace(&[("large.clad", &large), ("small.clad", "")]);
         let own = folder.path().join("own.clad");
-        let text = "+--( )( z )--<CALL>( count )--+\n";
+        let text = "+--( )( z )<CALL>( count )--+\n";
         std::fs::write(&own, text).unwrap();
         let neighbours = crate::host::testing::neighbours();
         neighbours.opened(&own);
@@ -165,8 +166,16 @@ mod tests {
             "the large file is read by nobody yet"
         );
         assert_eq!(is_whole(&own), Some(false));
-        let found = own.analysis().map(|analysis| analysis.findings().len());
-        assert_eq!(found, Some(0), "what is found counts the large file");
+        let rules = |analysis: &crate::language::Analysis| -> Vec<&str> {
+            let found = analysis.findings().iter();
+            found.map(|finding| finding.rule.name()).collect()
+        };
+        let early = own.first_analysis().expect("the large file is read by nobody yet");
+        assert_eq!(rules(&early), ["missing-wire", "unknown-function"]);
+        let own_text = early.findings().iter().map(|found| is_of_own_text(found.rule));
+        assert_eq!(own_text.collect::<Vec<_>>(), [true, false]);
+        assert_eq!(rules(own.analysis().unwrap()), ["missing-wire"], "the large file counts");
+        assert!(own.first_analysis().is_none() && own.was_shown_early());
         assert_eq!(is_whole(&own), Some(true));
         // A workspace without large files is read at once.
         let folder = workspace(&[("small.clad", "")]);

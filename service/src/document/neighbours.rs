@@ -36,6 +36,7 @@ pub(crate) struct Neighbours {
 struct InPart {
     /// What its small files show to each other.
     exported: Arc<Exported>,
+    settings: Settings,
     /// None while its large files are read.
     first: Option<First>,
     /// What [`State::begun`] was.
@@ -239,17 +240,23 @@ impl Neighbours {
 
     /// What the workspace of a file asks for.
     pub(crate) fn format_options(&self, path: &Path) -> ladder_format::Options {
-        self.loaded(path).folder(path).1.settings.format.clone()
+        self.settings(path, |settings| settings.format.clone())
     }
 
     /// The settings of the rules for a file.
     pub(crate) fn rules(&self, path: &Path) -> RuleSettings {
-        self.loaded(path).folder(path).1.settings.rules_for(path)
+        self.settings(path, |settings| settings.rules_for(path))
     }
 
     /// How the workspace of a file has its programs run.
     pub(crate) fn simulate(&self, path: &Path) -> Simulate {
-        self.loaded(path).folder(path).1.settings.simulate.clone()
+        self.settings(path, |settings| settings.simulate.clone())
+    }
+
+    /// Asks the settings that hold for a file, which are known before large files are read.
+    fn settings<T>(&self, path: &Path, ask: impl Fn(&Settings) -> T) -> T {
+        let early = self.in_part(path, |_, part| ask(&part.settings));
+        early.unwrap_or_else(|| ask(&self.loaded(path).folder(path).1.settings))
     }
 
     /// The settings file above a program.
@@ -367,6 +374,7 @@ impl Neighbours {
             }
             let part = InPart {
                 exported: first.exported(),
+                settings: first.settings().clone(),
                 first: Some(first),
                 begun,
             };

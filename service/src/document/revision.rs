@@ -169,6 +169,21 @@ impl Revision {
         Some((first.as_ref()?, false))
     }
 
+    /// What is found among the small files while large files of the workspace are still to be read; nothing where none are.
+    pub(crate) fn first_analysis(&self) -> Option<Analysis> {
+        let (context, false) = self.first_context()? else {
+            return None;
+        };
+        let place = self.place.as_ref()?;
+        let rules = place.neighbours.rules(&place.path);
+        Analysis::of(context, None, &rules, &|| true)
+    }
+
+    /// Whether anything was shown of the text while large files of its workspace were still to be read.
+    pub(crate) fn was_shown_early(&self) -> bool {
+        self.first.get().is_some()
+    }
+
     /// The same while they are wanted, or a thread waits in [`Revision::context`]: where the names of the whole file are joined
     /// again that is given up once neither is so.
     fn context_while(&self, wanted: &dyn Fn() -> bool) -> Option<&Arc<Context>> {

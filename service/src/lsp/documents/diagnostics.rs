@@ -6,6 +6,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use ladder_analysis::rules::is_of_own_text;
 use ladder_analysis::{Finding, Severity};
 use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES};
 use ladder_workspace::SETTINGS_FILE;
@@ -46,18 +47,37 @@ fn look(shared: &Arc<Shared>, revision: &Arc<Revision>) {
     let agreed = shared.agreed();
     // What is sent of the text before stays until then.
     let wanted = || shared.documents.is_current(revision);
+    if !agreed.pulls_diagnostics
+        && let Some(found) = of_own_text(shared, revision)
+    {
+        send(shared, revision, found);
+    }
     if revision.fits() && revision.analysis_while(&wanted).is_none() {
         return;
     }
     if !agreed.pulls_diagnostics {
-        publish(shared, revision);
+        send(shared, revision, of_open(shared, revision));
+    }
+    if revision.was_shown_early() {
+        ask_again(shared);
     }
     tell_others(shared, revision);
 }
 
-/// Sends the diagnostics of a program. For a blocking thread.
-fn publish(shared: &Shared, revision: &Arc<Revision>) {
-    let found = of_open(shared, revision);
+/// Notifies the client that what it asked for before large files of the workspace were read may be old.
+fn ask_again(shared: &Arc<Shared>) {
+    pull::refresh(shared);
+    if shared.agreed().refreshes_semantic_tokens {
+        let next_to = shared.clone();
+        shared.spawn(async move {
+            let asked = next_to.client.semantic_tokens_refresh();
+            let _ = next_to.within(pull::PATIENCE, asked).await;
+        });
+    }
+}
+
+/// Sends the diagnostics of a program.
+fn send(shared: &Shared, revision: &Arc<Revision>, found: Vec<Diagnostic>) {
     shared
         .outbox
         .diagnostics(&shared.documents, revision.clone(), found);
@@ -201,6 +221,16 @@ fn of_open(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
     let (mut shown, left_out) = shown::shown(analysis, revision);
     typed::without_waiting(shared, revision, &mut shown);
     list(shared.agreed(), revision, &shown, left_out)
+}
+
+/// What is found in a text that a person has open whatever the other files show, while large ones of them are still to be read. For a
+/// blocking thread.
+pub(crate) fn of_own_text(shared: &Shared, revision: &Revision) -> Option<Vec<Diagnostic>> {
+    let analysis = revision.first_analysis()?;
+    let (mut shown, _) = shown::shown(&analysis, revision);
+    shown.retain(|finding| is_of_own_text(finding.rule));
+    typed::without_waiting(shared, revision, &mut shown);
+    Some(list(shared.agreed(), revision, &shown, 0))
 }
 
 /// What is found in a text that nobody has open. For a blocking thread.

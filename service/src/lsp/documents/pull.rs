@@ -33,7 +33,7 @@ use crate::lsp::{convert, session::shared::Shared};
 const GATHER: Duration = Duration::from_millis(50);
 
 /// A client that does not answer by then never will; nothing depends on it.
-const PATIENCE: Duration = Duration::from_secs(30);
+pub(super) const PATIENCE: Duration = Duration::from_secs(30);
 
 /// What is offered to a client that asks for diagnostics.
 pub(crate) fn options() -> DiagnosticServerCapabilities {
@@ -94,7 +94,12 @@ pub(crate) async fn document(
                 None,
             );
         };
-        let items = diagnostics::look_at(&shared, &revision);
+        // The rest is asked for when it is known.
+        let asks_again = shared.agreed().refreshes_diagnostics;
+        let early = asks_again
+            .then(|| diagnostics::of_own_text(&shared, &revision))
+            .flatten();
+        let items = early.unwrap_or_else(|| diagnostics::look_at(&shared, &revision));
         let place = revision.place().filter(|_| shared.agreed().related_documents);
         let settings = place.and_then(|place| settings_file::of_program(&shared, &place.path));
         let settings = settings

@@ -113,7 +113,9 @@ pub(crate) fn without_waiting(shared: &Shared, revision: &Revision, found: &mut 
     let Some(line) = shared.typed.waiting(&revision.uri) else {
         return;
     };
-    let Some(context) = revision.context() else { return };
+    let Some((context, _)) = revision.first_context() else {
+        return;
+    };
     let part = part(revision, context, line);
     let is_last = part.end() == TextSize::new(revision.len() as u32);
     found.retain(|finding| {
@@ -159,8 +161,8 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
     blocking(&*shared.host, move |_| {
         let stays = next_to.documents.get(&uri).is_some_and(|revision| {
             let at = TextRange::empty(revision.offset(Position { line, character: 0 }));
-            let context = revision.context();
-            context.is_some_and(|context| part(&revision, context, waiting).contains_range(at))
+            let context = revision.first_context();
+            context.is_some_and(|(context, _)| part(&revision, context, waiting).contains_range(at))
         });
         if !stays && next_to.typed.release(&uri) || is_back {
             show(&next_to, &uri);

@@ -53,7 +53,7 @@ pub(crate) async fn completion(
     };
     let next_to = Arc::clone(shared);
     blocking(&*shared.host, move |_| {
-        let context = revision.context()?;
+        let (context, knows_others) = revision.first_context()?;
         let offset = revision.offset(convert::our_position(place.position));
         let found = ladder_ide::completions(context, offset, trigger);
         let mut proposed = Proposed::new(agreed, &revision, offset);
@@ -72,7 +72,7 @@ pub(crate) async fn completion(
         // than the answers come would never see one: what comes late is narrowed by the editor itself.
         let is_late = !next_to.documents.shows(&revision);
         Some(CompletionResponse::List(CompletionList {
-            is_incomplete: found.cut && !is_late,
+            is_incomplete: (found.cut || !knows_others) && !is_late,
             items,
         }))
     })
@@ -293,7 +293,8 @@ async fn documentation(shared: &Arc<Shared>, data: Value) -> Result<Option<Docum
     };
     let agreed = shared.agreed();
     blocking(&*shared.host, move |_| {
-        card(agreed, &revision, revision.context()?, &topic)
+        let (context, _) = revision.first_context()?;
+        card(agreed, &revision, context, &topic)
     })
     .await
 }

@@ -69,7 +69,7 @@ pub(crate) async fn on_type_formatting(
         if revision.kind() == Kind::Scenarios {
             return Some(scenario_on_type(&revision.text(), offset, typed));
         }
-        let context = revision.context()?;
+        let (context, _) = revision.first_context()?;
         Some(on_type(context, offset, typed, &revision.format_options()))
     })
     .await
@@ -87,7 +87,7 @@ fn in_ranges(revision: &Revision, ranges: Vec<Range>) -> Option<Vec<Edit>> {
         });
         return Some(edits);
     }
-    let context = revision.context()?;
+    let (context, _) = revision.first_context()?;
     let range = |range: Range| {
         let range = convert::our_range(range);
         let (a, b) = (revision.offset(range.start), revision.offset(range.end));

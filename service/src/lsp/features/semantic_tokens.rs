@@ -96,7 +96,7 @@ async fn tokens(
     };
     let several_lines = shared.agreed().multiline_tokens;
     blocking(&*shared.host, move |_| {
-        let context = revision.context()?;
+        let (context, _) = revision.first_context()?;
         let encode = |tokens: &[Token]| encoded(&revision, tokens, several_lines);
         let Some(range) = range else {
             let lines = context.parse.lines().len();

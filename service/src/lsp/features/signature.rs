@@ -35,7 +35,8 @@ pub(crate) async fn signature_help(
         .is_none_or(|context| context.trigger_kind == SignatureHelpTriggerKind::INVOKED);
     blocking(&*shared.host, move |_| {
         let offset = revision.offset(convert::our_position(place.position));
-        let help = ladder_ide::signature_help(revision.context()?, offset)?;
+        let (context, _) = revision.first_context()?;
+        let help = ladder_ide::signature_help(context, offset)?;
         let active = &help.signatures[help.active];
         // Of a contact or a coil there is nothing to say that is worth the lines that it covers.
         if !asked && active.parameters.len() < 2 {

@@ -81,6 +81,8 @@ pub(crate) struct Agreed {
     pub(crate) registers_configuration: bool,
     /// The client can be notified that inlay hints have changed.
     pub(crate) refreshes_inlay_hints: bool,
+    /// The client can be notified that semantic tokens have changed.
+    pub(crate) refreshes_semantic_tokens: bool,
     /// The client can be notified that code lenses have changed.
     pub(crate) refreshes_code_lenses: bool,
 }
@@ -181,6 +183,10 @@ impl Agreed {
             registers_configuration: workspace
                 .and_then(|workspace| workspace.did_change_configuration.as_ref())
                 .and_then(|it| it.dynamic_registration)
+                .unwrap_or(false),
+            refreshes_semantic_tokens: workspace
+                .and_then(|workspace| workspace.semantic_tokens.as_ref())
+                .and_then(|it| it.refresh_support)
                 .unwrap_or(false),
             refreshes_inlay_hints: workspace
                 .and_then(|workspace| workspace.inlay_hint.as_ref())
@@ -344,7 +350,7 @@ mod tests {
                 "fileOperations": {"didCreate": true, "willRename": true, "didRename": true, "didDelete": true},
                 "configuration": true,
                 "didChangeConfiguration": {"dynamicRegistration": true},
-                "inlayHint": {"refreshSupport": true},
+                "inlayHint": {"refreshSupport": true}, "semanticTokens": {"refreshSupport": true},
                 "codeLens": {"refreshSupport": true}
             },
             "general": {"positionEncodings": ["utf-8"]},
@@ -378,6 +384,7 @@ mod tests {
                 progress: true,
                 configuration: true,
                 registers_configuration: true,
+                refreshes_semantic_tokens: true,
                 refreshes_inlay_hints: true,
                 refreshes_code_lenses: true,
                 links: Links {
