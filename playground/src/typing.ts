@@ -31,6 +31,15 @@ function beginsRung(since: ChangeDesc, place: number, now: Text): boolean {
     return isThere && ELEMENT.test(now.sliceString(place, since.mapPos(place, 1)));
 }
 
+/** Where the text ends that changes put at a place, also in place of what is there: the right rail, which Enter takes along. */
+function afterInserted(changes: ChangeSet, place: number): number {
+    let end = changes.mapPos(place, 1);
+    changes.iterChanges((from, _to, _start, to) => {
+        end = from === place ? to : end;
+    });
+    return end;
+}
+
 /** Makes what the server answers to a typed character, unless more was typed meanwhile; the rail of a new rung is put in front of that. */
 async function typed(view: EditorView, ch: string): Promise<void> {
     const plugin = LSPPlugin.get(view);
@@ -53,7 +62,8 @@ async function typed(view: EditorView, ch: string): Promise<void> {
         const made = ChangeSet.of(changesOf(doc, edits), doc.length);
         const changes = since ? made.map(since, true) : made;
         // What comes after the cursor leaves it where it is, but that a new line begins with.
-        const anchor = changes.mapPos(state.selection.main.head, ch === '\n' ? 1 : -1);
+        const { head } = state.selection.main;
+        const anchor = ch === '\n' ? afterInserted(changes, head) : changes.mapPos(head, -1);
         const effects = ch === '\n' ? begins(changes.apply(state.doc), anchor) : [];
         view.dispatch({ changes, effects, selection: { anchor }, userEvent: 'input.type.format', scrollIntoView: true });
     });
