@@ -15,6 +15,8 @@ export const QUIET = {
     'workbench.secondarySideBar.defaultVisibility': 'hidden',
     'chat.disableAIFeatures': true,
     'telemetry.telemetryLevel': 'off',
+    // In a browser it is on: an answer that comes after a save would be a step of undo of its own.
+    'files.autoSave': 'off',
     // What is counted in scans begins with the first.
     'ladder.start.paused': true,
     // As text on the page, which can be read.

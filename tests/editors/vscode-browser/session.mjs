@@ -206,6 +206,7 @@ async function operate(page) {
         await open(page, 'watch.clad');
         await command(page, 'Ladder: Start Simulation');
         await page.getByText('Ladder: paused, scan 0').waitFor();
+        await row(page, 'clockQ=').click();
         await row(page, 'clock.ET').waitFor();
         await page.locator('.monaco-editor .view-line').first().click();
         await page.keyboard.press('F5');
