@@ -96,7 +96,7 @@ impl Unit<'_, '_> {
         } else {
             by
         };
-        self.project.pieces.insert("LADDER_NANOSECONDS");
+        self.project.used.pieces.insert("LADDER_NANOSECONDS");
         let number = Term::call("LADDER_NANOSECONDS", &[time]);
         let number = Term::call(&conversion(Scalar::Lint, Scalar::Lreal), &[&number]);
         let scaled = if op == Op::Div {
@@ -138,7 +138,7 @@ impl Unit<'_, '_> {
         )));
         let mut term = if ty.is_signed() && ty == b_ty {
             let piece = if op == Op::Div { "LADDER_DIV" } else { "LADDER_MOD" };
-            self.project.pieces.insert(piece);
+            self.project.used.pieces.insert(piece);
             let wide = |term: &Term| pass(term.clone(), ty, Scalar::Lint);
             let quotient = Term::call(piece, &[&wide(&a), &wide(&b)]);
             match ty {
@@ -172,7 +172,7 @@ impl Unit<'_, '_> {
         if ty == Scalar::Ulint {
             return self.stop("a power of ULINT numbers: use LINT");
         }
-        self.project.pieces.insert("LADDER_POWER");
+        self.project.used.pieces.insert("LADDER_POWER");
         let (base, exponent) = (
             pass(base.clone(), ty, Scalar::Lint),
             pass(exponent, ty, Scalar::Lint),

@@ -209,7 +209,7 @@ impl Unit<'_, '_> {
     pub(crate) fn called(&self, place: &Place) -> String {
         match place.root() {
             Some(tag) => {
-                let name = &self.project.program.tags[tag.0 as usize].name;
+                let name = &self.project.source.program.tags[tag.0 as usize].name;
                 crate::names::identifier(name)
             }
             None => "system".into(),
@@ -220,7 +220,7 @@ impl Unit<'_, '_> {
         let (word, ty) = if rises {
             ("rises", "R_TRIG")
         } else {
-            self.project.pieces.insert("LADDER_F_TRIG");
+            self.project.used.pieces.insert("LADDER_F_TRIG");
             ("falls", "LADDER_F_TRIG")
         };
         match base {
@@ -311,7 +311,7 @@ impl Unit<'_, '_> {
         }
         let target = self.place(to, checks)?;
         let time = self.service(Service::ScanTime);
-        self.project.pieces.insert("LADDER_MILLISECONDS");
+        self.project.used.pieces.insert("LADDER_MILLISECONDS");
         let number = Term::call("LADDER_MILLISECONDS", &[&Term::variable(&time)]);
         let number = crate::expression::pass(number, Scalar::Lint, ty);
         Ok((target.assign(&number), target.variable))

@@ -54,7 +54,7 @@ impl Unit<'_, '_> {
         } else {
             "LADDER_IS_LREAL"
         };
-        self.project.pieces.insert(piece);
+        self.project.used.pieces.insert(piece);
         Term::call(piece, &[term])
     }
 
@@ -87,7 +87,11 @@ impl Unit<'_, '_> {
         if let Some(done) = done {
             self.line(format!("{done} := FALSE;"));
         }
-        let counts = self.project.faults_count.then(|| self.service(Service::Faulted));
+        let counts = self
+            .project
+            .used
+            .faults_count
+            .then(|| self.service(Service::Faulted));
         let mut depth = 0;
         let mut waiting: Vec<Term> = en.cloned().into_iter().collect();
         let mut is_fault = false;

@@ -20,7 +20,7 @@ impl Unit<'_, '_> {
         match (from, to) {
             _ if from == to || (from.is_string() && to.is_string()) => Ok(value),
             (Scalar::Enum(id), _) if to.is_integer() => {
-                self.project.enumerations_as_numbers.insert(id);
+                self.project.used.enumerations_as_numbers.insert(id);
                 let name = format!(
                     "{}_NUMBER",
                     self.project.enumeration_name(id).cloned().unwrap_or_default()
@@ -29,7 +29,7 @@ impl Unit<'_, '_> {
                 self.fitted(number, Scalar::Dint, to, checks)
             }
             (_, Scalar::Enum(id)) if from.is_integer() => {
-                self.project.enumerations_from_numbers.insert(id);
+                self.project.used.enumerations_from_numbers.insert(id);
                 let value = self.named(value, from, checks);
                 let numbers = id
                     .get()
@@ -80,7 +80,7 @@ impl Unit<'_, '_> {
             }
             (Scalar::Dt, Scalar::Date | Scalar::Tod) => Ok(Term::call(&conversion(from, to), &[&value])),
             (Scalar::Time, _) if to.is_integer() => {
-                self.project.pieces.insert("LADDER_MILLISECONDS");
+                self.project.used.pieces.insert("LADDER_MILLISECONDS");
                 let number = Term::call("LADDER_MILLISECONDS", &[&value]);
                 self.fitted(number, Scalar::Lint, to, checks)
             }
@@ -99,7 +99,7 @@ impl Unit<'_, '_> {
                 Ok(Term::binary(&Term::whole("T#1ms"), "*", &value, Binding::Product))
             }
             (Scalar::Time, _) if to.is_real() => {
-                self.project.pieces.insert("LADDER_NANOSECONDS");
+                self.project.used.pieces.insert("LADDER_NANOSECONDS");
                 let number = Term::call("LADDER_NANOSECONDS", &[&value]);
                 let number = Term::call(&conversion(Scalar::Lint, Scalar::Lreal), &[&number]);
                 let number = Term::binary(&number, "/", &Term::whole("1000000.0"), Binding::Product);
@@ -136,7 +136,7 @@ impl Unit<'_, '_> {
     /// So many nanoseconds as a TIME.
     pub(crate) fn time_of(&mut self, nanoseconds: &Term, checks: &mut Checks) -> Term {
         let number = self.rounded(nanoseconds.clone(), Scalar::Lreal, checks);
-        self.project.pieces.insert("LADDER_TIME");
+        self.project.used.pieces.insert("LADDER_TIME");
         Term::call("LADDER_TIME", &[&number])
     }
 
@@ -159,7 +159,7 @@ impl Unit<'_, '_> {
             return self.stop(format!("a real number as {to}: use LINT"));
         }
         let value = self.named(pass(value, from, Scalar::Lreal), Scalar::Lreal, checks);
-        self.project.pieces.insert("LADDER_TRUNC");
+        self.project.used.pieces.insert("LADDER_TRUNC");
         if to.is_real() {
             return self
                 .stop("a real number without its fraction as a real number: write it into a LINT first");
@@ -173,7 +173,7 @@ impl Unit<'_, '_> {
     fn rounded(&mut self, value: Term, from: Scalar, checks: &mut Checks) -> Term {
         let value = self.named(pass(value, from, Scalar::Lreal), Scalar::Lreal, checks);
         in_lint(&value, checks);
-        self.project.pieces.insert("LADDER_ROUND");
+        self.project.used.pieces.insert("LADDER_ROUND");
         let number = Term::call("LADDER_ROUND", &[&value]);
         self.held(&number, Scalar::Lint, checks)
     }

@@ -36,7 +36,7 @@ impl Flow {
 impl Unit<'_, '_> {
     /// All networks of the unit. `comment` are the lines above one.
     pub(crate) fn networks(&mut self, comment: &mut dyn FnMut(usize) -> Vec<String>) -> Result<()> {
-        let program = self.project.program;
+        let program = self.project.source.program;
         let networks = self.project.networks(self.kind);
         let mut flow = self.flow(networks.clone())?;
         let has_mcr = |network: &Network| network.blocks.iter().any(|block| is(block, Op::Mcr));
@@ -136,7 +136,7 @@ impl Unit<'_, '_> {
     }
 
     fn flow(&mut self, networks: Range<usize>) -> Result<Flow> {
-        let program = self.project.program;
+        let program = self.project.source.program;
         let mut flow = Flow::default();
         for index in networks.clone() {
             for block in &program.networks[index].blocks {
@@ -178,6 +178,7 @@ impl Unit<'_, '_> {
                 let label = match block.arguments.first() {
                     Some(bound) if block.location.file == 0 => self
                         .project
+                        .source
                         .text
                         .get(Range::<usize>::from(bound.range))
                         .unwrap_or("there")
@@ -256,7 +257,7 @@ impl Unit<'_, '_> {
         self.powers[step] = Power::Dead;
         let mut lines = Vec::new();
         if let UnitKind::Block(index) = self.kind
-            && self.project.program.blocks[index].shape == Shape::Function
+            && self.project.source.program.blocks[index].shape == Shape::Function
             && op == Op::Ret
         {
             return self.stop("a block that returns where it stands: write that next to it");

@@ -212,7 +212,7 @@ impl Unit<'_, '_> {
     }
 
     fn dimensions(&self, tag: TagId) -> Vec<(i64, i64)> {
-        let tag = &self.project.program.tags[tag.0 as usize];
+        let tag = &self.project.source.program.tags[tag.0 as usize];
         match (&tag.column, tag.ty) {
             (Some(column), _) if !column.dimensions.is_empty() => column.dimensions.to_vec(),
             (_, Type::Array { first, last, .. }) => vec![(first, last)],
@@ -274,7 +274,7 @@ impl Unit<'_, '_> {
     /// else over those that it has.
     pub(crate) fn path(&mut self, tag: TagId, indices: &[String]) -> (String, String) {
         let variable = self.variable(tag);
-        let tag_of = &self.project.program.tags[tag.0 as usize];
+        let tag_of = &self.project.source.program.tags[tag.0 as usize];
         let name = tag_of.name.as_str();
         let root = self.project.root(tag);
         let rest = &name[root.len()..];
@@ -308,7 +308,7 @@ impl Unit<'_, '_> {
     }
 
     fn member(&mut self, tag: TagId, member: Member, variable: String, text: &str) -> Result<Term> {
-        let Type::State(state) = self.project.program.tags[tag.0 as usize].ty else {
+        let Type::State(state) = self.project.source.program.tags[tag.0 as usize].ty else {
             return self.stop("a member of something that has none");
         };
         let of = |name: &str| {

@@ -19,7 +19,7 @@ use ladder_analysis::values::value::Value;
 use ladder_instructions::{Op, StateType};
 use ladder_syntax::Parse;
 use shared::Shared;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::ops::Range;
 use types::is_block;
 
@@ -109,16 +109,31 @@ impl Service {
 }
 
 pub(crate) struct Project<'p> {
+    pub(crate) source: Source<'p>,
+    pub(crate) tags: Tags<'p>,
+    pub(crate) given: Given,
+    pub(crate) used: Used,
+    /// In the order in which they are declared.
+    pub(crate) type_order: Vec<Declared>,
+    /// The tags that functions and blocks use as well.
+    pub(crate) shared: Shared,
+}
+
+/// What is written.
+pub(crate) struct Source<'p> {
     pub(crate) program: &'p Program,
     /// The text of the program's own file.
     pub(crate) text: &'p str,
     pub(crate) parse: &'p Parse,
     named: &'p NamedTypes,
     own_blocks: Vec<&'p str>,
-    /// Words, types, blocks, values: what no variable may be called.
-    pub(crate) names: Names,
-    /// Those of structures, and of arrays that are elements of arrays.
-    types: HashMap<Type, String>,
+    /// The time from scan to scan.
+    pub(crate) cycle: i64,
+}
+
+/// What is known of its tags.
+#[derive(Default)]
+pub(crate) struct Tags<'p> {
     /// The names that the ladder program has for arrays.
     named_arrays: HashMap<Type, &'p str>,
     /// The types of the tags as they are declared, of each block and of the program.
@@ -127,27 +142,35 @@ pub(crate) struct Project<'p> {
     roots: Vec<usize>,
     /// The parts of each of them, which hold its initial value.
     parts: HashMap<(Option<usize>, &'p str), Vec<&'p Tag>>,
+    /// Timers and bistables that some block uses as the standard's do not work.
+    own_states: BTreeSet<TagId>,
+}
+
+/// The names that are given out.
+#[derive(Default)]
+pub(crate) struct Given {
+    /// Words, types, blocks, values: what no variable may be called.
+    pub(crate) names: Names,
+    /// Those of structures, and of arrays that are elements of arrays.
+    types: HashMap<Type, String>,
     enumerations: HashMap<EnumId, String>,
     values: HashMap<(EnumId, i64), String>,
     pub(crate) blocks: Vec<String>,
     pub(crate) functions: Vec<String>,
-    /// In the order in which they are declared.
-    pub(crate) type_order: Vec<Declared>,
-    /// Timers and bistables that some block uses as the standard's do not work.
-    own_states: BTreeSet<TagId>,
-    /// The tags that functions and blocks use as well.
-    pub(crate) shared: Shared,
-    /// The names of what holds the state of a function.
+    /// Those of what holds the state of a function.
     pub(crate) function_states: Vec<String>,
+    service_names: BTreeMap<Service, String>,
+}
+
+/// What the statements that are written ask for.
+#[derive(Default)]
+pub(crate) struct Used {
     /// What is counted, with its name; and what functions and blocks ask for of that.
     pub(crate) services: BTreeMap<Service, String>,
-    service_names: BTreeMap<Service, String>,
-    /// The time from scan to scan.
-    pub(crate) cycle: i64,
     pub(crate) shared_services: BTreeSet<Service>,
     pub(crate) pieces: BTreeSet<&'static str>,
-    pub(crate) enumerations_as_numbers: std::collections::HashSet<EnumId>,
-    pub(crate) enumerations_from_numbers: std::collections::HashSet<EnumId>,
+    pub(crate) enumerations_as_numbers: HashSet<EnumId>,
+    pub(crate) enumerations_from_numbers: HashSet<EnumId>,
     pub(crate) faults_count: bool,
 }
 
@@ -194,50 +217,40 @@ impl<'p> Project<'p> {
         let named = &context.types;
         let mut names = Names::default();
         let mut project = Project {
-            program,
-            text,
-            parse: &context.parse,
-            named,
-            own_blocks: context.user_blocks[..context.own_blocks]
-                .iter()
-                .map(|block| &*block.name)
-                .collect(),
-            names: Names::default(),
-            types: HashMap::new(),
-            named_arrays: HashMap::new(),
-            declared: HashMap::new(),
-            roots: roots(program),
-            parts: HashMap::new(),
-            enumerations: HashMap::new(),
-            values: HashMap::new(),
-            blocks: Vec::new(),
-            functions: Vec::new(),
+            source: Source {
+                program,
+                text,
+                parse: &context.parse,
+                named,
+                own_blocks: context.user_blocks[..context.own_blocks]
+                    .iter()
+                    .map(|block| &*block.name)
+                    .collect(),
+                cycle: 0,
+            },
+            tags: Tags {
+                roots: roots(program),
+                ..Tags::default()
+            },
+            given: Given::default(),
+            used: Used::default(),
             type_order: Vec::new(),
-            own_states: BTreeSet::new(),
             shared: Shared::default(),
-            function_states: Vec::new(),
-            services: BTreeMap::new(),
-            service_names: BTreeMap::new(),
-            cycle: 0,
-            shared_services: BTreeSet::new(),
-            pieces: BTreeSet::new(),
-            enumerations_as_numbers: std::collections::HashSet::new(),
-            enumerations_from_numbers: std::collections::HashSet::new(),
-            faults_count: false,
         };
         for own in named.own() {
             if let Some(ty) = own.ty.filter(|ty| ty.array().is_some()) {
                 let name = own.declaration.name.as_str();
-                project.named_arrays.entry(ty).or_insert(name);
+                project.tags.named_arrays.entry(ty).or_insert(name);
             }
         }
         for block in std::iter::once(None).chain((0..program.blocks.len()).map(Some)) {
             let variables = project.variables(block).into_iter();
             let types = variables.map(|variable| ((block, variable.root), variable.ty));
-            project.declared.extend(types);
+            project.tags.declared.extend(types);
         }
         for (id, tag) in tag_ids(program) {
             project
+                .tags
                 .parts
                 .entry((tag.block, project.root(id)))
                 .or_default()
@@ -261,7 +274,7 @@ impl<'p> Project<'p> {
         }
         for service in Service::all() {
             let name = names.name(service.name(), "of_ladder");
-            project.service_names.insert(service, name);
+            project.given.service_names.insert(service, name);
         }
         project.find_shared();
         for tag in &program.tags {
@@ -280,44 +293,50 @@ impl<'p> Project<'p> {
             }
         }
         for block in &program.blocks {
-            project.blocks.push(names.name(&block.name, "block"));
+            project.given.blocks.push(names.name(&block.name, "block"));
         }
         for function in &program.functions {
             let name = names.name(&function.name, "function");
             project
+                .given
                 .function_states
                 .push(names.name(&format!("do_{name}"), "function"));
-            project.functions.push(name);
+            project.given.functions.push(name);
         }
         project.name_passed_arrays(&mut names);
         // Only what was given out here is taken for variables.
         let mut taken = Names::default();
-        let given = project.types.values().chain(project.enumerations.values());
+        let given = project
+            .given
+            .types
+            .values()
+            .chain(project.given.enumerations.values());
         for name in given
-            .chain(project.values.values())
-            .chain(&project.blocks)
-            .chain(&project.functions)
-            .chain(&project.function_states)
-            .chain(project.service_names.values())
+            .chain(project.given.values.values())
+            .chain(&project.given.blocks)
+            .chain(&project.given.functions)
+            .chain(&project.given.function_states)
+            .chain(project.given.service_names.values())
         {
             taken.name(name, "");
         }
-        project.names = taken;
+        project.given.names = taken;
         project.name_shared();
         project.find_own_states();
-        project.faults_count = project.asks_for(SystemTag::Fault);
+        project.used.faults_count = project.asks_for(SystemTag::Fault);
         project
     }
 
     /// The name of the variable that a tag lies in, as the ladder program has it.
     pub(crate) fn root(&self, tag: TagId) -> &'p str {
-        &self.program.tags[tag.0 as usize].name[..self.roots[tag.0 as usize]]
+        &self.source.program.tags[tag.0 as usize].name[..self.tags.roots[tag.0 as usize]]
     }
 
     /// The number that a block has among those of the program's own file.
     pub(crate) fn own_block(&self, block: usize) -> Option<usize> {
-        let name = &self.program.blocks[block].name;
-        self.own_blocks
+        let name = &self.source.program.blocks[block].name;
+        self.source
+            .own_blocks
             .iter()
             .position(|own| own.eq_ignore_ascii_case(name))
     }
@@ -335,13 +354,14 @@ impl<'p> Project<'p> {
         matches!(
             state,
             StateType::Ton | StateType::Tof | StateType::Tp | StateType::Sr | StateType::Rs
-        ) && !self.own_states.contains(&tag)
+        ) && !self.tags.own_states.contains(&tag)
     }
 
     /// A value as it is written.
     pub(crate) fn literal(&self, value: &Value, ty: Scalar) -> String {
         match (value, ty) {
             (Value::Int(number), Scalar::Enum(id)) => self
+                .given
                 .values
                 .get(&(id, *number))
                 .cloned()
@@ -351,25 +371,25 @@ impl<'p> Project<'p> {
     }
 
     pub(crate) fn value_name(&self, id: EnumId, number: i64) -> Option<&String> {
-        self.values.get(&(id, number))
+        self.given.values.get(&(id, number))
     }
 
     pub(crate) fn enumeration_name(&self, id: EnumId) -> Option<&String> {
-        self.enumerations.get(&id)
+        self.given.enumerations.get(&id)
     }
 
     pub(crate) fn networks(&self, unit: UnitKind) -> Range<usize> {
         match unit {
-            UnitKind::Program => self.program.main.clone(),
-            UnitKind::Function(index) => self.program.functions[index].networks.clone(),
-            UnitKind::Block(index) => self.program.blocks[index].networks.clone(),
+            UnitKind::Program => self.source.program.main.clone(),
+            UnitKind::Function(index) => self.source.program.functions[index].networks.clone(),
+            UnitKind::Block(index) => self.source.program.blocks[index].networks.clone(),
         }
     }
 
     /// The program first, then what it can reach.
     pub(crate) fn units(&self) -> Vec<UnitKind> {
-        let functions = (0..self.program.functions.len()).map(UnitKind::Function);
-        let blocks = (0..self.program.blocks.len()).map(UnitKind::Block);
+        let functions = (0..self.source.program.functions.len()).map(UnitKind::Function);
+        let blocks = (0..self.source.program.blocks.len()).map(UnitKind::Block);
         std::iter::once(UnitKind::Program)
             .chain(functions)
             .chain(blocks)
@@ -377,7 +397,7 @@ impl<'p> Project<'p> {
     }
 
     fn blocks_of(&self, unit: UnitKind) -> impl Iterator<Item = &'p Block> {
-        let program: &'p Program = self.program;
+        let program: &'p Program = self.source.program;
         program.networks[self.networks(unit)]
             .iter()
             .flat_map(|network| &network.blocks)
@@ -411,7 +431,7 @@ impl<'p> Project<'p> {
                 }
             }
         }
-        self.own_states = own;
+        self.tags.own_states = own;
     }
 
     fn is_positive(&self, argument: &Argument) -> bool {
@@ -458,7 +478,7 @@ impl<'p> Project<'p> {
                     _ => None,
                 }
             }
-            ExprKind::Read(Place::Tag(tag)) => match &self.program.tags[tag.0 as usize] {
+            ExprKind::Read(Place::Tag(tag)) => match &self.source.program.tags[tag.0 as usize] {
                 tag if tag.constant => match tag.initial.first() {
                     Some(Value::Int(number)) => Some(*number),
                     _ => None,
@@ -486,10 +506,15 @@ impl<'p> Project<'p> {
     /// The name of something that is counted, and that it is asked for here.
     pub(crate) fn service(&mut self, service: Service, unit: UnitKind) -> String {
         if unit != UnitKind::Program {
-            self.shared_services.insert(service);
+            self.used.shared_services.insert(service);
         }
-        let name = self.service_names.get(&service).cloned().unwrap_or_default();
-        self.services.insert(service, name.clone());
+        let name = self
+            .given
+            .service_names
+            .get(&service)
+            .cloned()
+            .unwrap_or_default();
+        self.used.services.insert(service, name.clone());
         name
     }
 }

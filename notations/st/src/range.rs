@@ -27,7 +27,7 @@ const LONGEST: i64 = 256;
 impl Unit<'_, '_> {
     /// The first and last index of a range, where they are numbers.
     fn ends(&self, range: &RangeRef) -> Result<(i64, i64)> {
-        let tag = &self.project.program.tags[range.tag.0 as usize];
+        let tag = &self.project.source.program.tags[range.tag.0 as usize];
         let end = match tag.ty {
             Type::Array { last, .. } => last,
             _ => 0,
@@ -207,7 +207,7 @@ impl Unit<'_, '_> {
                 let own = number(&row.index).map(|own| own + last - first);
                 return own.is_none_or(|own| own > row.bounds.1);
             }
-            let tag = &self.project.program.tags[range.tag.0 as usize];
+            let tag = &self.project.source.program.tags[range.tag.0 as usize];
             matches!(tag.ty, Type::Array { first: low, last: high, .. } if first < low || last > high)
         };
         if beyond(to, to_ends) || beyond(from, from_ends) {
@@ -399,9 +399,12 @@ impl Unit<'_, '_> {
     /// The beginning of a path, with as many indices and members as the operand has in the ladder text. There the indices of an
     /// array of arrays are one list or several.
     fn cut(&self, path: &str, range: Option<TextRange>, block: &Block) -> Result<String> {
-        let text = range
-            .filter(|_| block.location.file == 0)
-            .and_then(|range| self.project.text.get(std::ops::Range::<usize>::from(range)));
+        let text = range.filter(|_| block.location.file == 0).and_then(|range| {
+            self.project
+                .source
+                .text
+                .get(std::ops::Range::<usize>::from(range))
+        });
         let Some(text) = text else {
             return self.stop("a whole structure in a block of another file");
         };

@@ -51,7 +51,7 @@ fn declaration(project: &Project<'_>, variable: &Variable<'_>, name: &str, with_
     let is_own = variable.tag.location.file == 0;
     let at = variable.tag.location.range.start();
     let above = if is_own && !variable.is_part() {
-        comment::above(project.parse, project.text, at)
+        comment::above(project.source.parse, project.source.text, at)
     } else {
         Vec::new()
     };
@@ -72,7 +72,7 @@ fn declaration(project: &Project<'_>, variable: &Variable<'_>, name: &str, with_
         said.push(format!("called {}", variable.root));
     }
     if is_own {
-        said.extend(comment::of_line(project.parse, at));
+        said.extend(comment::of_line(project.source.parse, at));
     }
     if !said.is_empty() {
         line.push_str(&format!("  {}", comment::comment(&said.join("; "))));
@@ -126,7 +126,7 @@ fn head(variable: &Variable<'_>) -> (u8, &'static str) {
 }
 
 pub(crate) fn block_variables(project: &Project<'_>, block: usize, body: &Body, out: &mut String) {
-    let program = project.program;
+    let program = project.source.program;
     let user = &program.blocks[block];
     let variables = project.variables(Some(block));
     let of = |kind: ParameterKind| {
@@ -235,6 +235,6 @@ pub(crate) fn configuration(
     out.push_str(&format!(
         "RESOURCE plc ON PLC\n    TASK scan_task(INTERVAL := {}, PRIORITY := 0);\n    PROGRAM main_program WITH scan_task : {program};\n\
          END_RESOURCE\nEND_CONFIGURATION\n",
-        literal::duration(project.cycle)
+        literal::duration(project.source.cycle)
     ));
 }

@@ -29,7 +29,7 @@ impl Unit<'_, '_> {
             return self.stop("a block without its timer or counter");
         };
         let tag = self.state_tag(argument)?;
-        let Type::State(kind) = self.project.program.tags[tag.0 as usize].ty else {
+        let Type::State(kind) = self.project.source.program.tags[tag.0 as usize].ty else {
             return self.stop("a block without its timer or counter");
         };
         let (variable, text) = self.path(tag, &[]);
@@ -125,7 +125,7 @@ impl Unit<'_, '_> {
         (en, step): (usize, usize),
     ) {
         if !state.is_standard {
-            self.project.pieces.insert(piece_of(state.kind));
+            self.project.used.pieces.insert(piece_of(state.kind));
         }
         let power = self.entering(en, en);
         self.keep(Some(&BTreeSet::from([state.variable.clone()])));
@@ -155,7 +155,7 @@ impl Unit<'_, '_> {
     /// `(RES)`, and `(R)` on a timer or counter: the block that is written along clears itself.
     pub(crate) fn clear(&mut self, argument: &Argument, en: usize, step: usize) -> Result<()> {
         let state = self.state(Some(argument))?;
-        self.project.pieces.insert(piece_of(state.kind));
+        self.project.used.pieces.insert(piece_of(state.kind));
         let power = self.entering(en, step);
         self.powers[step] = power.clone();
         self.keep(Some(&BTreeSet::from([state.variable])));

@@ -53,7 +53,7 @@ pub(crate) struct Unit<'a, 'p> {
 impl<'a, 'p> Unit<'a, 'p> {
     pub(crate) fn new(project: &'a mut Project<'p>, kind: UnitKind, here: Location) -> Unit<'a, 'p> {
         Unit {
-            names: project.names.clone(),
+            names: project.given.names.clone(),
             project,
             kind,
             variables: BTreeMap::new(),
@@ -120,7 +120,7 @@ impl<'a, 'p> Unit<'a, 'p> {
 
     /// The variable of a tag.
     pub(crate) fn variable(&mut self, tag: TagId) -> String {
-        let program = self.project.program;
+        let program = self.project.source.program;
         let tag_of = &program.tags[tag.0 as usize];
         let name = self.project.root(tag);
         if let Some(block) = tag_of.block {
@@ -267,8 +267,8 @@ impl<'a, 'p> Unit<'a, 'p> {
     pub(crate) fn function_instance(&mut self, function: usize) -> String {
         let name = self.called.get(&function).cloned();
         name.unwrap_or_else(|| {
-            let ty = self.project.functions[function].clone();
-            let shared = self.project.function_states[function].clone();
+            let ty = self.project.given.functions[function].clone();
+            let shared = self.project.given.function_states[function].clone();
             if self.project.is_called_in_one(function) {
                 self.instances.push(Local {
                     name: shared.clone(),

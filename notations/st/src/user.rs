@@ -14,12 +14,12 @@ use std::collections::BTreeSet;
 
 impl Unit<'_, '_> {
     pub(crate) fn user_block(&mut self, index: usize, block: &Block, en: usize, step: usize) -> Result<()> {
-        let program = self.project.program;
+        let program = self.project.source.program;
         let user = &program.blocks[index];
         let mut checks = Checks::new();
         let mut written = BTreeSet::new();
         let state = block.arguments.iter().find(|bound| bound.parameter.is_none());
-        let ty = self.project.blocks[index].clone();
+        let ty = self.project.given.blocks[index].clone();
         let instance = match state.map(|bound| &bound.argument) {
             Some(state) => self.path(self.state_tag(state)?, &[]).1,
             None => {
@@ -117,7 +117,7 @@ impl Unit<'_, '_> {
 
     /// Whether a body jumps, returns or ends in its caller's stead.
     fn leaves(&self, unit: UnitKind) -> bool {
-        let program = self.project.program;
+        let program = self.project.source.program;
         let mut blocks = program.networks[self.project.networks(unit)]
             .iter()
             .flat_map(|network| &network.blocks);
@@ -156,7 +156,7 @@ impl Unit<'_, '_> {
 
     /// Whether the program may have ended in what was called.
     fn may_end_elsewhere(&self) -> bool {
-        let program = self.project.program;
+        let program = self.project.source.program;
         let elsewhere = self
             .project
             .units()

@@ -80,14 +80,14 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
         .unwrap_or_default()
         .to_string_lossy()
         .into_owned();
-    let name = project.names.name(&stem, "program");
-    project.cycle = analysis.context.cycle.unwrap_or(CYCLE);
+    let name = project.given.names.name(&stem, "program");
+    project.source.cycle = analysis.context.cycle.unwrap_or(CYCLE);
     let mut bodies = Vec::new();
     for unit in project.units() {
         bodies.push(body(&mut project, unit, &analysis.context.parse).map_err(refused)?);
     }
     // What the scan begins with has names that nothing in the program has.
-    project.names = std::mem::take(&mut bodies[0].names);
+    project.given.names = std::mem::take(&mut bodies[0].names);
     let prelude = prelude(&mut project, &mut bodies[0]);
     for variable in project.variables(None) {
         if project.is_shared(variable.root) && !project.is_passed(variable.root) {
@@ -105,7 +105,7 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
             _ => None,
         });
     let states: Vec<&str> = states.collect();
-    project.pieces.extend(states);
+    project.used.pieces.extend(states);
     for network in program
         .networks
         .iter()
@@ -123,7 +123,7 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
 }
 
 fn body(project: &mut Project<'_>, kind: UnitKind, parse: &Parse) -> Result<Body, Stop> {
-    let program = project.program;
+    let program = project.source.program;
     let first = program
         .networks
         .get(project.networks(kind).start)
@@ -141,7 +141,7 @@ fn body(project: &mut Project<'_>, kind: UnitKind, parse: &Parse) -> Result<Body
         file: 0,
         range: TextRange::default(),
     };
-    let text = project.text;
+    let text = project.source.text;
     let mut unit = Unit::new(project, kind, start);
     // What the ladder program names keeps its name before anything else has one.
     let block = match kind {
@@ -215,7 +215,7 @@ fn body(project: &mut Project<'_>, kind: UnitKind, parse: &Parse) -> Result<Body
 /// What a scan begins with, before the first network.
 fn prelude(project: &mut Project<'_>, program: &mut Body) -> Vec<String> {
     let mut lines = Vec::new();
-    let asked: Vec<Service> = project.services.keys().copied().collect();
+    let asked: Vec<Service> = project.used.services.keys().copied().collect();
     let mut name = |project: &mut Project<'_>, service: Service| {
         let name = project.service(service, UnitKind::Program);
         let ty = project.scalar_name(service.ty());
@@ -228,7 +228,7 @@ fn prelude(project: &mut Project<'_>, program: &mut Body) -> Vec<String> {
     }
     if asked.contains(&Service::FirstScan) {
         let first = name(project, Service::FirstScan);
-        let has_run = project.names.name("has_run", "of_ladder");
+        let has_run = project.given.names.name("has_run", "of_ladder");
         lines.push(format!("{first} := NOT {has_run};"));
         lines.push(format!("{has_run} := TRUE;"));
         program.instances.push(Local {
@@ -238,7 +238,7 @@ fn prelude(project: &mut Project<'_>, program: &mut Body) -> Vec<String> {
     }
     if asked.contains(&Service::Scan) {
         let scan = name(project, Service::Scan);
-        let begun = project.names.name("scans_begun", "of_ladder");
+        let begun = project.given.names.name("scans_begun", "of_ladder");
         lines.push(format!("{scan} := {begun};"));
         lines.push(format!("{begun} := {begun} + 1;"));
         program.instances.push(Local {
@@ -260,8 +260,8 @@ fn prelude(project: &mut Project<'_>, program: &mut Body) -> Vec<String> {
         .collect();
     if asked.contains(&Service::Now) || asked.contains(&Service::ScanTime) || !clocks.is_empty() {
         let now = name(project, Service::Now);
-        project.pieces.insert("LADDER_CLOCK");
-        let clock = project.names.name("ladder_clock_1", "of_ladder");
+        project.used.pieces.insert("LADDER_CLOCK");
+        let clock = project.given.names.name("ladder_clock_1", "of_ladder");
         lines.push(format!("{clock}();"));
         if asked.contains(&Service::ScanTime) {
             let scan_time = name(project, Service::ScanTime);
@@ -274,7 +274,7 @@ fn prelude(project: &mut Project<'_>, program: &mut Body) -> Vec<String> {
         });
         for clock in clocks {
             let wave = name(project, Service::Clock(clock));
-            project.pieces.insert("LADDER_MILLISECONDS");
+            project.used.pieces.insert("LADDER_MILLISECONDS");
             let period = Clock::ALL[usize::from(clock)].period() / 1_000_000;
             let number = Term::call("LADDER_MILLISECONDS", &[&Term::variable(&now)]);
             let rest = Term::binary(&number, "MOD", &Term::whole(period.to_string()), Binding::Product);
@@ -297,7 +297,7 @@ fn assembled(
             .map(|one| [indent, &comment::comment(one), "\n"].concat());
         lines.collect()
     };
-    let program = project.program;
+    let program = project.source.program;
     // What more than the program asks for belongs to the configuration.
     let mut shared: BTreeMap<&String, &String> = BTreeMap::new();
     for body in bodies.iter().filter(|body| body.kind != UnitKind::Program) {
@@ -306,12 +306,12 @@ fn assembled(
     shared.extend(&bodies[0].shared);
     let mut out = format!("(* The ladder program {name}. *)\n{}\n", said(&outside.head, ""));
     out.push_str(&project.types());
-    let pieces = PIECES.text(&project.pieces);
+    let pieces = PIECES.text(&project.used.pieces);
     out.push_str(&pieces);
     for (index, body) in callees_first(program, bodies) {
         let name = match body.kind {
-            UnitKind::Function(function) => &project.functions[function],
-            UnitKind::Block(block) => &project.blocks[block],
+            UnitKind::Function(function) => &project.given.functions[function],
+            UnitKind::Block(block) => &project.given.blocks[block],
             UnitKind::Program => continue,
         };
         debug_assert!(index > 0);

@@ -32,7 +32,7 @@ impl<'p> Project<'p> {
     pub(crate) fn variables(&self, block: Option<usize>) -> Vec<Variable<'p>> {
         let mut found: Vec<Variable<'p>> = Vec::new();
         let mut known: HashSet<&str> = HashSet::new();
-        for (id, tag) in tag_ids(self.program).filter(|(_, tag)| tag.block == block) {
+        for (id, tag) in tag_ids(self.source.program).filter(|(_, tag)| tag.block == block) {
             let root = self.root(id);
             let ty = match &tag.column {
                 // The inside of a block that is a tag.
@@ -96,10 +96,10 @@ impl Project<'_> {
                 }
             }
         }
-        for id in &self.enumerations_as_numbers {
+        for id in &self.used.enumerations_as_numbers {
             out.push_str(&self.number_of(*id));
         }
-        for id in &self.enumerations_from_numbers {
+        for id in &self.used.enumerations_from_numbers {
             out.push_str(&self.value_of(*id));
         }
         out
@@ -108,6 +108,7 @@ impl Project<'_> {
     /// What the comment on the line of a member says, as a comment.
     fn said_of_member(&self, ty: &str, member: &str) -> String {
         let own = self
+            .source
             .named
             .own()
             .iter()
@@ -117,7 +118,7 @@ impl Project<'_> {
             return String::new();
         };
         let found = members.iter().find(|own| own.name.eq_ignore_ascii_case(member));
-        let said = found.and_then(|found| comment::of_line(self.parse, found.at.start()));
+        let said = found.and_then(|found| comment::of_line(self.source.parse, found.at.start()));
         said.map_or_else(String::new, |said| format!("  {}", comment::comment(&said)))
     }
 

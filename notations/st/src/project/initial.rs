@@ -74,7 +74,7 @@ impl Project<'_> {
 
     /// None for an in-out.
     fn parts_of<'s>(&'s self, variable: &Variable<'_>) -> Option<Parts<'s>> {
-        let program = self.program;
+        let program = self.source.program;
         let parameters = (variable.tag.block).map_or(&[][..], |block| &program.blocks[block].parameters);
         let is_passed = |(tag, kind): &(TagId, ParameterKind)| {
             *kind == ParameterKind::InOut && self.root(*tag) == variable.root
@@ -82,7 +82,7 @@ impl Project<'_> {
         if parameters.iter().any(is_passed) {
             return None;
         }
-        let parts = self.parts.get(&(variable.tag.block, variable.root));
+        let parts = self.tags.parts.get(&(variable.tag.block, variable.root));
         Some(
             parts
                 .into_iter()

@@ -50,7 +50,7 @@ impl Project<'_> {
                 continue;
             }
             let tags = roots.into_iter();
-            let of_program = tags.filter(|id| self.program.tags[id.0 as usize].block.is_none());
+            let of_program = tags.filter(|id| self.source.program.tags[id.0 as usize].block.is_none());
             used.insert(unit, of_program.map(|id| self.root(id).to_owned()).collect());
             calls.insert(unit, called);
         }
@@ -87,7 +87,7 @@ impl Project<'_> {
     /// Gives the tags that are shared their names, which are the same in all units.
     pub(super) fn name_shared(&mut self) {
         for (root, name) in &mut self.shared.names {
-            *name = self.names.name(root, "tag");
+            *name = self.given.names.name(root, "tag");
         }
     }
 

@@ -22,10 +22,10 @@ impl Project<'_> {
             }
             Type::Compound(id) => match id.get() {
                 Compound::Structure(structure) => {
-                    if self.types.contains_key(&ty) {
+                    if self.given.types.contains_key(&ty) {
                         return;
                     }
-                    self.types.insert(ty, names.name(&structure.name, "type"));
+                    self.given.types.insert(ty, names.name(&structure.name, "type"));
                     for member in &structure.members {
                         self.add_type(member.ty, names);
                     }
@@ -44,21 +44,26 @@ impl Project<'_> {
     /// Arrays that are passed to functions and blocks have a name, and those that are copied whole.
     pub(super) fn name_passed_arrays(&mut self, names: &mut Names) {
         let mut types: Vec<Type> = Vec::new();
-        for (block, user) in self.program.blocks.iter().enumerate() {
+        for (block, user) in self.source.program.blocks.iter().enumerate() {
             let tags = user.parameters.iter().map(|(tag, _)| *tag);
             types.extend(tags.filter_map(|tag| self.declared_type(Some(block), self.root(tag))));
         }
-        for (&(block, tag), &ty) in &self.declared {
+        for (&(block, tag), &ty) in &self.tags.declared {
             if block.is_none() && self.is_passed(tag) {
                 types.push(ty);
             }
         }
-        let blocks = self.program.networks.iter().flat_map(|network| &network.blocks);
+        let blocks = self
+            .source
+            .program
+            .networks
+            .iter()
+            .flat_map(|network| &network.blocks);
         for bound in blocks.flat_map(|block| &block.arguments) {
             if let Argument::Parts(parts) = &bound.argument
                 && let Some(tag) = parts.first().and_then(Argument::root)
             {
-                let block = self.program.tags[tag.0 as usize].block;
+                let block = self.source.program.tags[tag.0 as usize].block;
                 types.extend(self.declared_type(block, self.root(tag)));
             }
         }
@@ -75,11 +80,11 @@ impl Project<'_> {
 
     /// The standard takes no `ARRAY .. OF ARRAY ..`: the inner array has a name.
     fn add_inner_array(&mut self, ty: Type, or: &str, names: &mut Names) {
-        if ty.array().is_none() || self.types.contains_key(&ty) {
+        if ty.array().is_none() || self.given.types.contains_key(&ty) {
             return;
         }
-        let name = self.named_arrays.get(&ty).copied().unwrap_or(or);
-        self.types.insert(ty, names.name(name, "type"));
+        let name = self.tags.named_arrays.get(&ty).copied().unwrap_or(or);
+        self.given.types.insert(ty, names.name(name, "type"));
         self.type_order.push(Declared::Array(ty));
     }
 
@@ -99,14 +104,16 @@ impl Project<'_> {
     }
 
     fn add_enumeration(&mut self, id: EnumId, names: &mut Names) {
-        if self.enumerations.contains_key(&id) {
+        if self.given.enumerations.contains_key(&id) {
             return;
         }
         let enumeration = id.get();
-        self.enumerations
+        self.given
+            .enumerations
             .insert(id, names.name(&enumeration.name, "type"));
         for (name, number) in &enumeration.values {
-            self.values
+            self.given
+                .values
                 .insert((id, i64::from(*number)), names.name(name, "value"));
         }
         self.type_order.push(Declared::Enumeration(id));
@@ -114,7 +121,7 @@ impl Project<'_> {
 
     /// The name of a tag's or member's type. Timers that the standard's blocks do not do have a block of their own.
     pub(crate) fn type_name(&self, ty: Type) -> String {
-        let named = self.types.get(&ty).cloned();
+        let named = self.given.types.get(&ty).cloned();
         named.unwrap_or_else(|| self.spelled(ty))
     }
 
@@ -146,19 +153,21 @@ impl Project<'_> {
     }
 
     fn block_name(&self, name: &str) -> String {
-        self.block_of(name)
-            .map_or_else(|| names::identifier(name), |block| self.blocks[block].clone())
+        self.block_of(name).map_or_else(
+            || names::identifier(name),
+            |block| self.given.blocks[block].clone(),
+        )
     }
 
     fn block_of(&self, name: &str) -> Option<usize> {
         let key = name.to_lowercase();
-        let mut blocks = self.program.blocks.iter();
+        let mut blocks = self.source.program.blocks.iter();
         blocks.position(|block| block.name.to_lowercase() == key)
     }
 
     pub(crate) fn scalar_name(&self, scalar: Scalar) -> String {
         match scalar {
-            Scalar::Enum(id) => self.enumerations.get(&id).cloned().unwrap_or_default(),
+            Scalar::Enum(id) => self.given.enumerations.get(&id).cloned().unwrap_or_default(),
             // Its length is kept where it is written: matiec knows no other than its own.
             Scalar::String(_) => "STRING".into(),
             other => other.name().into(),
@@ -167,7 +176,7 @@ impl Project<'_> {
 
     /// The type of a tag as it is declared in the program or in the body of a block.
     pub(crate) fn declared_type(&self, block: Option<usize>, root: &str) -> Option<Type> {
-        self.declared.get(&(block, root)).copied()
+        self.tags.declared.get(&(block, root)).copied()
     }
 
     /// The type of a member of a structure, or of a variable of a block.
