@@ -25,7 +25,7 @@ impl Unit<'_, '_> {
                 self.edge_contact(block, en, step, row.op == Op::RisingContact)?;
             }
             Op::Inverter => {
-                self.powers[step] = match &self.powers[en] {
+                self.rungs.powers[step] = match &self.rungs.powers[en] {
                     Power::Dead => Power::rail(),
                     live @ Power::Live(_) => match live.term() {
                         None => Power::Dead,
@@ -40,7 +40,7 @@ impl Unit<'_, '_> {
             Op::OneShotRising | Op::OneShotFalling => {
                 let edge = self.edge_of_power(en, "rung", row.op == Op::OneShotRising);
                 let number = self.number();
-                self.powers[step] = Power::of(number, edge);
+                self.rungs.powers[step] = Power::of(number, edge);
             }
             Op::Eq | Op::Ne | Op::Gt | Op::Ge | Op::Lt | Op::Le => self.compares(row.op, block, en, step)?,
 
@@ -56,15 +56,17 @@ impl Unit<'_, '_> {
             Op::Sr | Op::Rs => self.bistable(row.op, block, en, step)?,
 
             Op::Shift => self.shift_range(block, en, step)?,
-            Op::Lbl | Op::Fun | Op::Next | Op::Persist => self.powers[step] = self.powers[en].clone(),
+            Op::Lbl | Op::Fun | Op::Next | Op::Persist => {
+                self.rungs.powers[step] = self.rungs.powers[en].clone()
+            }
             Op::Jmp => return self.jump(block, en, step),
             Op::Ret | Op::End => self.leave(row.op, en, step)?,
             Op::Call => self.call(block, en, step)?,
             Op::For => self.begins_loop(block, en, step)?,
             Op::Mcr => {
                 let power = self.entering(en, step);
-                self.powers[step] = power.clone();
-                if let Some(rail) = self.rail.clone() {
+                self.rungs.powers[step] = power.clone();
+                if let Some(rail) = self.rungs.rail.clone() {
                     let term = power.or_true();
                     self.line(format!("{rail} := {};", term.text));
                 }
@@ -116,19 +118,19 @@ impl Unit<'_, '_> {
             _ => return self.stop("a contact on something that is no BOOL"),
         };
         if term.text == "TRUE" {
-            self.powers[step] = self.powers[en].clone();
+            self.rungs.powers[step] = self.rungs.powers[en].clone();
             return Ok(());
         }
-        if let Power::Dead = self.powers[en] {
+        if let Power::Dead = self.rungs.powers[en] {
             return Ok(());
         }
         let number = self.number();
         if !checks.is_empty() {
             term = self.when_checked(en, checks, &term);
-            self.powers[step] = Power::of(number, term);
+            self.rungs.powers[step] = Power::of(number, term);
             return Ok(());
         }
-        self.powers[step] = self.powers[en].and(number, term);
+        self.rungs.powers[step] = self.rungs.powers[en].and(number, term);
         Ok(())
     }
 
@@ -147,7 +149,7 @@ impl Unit<'_, '_> {
     }
 
     fn compares(&mut self, op: Op, block: &Block, en: usize, step: usize) -> Result<()> {
-        if let Power::Dead = self.powers[en] {
+        if let Power::Dead = self.rungs.powers[en] {
             return Ok(());
         }
         let mut checks = Checks::new();
@@ -168,10 +170,10 @@ impl Unit<'_, '_> {
         };
         let number = self.number();
         if checks.is_empty() {
-            self.powers[step] = self.powers[en].and(number, term);
+            self.rungs.powers[step] = self.rungs.powers[en].and(number, term);
         } else {
             let term = self.when_checked(en, checks, &term);
-            self.powers[step] = Power::of(number, term);
+            self.rungs.powers[step] = Power::of(number, term);
         }
         Ok(())
     }
@@ -195,13 +197,13 @@ impl Unit<'_, '_> {
         if checks.is_empty() {
             self.line(call);
             let edge = of_instance(&instance, "Q");
-            self.powers[step] = self.powers[en].and(number, edge);
+            self.rungs.powers[step] = self.rungs.powers[en].and(number, edge);
             return Ok(());
         }
         let name = self.temporary("power", Scalar::Bool);
         self.line(format!("{name} := FALSE;"));
         self.guarded(None, checks, &[call, format!("{name} := {instance}.Q;")], None);
-        self.powers[step] = self.powers[en].and(number, Term::variable(&name));
+        self.rungs.powers[step] = self.rungs.powers[en].and(number, Term::variable(&name));
         Ok(())
     }
 
@@ -240,7 +242,7 @@ impl Unit<'_, '_> {
 
     /// A block that writes its first operand when power is high.
     fn data(&mut self, op: Op, block: &Block, en: usize, step: usize) -> Result<()> {
-        if let Power::Dead = self.powers[en] {
+        if let Power::Dead = self.rungs.powers[en] {
             return Ok(());
         }
         let mut checks = Checks::new();

@@ -36,14 +36,14 @@ impl Unit<'_, '_> {
             self.all_or_low(checks, lines, &power.or_true(), (step, done));
             return Ok(());
         }
-        let power = self.powers[en].clone();
+        let power = self.rungs.powers[en].clone();
         let holds = match targets.as_slice() {
             // The coil's tag is the name of the power from here on.
             [target] if follows && target.is_whole() => !power.is_short() && self.is_needed_again(en, step),
             _ => false,
         };
         if holds {
-            self.powers[step] = power.clone();
+            self.rungs.powers[step] = power.clone();
             let variable = &targets[0].variable;
             let number = self.hold(&power.numbers(), variable);
             self.keep(Some(&written));
@@ -52,7 +52,7 @@ impl Unit<'_, '_> {
             return Ok(());
         }
         let power = self.entering(en, step);
-        self.powers[step] = power.clone();
+        self.rungs.powers[step] = power.clone();
         self.keep(Some(&written));
         let term = value(&power);
         for target in &targets {
@@ -89,7 +89,7 @@ impl Unit<'_, '_> {
         let number = self.number();
         if checks.is_empty() {
             self.when(&power, &lines);
-            self.powers[step] = Power::of(number, after);
+            self.rungs.powers[step] = Power::of(number, after);
             return Ok(());
         }
         let done = self.done(step);
@@ -110,7 +110,7 @@ impl Unit<'_, '_> {
             .flat_map(|target| target.assign(&Term::whole("FALSE")))
             .collect();
         if checks.is_empty() {
-            self.powers[step] = power.clone();
+            self.rungs.powers[step] = power.clone();
             self.keep(Some(&written));
             self.when(&power, &lines);
             return Ok(());
@@ -129,7 +129,7 @@ impl Unit<'_, '_> {
             _ => "rung".into(),
         };
         let power = self.entering(en, step);
-        self.powers[step] = power.clone();
+        self.rungs.powers[step] = power.clone();
         let edge = self.edge_of_power(en, &base, rises);
         let written: BTreeSet<String> = targets.iter().map(|target| target.variable.clone()).collect();
         self.keep(Some(&written));
@@ -147,12 +147,12 @@ impl Unit<'_, '_> {
 
     /// The variable that says whether a block did what it does, if anything asks.
     pub(crate) fn done(&mut self, step: usize) -> Option<String> {
-        (self.left[step] > 0).then(|| self.temporary("power", Scalar::Bool))
+        (self.rungs.left[step] > 0).then(|| self.temporary("power", Scalar::Bool))
     }
 
     pub(crate) fn is_done(&mut self, step: usize, done: Option<String>) {
         let number = self.number();
-        self.powers[step] = match done {
+        self.rungs.powers[step] = match done {
             Some(done) => Power::of(number, Term::variable(&done)),
             None => Power::Dead,
         };

@@ -43,7 +43,7 @@ impl Unit<'_, '_> {
         if program.networks[networks.clone()].iter().any(has_mcr) {
             let rail = self.numbered("rail", "BOOL");
             self.line(format!("{rail} := TRUE;"));
-            self.rail = Some(rail);
+            self.rungs.rail = Some(rail);
         }
         let mut guards: Vec<String> = Vec::new();
         for index in networks.clone() {
@@ -65,8 +65,9 @@ impl Unit<'_, '_> {
             let lines = comment(index);
             for line in &lines {
                 match line.as_str() {
-                    "" if self.lines.is_empty() || self.lines.last().is_some_and(String::is_empty) => {}
-                    "" => self.lines.push(String::new()),
+                    "" if self.out.lines.is_empty()
+                        || self.out.lines.last().is_some_and(String::is_empty) => {}
+                    "" => self.out.lines.push(String::new()),
                     line => self.line(line),
                 }
             }
@@ -198,15 +199,15 @@ impl Unit<'_, '_> {
     /// `<JMP>`: the rest of its network is passed over.
     pub(crate) fn jump(&mut self, block: &Block, en: usize, step: usize) -> Result<bool> {
         let power = self.entering(en, en);
-        self.powers[step] = Power::Dead;
+        self.rungs.powers[step] = Power::Dead;
         let (flag, lines, leaves) = self.jump_lines(block)?;
         let is_start = format!("{flag} := FALSE;");
         match power.term() {
             Some(_) if matches!(power, Power::Dead) => return Ok(false),
             Some(term)
-                if lines.len() == 1 && self.lines.last().is_some_and(|line| line.trim() == is_start) =>
+                if lines.len() == 1 && self.out.lines.last().is_some_and(|line| line.trim() == is_start) =>
             {
-                self.lines.pop();
+                self.out.lines.pop();
                 self.line(format!("{flag} := {};", term.text));
             }
             _ => self.when(&power, &lines),
@@ -254,7 +255,7 @@ impl Unit<'_, '_> {
     /// `<RET>` and `<END>`
     pub(crate) fn leave(&mut self, op: Op, en: usize, step: usize) -> Result<()> {
         let power = self.entering(en, en);
-        self.powers[step] = Power::Dead;
+        self.rungs.powers[step] = Power::Dead;
         let mut lines = Vec::new();
         if let UnitKind::Block(index) = self.kind
             && self.project.source.program.blocks[index].shape == Shape::Function
@@ -299,7 +300,7 @@ impl Unit<'_, '_> {
         };
         if checks.is_empty() {
             let power = self.entering(en, step);
-            self.powers[step] = power.clone();
+            self.rungs.powers[step] = power.clone();
             self.when(&power, &[format!("{turns} := {};", term.text)]);
             return Ok(());
         }

@@ -15,15 +15,15 @@ impl Unit<'_, '_> {
     pub(crate) fn network(&mut self, network: &Network) -> Result<usize> {
         self.free_temporaries();
         let count = network.steps.len();
-        self.powers = vec![Power::Dead; count];
-        self.left = vec![0; count];
+        self.rungs.powers = vec![Power::Dead; count];
+        self.rungs.left = vec![0; count];
         for step in &network.steps {
             match *step {
                 Step::Start { .. } => {}
-                Step::Block { en, .. } => self.left[en] += 1,
+                Step::Block { en, .. } => self.rungs.left[en] += 1,
                 Step::Join { upper, lower } => {
-                    self.left[upper] += 1;
-                    self.left[lower] += 1;
+                    self.rungs.left[upper] += 1;
+                    self.rungs.left[lower] += 1;
                 }
             }
         }
@@ -35,20 +35,20 @@ impl Unit<'_, '_> {
             match network.steps[step] {
                 Step::Start { rail: false } => {}
                 Step::Start { rail: true } => {
-                    self.powers[step] = match &self.rail {
+                    self.rungs.powers[step] = match &self.rungs.rail {
                         Some(rail) if !holds_mcr => Power::of(rail_number, crate::term::Term::variable(rail)),
                         _ => Power::rail(),
                     };
                 }
                 Step::Join { upper, lower } => {
-                    self.left[upper] -= 1;
-                    self.left[lower] -= 1;
+                    self.rungs.left[upper] -= 1;
+                    self.rungs.left[lower] -= 1;
                     let number = self.number();
-                    self.powers[step] = self.powers[upper].or(&self.powers[lower], number);
+                    self.rungs.powers[step] = self.rungs.powers[upper].or(&self.rungs.powers[lower], number);
                     self.shorten(step);
                 }
                 Step::Block { block, en } => {
-                    self.left[en] -= 1;
+                    self.rungs.left[en] -= 1;
                     if let Some((last, is_open)) = self.chain(network, step)? {
                         step = last;
                         opened += usize::from(is_open);
@@ -66,15 +66,18 @@ impl Unit<'_, '_> {
     }
 
     fn shorten(&mut self, step: usize) {
-        if self.left[step] == 0 {
+        if self.rungs.left[step] == 0 {
             return;
         }
-        let Some(term) = self.powers[step].term().filter(|term| term.text.len() > LONGEST) else {
+        let Some(term) = self.rungs.powers[step]
+            .term()
+            .filter(|term| term.text.len() > LONGEST)
+        else {
             return;
         };
         let name = self.temporary("power", Scalar::Bool);
         self.line(format!("{name} := {};", term.text));
-        let number = self.hold(&self.powers[step].numbers(), &name);
+        let number = self.hold(&self.rungs.powers[step].numbers(), &name);
         self.is_held(number, &name);
     }
 
@@ -88,11 +91,11 @@ impl Unit<'_, '_> {
         let Step::Block { en: entered, .. } = network.steps[first] else {
             return Ok(None);
         };
-        if matches!(self.powers[entered], Power::Dead) {
+        if matches!(self.rungs.powers[entered], Power::Dead) {
             return Ok(None);
         }
         while let Some(Step::Block { block, en }) = network.steps.get(step).copied() {
-            if step > first && (en != step - 1 || self.left[en] != 1) {
+            if step > first && (en != step - 1 || self.rungs.left[en] != 1) {
                 break;
             }
             let block = &network.blocks[block];
@@ -103,7 +106,7 @@ impl Unit<'_, '_> {
             lines.extend(all);
             written.insert(variable);
             if step > first {
-                self.left[en] = 0;
+                self.rungs.left[en] = 0;
             }
             last = Some(step);
             step += 1;
@@ -112,18 +115,18 @@ impl Unit<'_, '_> {
         let mut jump = None;
         if let Some(Step::Block { block, en }) = network.steps.get(step).copied()
             && en == last
-            && self.left[en] == 1
+            && self.rungs.left[en] == 1
             && is(&network.blocks[block], Op::Jmp)
         {
             let (flag, all, leaves) = self.jump_lines(&network.blocks[block])?;
             lines.extend(all);
-            self.left[en] = 0;
+            self.rungs.left[en] = 0;
             last = step;
             jump = Some((flag, leaves));
         }
         let power = self.entering(entered, if jump.is_some() { entered } else { last });
         if jump.is_none() {
-            self.powers[last] = power.clone();
+            self.rungs.powers[last] = power.clone();
         }
         self.keep(Some(&written));
         self.when(&power, &lines);

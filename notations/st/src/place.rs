@@ -259,7 +259,7 @@ impl Unit<'_, '_> {
         {
             return Ok(term.text);
         }
-        let term = if self.holds_indices {
+        let term = if self.rungs.holds_indices {
             self.held(&term, index.ty, checks)
         } else {
             self.named(term, index.ty, checks)

@@ -237,7 +237,7 @@ impl Unit<'_, '_> {
         };
         let entering = self.settled(value, &mut checks)?;
         let power = self.entering(en, step);
-        self.powers[step] = power;
+        self.rungs.powers[step] = power;
         let edge = self.edge_of_power(en, "rung", true);
         let Some(first) = targets.first() else {
             return self.stop("a range without elements");
@@ -255,7 +255,7 @@ impl Unit<'_, '_> {
         lines.extend(first.assign(&entering));
         self.keep(Some(&BTreeSet::from([variable])));
         let is_checked = checks.iter().any(|check| matches!(check, Check::Holds(_)));
-        if is_checked && self.left[step] > 0 {
+        if is_checked && self.rungs.left[step] > 0 {
             return self.stop("a shift of a value that may be a fault, with something after it");
         }
         self.guarded(Some(&edge), checks, &lines, None);

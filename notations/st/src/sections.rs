@@ -2,10 +2,10 @@
 
 use crate::comment;
 use crate::literal;
-use crate::names::{self, Names};
+use crate::names;
 use crate::project::declare::Variable;
 use crate::project::{Project, UnitKind};
-use crate::unit::Local;
+use crate::unit::{Local, Variables};
 use ladder_analysis::program::{ParameterKind, Role};
 use std::collections::BTreeMap;
 
@@ -15,16 +15,9 @@ pub(crate) struct Body {
     /// What gives variables the values that they begin with.
     pub(crate) first: Vec<String>,
     pub(crate) lines: Vec<String>,
-    pub(crate) variables: BTreeMap<String, String>,
-    pub(crate) externals: BTreeMap<String, String>,
     /// Of the program: the tags that others use, too.
     pub(crate) shared: BTreeMap<String, String>,
-    /// Variables that stay, over a warm restart too.
-    pub(crate) retained: Vec<Local>,
-    pub(crate) instances: Vec<Local>,
-    pub(crate) temporaries: Vec<Local>,
-    /// The names that are taken in it.
-    pub(crate) names: Names,
+    pub(crate) declared: Variables,
 }
 
 pub(crate) fn section(head: &str, variables: &[Local], out: &mut String) {
@@ -40,9 +33,9 @@ pub(crate) fn section(head: &str, variables: &[Local], out: &mut String) {
 }
 
 pub(crate) fn own_variables(body: &Body, out: &mut String) {
-    section("VAR RETAIN", &body.retained, out);
-    section("VAR", &body.instances, out);
-    section("VAR", &body.temporaries, out);
+    section("VAR RETAIN", &body.declared.retained, out);
+    section("VAR", &body.declared.instances, out);
+    section("VAR", &body.declared.temporaries, out);
 }
 
 /// A declaration with what it starts with, its address and its comment.
@@ -89,7 +82,7 @@ pub(crate) fn program_variables(
 ) {
     let mut sections: BTreeMap<(u8, &str), String> = BTreeMap::new();
     for variable in project.variables(None) {
-        let Some(name) = body.variables.get(variable.root) else {
+        let Some(name) = body.declared.variables.get(variable.root) else {
             continue;
         };
         if shared.contains_key(name) && project.is_shared(variable.root) && !project.is_passed(variable.root)
@@ -155,7 +148,7 @@ pub(crate) fn block_variables(project: &Project<'_>, block: usize, body: &Body, 
     }
     let mut sections: BTreeMap<&str, String> = BTreeMap::new();
     for variable in &variables {
-        let Some(name) = body.variables.get(variable.root) else {
+        let Some(name) = body.declared.variables.get(variable.root) else {
             continue;
         };
         let head = match (variable.tag.constant, variable.tag.retain) {

@@ -145,7 +145,7 @@ impl Unit<'_, '_> {
         q.reads.insert(state.variable.clone());
         if checks.is_empty() {
             self.line(call);
-            self.powers[step] = Power::of(number, q);
+            self.rungs.powers[step] = Power::of(number, q);
             return;
         }
         let done = self.done(step);
@@ -157,7 +157,7 @@ impl Unit<'_, '_> {
         let state = self.state(Some(argument))?;
         self.project.used.pieces.insert(piece_of(state.kind));
         let power = self.entering(en, step);
-        self.powers[step] = power.clone();
+        self.rungs.powers[step] = power.clone();
         self.keep(Some(&BTreeSet::from([state.variable])));
         self.when(&power, &[format!("{}(CLEAR := TRUE);", state.text)]);
         Ok(())

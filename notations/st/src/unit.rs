@@ -18,6 +18,18 @@ pub(crate) struct Local {
 pub(crate) struct Unit<'a, 'p> {
     pub(crate) project: &'a mut Project<'p>,
     pub(crate) kind: UnitKind,
+    pub(crate) declared: Variables,
+    pub(crate) rungs: Rungs,
+    pub(crate) out: Statements,
+    pub(crate) here: Location,
+    numbers: usize,
+    pub(crate) flow: Flow,
+}
+
+/// The variables of a unit.
+#[derive(Default)]
+pub(crate) struct Variables {
+    /// The names that are taken in it.
     pub(crate) names: Names,
     /// The variables of tags by the name of the tag.
     pub(crate) variables: BTreeMap<String, String>,
@@ -25,55 +37,55 @@ pub(crate) struct Unit<'a, 'p> {
     pub(crate) externals: BTreeMap<String, String>,
     /// Variables that stay, over a warm restart too.
     pub(crate) retained: Vec<Local>,
-    /// What gives variables the values that they begin with: those that go with the power, and those that do not.
-    first: [Vec<String>; 2],
     /// Blocks for edges, timers of bodies and other things that stay.
     pub(crate) instances: Vec<Local>,
     /// Values on their way.
     pub(crate) temporaries: Vec<Local>,
-    pub(crate) lines: Vec<String>,
-    indent: usize,
+    /// The parameters that stand for variables of the caller.
+    pub(crate) in_outs: BTreeSet<String>,
     /// The names of temporaries by their type, and how many are in use.
     pool: BTreeMap<String, (Vec<String>, usize)>,
-    pub(crate) here: Location,
-    numbers: usize,
-    /// Of the network that is written: the power of each step that is still needed, and how often.
+}
+
+/// Of the network that is written.
+#[derive(Default)]
+pub(crate) struct Rungs {
+    /// The power of each step that is still needed, and how often.
     pub(crate) powers: Vec<Power>,
     pub(crate) left: Vec<usize>,
     /// The variable that holds the power of the rails, if they can be switched off.
     pub(crate) rail: Option<String>,
     called: HashMap<usize, String>,
-    /// The parameters that stand for variables of the caller.
-    pub(crate) in_outs: BTreeSet<String>,
-    pub(crate) flow: Flow,
     /// Whether what an index is computed from may change before its place is used.
     pub(crate) holds_indices: bool,
+}
+
+/// The text of a body.
+pub(crate) struct Statements {
+    /// What gives variables the values that they begin with: those that go with the power, and those that do not.
+    pub(crate) first: [Vec<String>; 2],
+    pub(crate) lines: Vec<String>,
+    indent: usize,
 }
 
 impl<'a, 'p> Unit<'a, 'p> {
     pub(crate) fn new(project: &'a mut Project<'p>, kind: UnitKind, here: Location) -> Unit<'a, 'p> {
         Unit {
-            names: project.given.names.clone(),
+            declared: Variables {
+                names: project.given.names.clone(),
+                ..Variables::default()
+            },
             project,
             kind,
-            variables: BTreeMap::new(),
-            externals: BTreeMap::new(),
-            retained: Vec::new(),
-            first: Default::default(),
-            instances: Vec::new(),
-            temporaries: Vec::new(),
-            lines: Vec::new(),
-            indent: 1,
-            pool: BTreeMap::new(),
+            rungs: Rungs::default(),
+            out: Statements {
+                first: Default::default(),
+                lines: Vec::new(),
+                indent: 1,
+            },
             here,
             numbers: 0,
-            powers: Vec::new(),
-            left: Vec::new(),
-            rail: None,
-            called: HashMap::new(),
-            in_outs: BTreeSet::new(),
             flow: Flow::default(),
-            holds_indices: false,
         }
     }
 
@@ -86,21 +98,22 @@ impl<'a, 'p> Unit<'a, 'p> {
     }
 
     pub(crate) fn line(&mut self, text: impl AsRef<str>) {
-        self.lines
-            .push(format!("{}{}", "    ".repeat(self.indent), text.as_ref()));
+        self.out
+            .lines
+            .push(format!("{}{}", "    ".repeat(self.out.indent), text.as_ref()));
     }
 
     pub(crate) fn open(&mut self, head: impl AsRef<str>) {
         self.line(head);
-        self.indent += 1;
+        self.out.indent += 1;
     }
 
     pub(crate) fn close(&mut self, end: &str) {
-        self.indent -= 1;
+        self.out.indent -= 1;
         // An IF around nothing says nothing.
         let is_empty = |line: &String| line.trim_start().starts_with("IF ") && line.ends_with(" THEN");
-        if end == "END_IF;" && self.lines.last().is_some_and(is_empty) {
-            self.lines.pop();
+        if end == "END_IF;" && self.out.lines.last().is_some_and(is_empty) {
+            self.out.lines.pop();
         } else {
             self.line(end);
         }
@@ -108,9 +121,9 @@ impl<'a, 'p> Unit<'a, 'p> {
 
     /// `ELSE`
     pub(crate) fn other(&mut self) {
-        self.indent -= 1;
+        self.out.indent -= 1;
         self.line("ELSE");
-        self.indent += 1;
+        self.out.indent += 1;
     }
 
     pub(crate) fn number(&mut self) -> usize {
@@ -137,48 +150,49 @@ impl<'a, 'p> Unit<'a, 'p> {
             }
         } else if self.project.is_passed(name) {
             let shared = self.project.name_of_shared(name);
-            self.in_outs.insert(shared.clone());
+            self.declared.in_outs.insert(shared.clone());
             if self.kind == UnitKind::Program {
-                self.variables.insert(name.to_owned(), shared.clone());
+                self.declared.variables.insert(name.to_owned(), shared.clone());
             }
             return shared;
         } else if self.project.is_shared(name) {
             let shared = self.project.name_of_shared(name);
-            if !self.externals.contains_key(&shared) {
+            if !self.declared.externals.contains_key(&shared) {
                 let ty = match self.project.declared_type(None, name) {
                     Some(Type::State(state)) if self.project.is_standard(state, tag) => state.name().into(),
                     declared => self.project.type_name(declared.unwrap_or(Type::BOOL)),
                 };
-                self.externals.insert(shared.clone(), ty);
+                self.declared.externals.insert(shared.clone(), ty);
             }
             return shared;
         }
-        if let Some(variable) = self.variables.get(name) {
+        if let Some(variable) = self.declared.variables.get(name) {
             return variable.clone();
         }
-        let variable = self.names.name(name, "tag");
-        self.variables.insert(name.to_owned(), variable.clone());
+        let variable = self.declared.names.name(name, "tag");
+        self.declared.variables.insert(name.to_owned(), variable.clone());
         variable
     }
 
     /// Statements that give a variable the value that it begins with.
     pub(crate) fn begin_with(&mut self, lines: Vec<String>, is_retained: bool) {
-        self.first[usize::from(is_retained)].extend(lines);
+        self.out.first[usize::from(is_retained)].extend(lines);
     }
 
     /// What is done once, before anything else.
     pub(crate) fn first_scan(&mut self) -> Vec<String> {
-        for (number, lines) in std::mem::take(&mut self.first).into_iter().enumerate() {
+        for (number, lines) in std::mem::take(&mut self.out.first).into_iter().enumerate() {
             if lines.is_empty() {
                 continue;
             }
             let has_begun = self
+                .declared
                 .names
                 .name(if number == 0 { "has_begun" } else { "has_been_on" }, "2");
             let list = if number == 0 {
-                &mut self.instances
+                &mut self.declared.instances
             } else {
-                &mut self.retained
+                &mut self.declared.retained
             };
             list.push(Local {
                 name: has_begun.clone(),
@@ -191,7 +205,7 @@ impl<'a, 'p> Unit<'a, 'p> {
             }
             self.close("END_IF;");
         }
-        std::mem::take(&mut self.lines)
+        std::mem::take(&mut self.out.lines)
     }
 
     /// The arguments of a call for the variables of the program that the unit uses.
@@ -199,7 +213,7 @@ impl<'a, 'p> Unit<'a, 'p> {
         let roots: Vec<String> = self.project.passed(unit).iter().cloned().collect();
         let names = roots.iter().map(|root| self.project.name_of_shared(root));
         let names: Vec<String> = names.collect();
-        self.in_outs.extend(names.iter().cloned());
+        self.declared.in_outs.extend(names.iter().cloned());
         names.iter().map(|name| format!("{name} := {name}")).collect()
     }
 
@@ -207,14 +221,14 @@ impl<'a, 'p> Unit<'a, 'p> {
     pub(crate) fn service(&mut self, service: Service) -> String {
         let name = self.project.service(service, self.kind);
         let ty = self.project.scalar_name(service.ty());
-        self.externals.insert(name.clone(), ty);
+        self.declared.externals.insert(name.clone(), ty);
         name
     }
 
     /// A variable that lives as long as the unit.
     pub(crate) fn instance(&mut self, base: &str, ty: &str) -> String {
-        let name = self.names.name(base, "2");
-        self.instances.push(Local {
+        let name = self.declared.names.name(base, "2");
+        self.declared.instances.push(Local {
             name: name.clone(),
             ty: ty.to_owned(),
         });
@@ -223,8 +237,8 @@ impl<'a, 'p> Unit<'a, 'p> {
 
     /// The same, with a number.
     pub(crate) fn numbered(&mut self, base: &str, ty: &str) -> String {
-        let name = self.names.numbered(base);
-        self.instances.push(Local {
+        let name = self.declared.names.numbered(base);
+        self.declared.instances.push(Local {
             name: name.clone(),
             ty: ty.to_owned(),
         });
@@ -234,14 +248,14 @@ impl<'a, 'p> Unit<'a, 'p> {
     /// A variable for a value within one network.
     pub(crate) fn temporary(&mut self, base: &str, ty: Scalar) -> String {
         let ty = self.project.scalar_name(ty);
-        let (all, used) = self.pool.entry(format!("{base} {ty}")).or_default();
+        let (all, used) = self.declared.pool.entry(format!("{base} {ty}")).or_default();
         *used += 1;
         if let Some(name) = all.get(*used - 1) {
             return name.clone();
         }
-        let name = self.names.numbered(base);
+        let name = self.declared.names.numbered(base);
         all.push(name.clone());
-        self.temporaries.push(Local {
+        self.declared.temporaries.push(Local {
             name: name.clone(),
             ty,
         });
@@ -260,24 +274,24 @@ impl<'a, 'p> Unit<'a, 'p> {
 
     /// All temporaries are free again.
     pub(crate) fn free_temporaries(&mut self) {
-        self.pool.values_mut().for_each(|(_, used)| *used = 0);
+        self.declared.pool.values_mut().for_each(|(_, used)| *used = 0);
     }
 
     /// The variable that holds a function's own state, which all that call it share.
     pub(crate) fn function_instance(&mut self, function: usize) -> String {
-        let name = self.called.get(&function).cloned();
+        let name = self.rungs.called.get(&function).cloned();
         name.unwrap_or_else(|| {
             let ty = self.project.given.functions[function].clone();
             let shared = self.project.given.function_states[function].clone();
             if self.project.is_called_in_one(function) {
-                self.instances.push(Local {
+                self.declared.instances.push(Local {
                     name: shared.clone(),
                     ty,
                 });
             } else {
-                self.externals.insert(shared.clone(), ty);
+                self.declared.externals.insert(shared.clone(), ty);
             }
-            self.called.insert(function, shared.clone());
+            self.rungs.called.insert(function, shared.clone());
             shared
         })
     }
@@ -285,14 +299,16 @@ impl<'a, 'p> Unit<'a, 'p> {
     /// Before something of these is written: what is still to be read of it as it was is kept. `None` is anything that others
     /// can see.
     pub(crate) fn keep(&mut self, written: Option<&BTreeSet<String>>) {
-        let is_open = |name: &String| self.externals.contains_key(name) || self.in_outs.contains(name);
+        let is_open = |name: &String| {
+            self.declared.externals.contains_key(name) || self.declared.in_outs.contains(name)
+        };
         // In-outs may be one another, or what others see.
         let any_open = match written {
-            Some(written) => !self.in_outs.is_empty() && written.iter().any(is_open),
+            Some(written) => !self.declared.in_outs.is_empty() && written.iter().any(is_open),
             None => true,
         };
         let mut kept: BTreeMap<usize, Term> = BTreeMap::new();
-        for (power, left) in self.powers.iter().zip(&self.left) {
+        for (power, left) in self.rungs.powers.iter().zip(&self.rungs.left) {
             let Power::Live(factors) = power else { continue };
             if *left == 0 {
                 continue;
@@ -315,7 +331,7 @@ impl<'a, 'p> Unit<'a, 'p> {
         if names.is_empty() {
             return;
         }
-        for power in &mut self.powers {
+        for power in &mut self.rungs.powers {
             let Power::Live(factors) = power else { continue };
             for factor in factors {
                 if let Some(name) = names.get(&factor.number) {
@@ -328,7 +344,7 @@ impl<'a, 'p> Unit<'a, 'p> {
     /// From here on the power with these conditions is what a variable holds that is about to be written.
     pub(crate) fn hold(&mut self, numbers: &[usize], variable: &str) -> usize {
         let number = self.number();
-        for power in &mut self.powers {
+        for power in &mut self.rungs.powers {
             let Power::Live(factors) = power else { continue };
             let begins = factors.len() >= numbers.len()
                 && factors
@@ -348,7 +364,7 @@ impl<'a, 'p> Unit<'a, 'p> {
 
     /// The variable is written: from here on it may be written again.
     pub(crate) fn is_held(&mut self, number: usize, variable: &str) {
-        for power in &mut self.powers {
+        for power in &mut self.rungs.powers {
             let Power::Live(factors) = power else { continue };
             for factor in factors.iter_mut().filter(|factor| factor.number == number) {
                 factor.term = Term::variable(variable);
@@ -358,7 +374,7 @@ impl<'a, 'p> Unit<'a, 'p> {
 
     /// The power that enters a block, ready to be written: what is needed again has a name.
     pub(crate) fn entering(&mut self, en: usize, step: usize) -> Power {
-        let power = self.powers[en].clone();
+        let power = self.rungs.powers[en].clone();
         if power.is_short() || !self.is_needed_again(en, step) {
             return power;
         }
@@ -367,11 +383,11 @@ impl<'a, 'p> Unit<'a, 'p> {
         self.line(format!("{name} := {};", term.text));
         let number = self.hold(&power.numbers(), &name);
         self.is_held(number, &name);
-        self.powers[en].clone()
+        self.rungs.powers[en].clone()
     }
 
     /// Whether something else will ask for the power that enters a block, or leaves it as the same one.
     pub(crate) fn is_needed_again(&self, en: usize, step: usize) -> bool {
-        self.left[en] > 0 || self.left[step] > 0
+        self.rungs.left[en] > 0 || self.rungs.left[step] > 0
     }
 }

@@ -54,9 +54,9 @@ impl Unit<'_, '_> {
                 }
                 (ParameterKind::Output, None) => {}
                 (ParameterKind::Output, Some(Argument::Place(place, to))) => {
-                    self.holds_indices = true;
+                    self.rungs.holds_indices = true;
                     let target = self.place(place, &mut checks);
-                    self.holds_indices = false;
+                    self.rungs.holds_indices = false;
                     let target = target?;
                     let from = tag.ty.scalar().unwrap_or(*to);
                     let value =
@@ -103,7 +103,7 @@ impl Unit<'_, '_> {
             for line in &lines {
                 self.line(line);
             }
-            self.powers[step] = Power::of(number, out);
+            self.rungs.powers[step] = Power::of(number, out);
         } else {
             let done = self.done(step);
             self.all_or_low(checks, lines, &out, (step, done));
@@ -141,7 +141,7 @@ impl Unit<'_, '_> {
             return self.stop("a call of something that is no function");
         };
         let power = self.entering(en, step);
-        self.powers[step] = power.clone();
+        self.rungs.powers[step] = power.clone();
         self.keep(None);
         let instance = self.function_instance(*function);
         let passed = self.passed(UnitKind::Function(*function));

@@ -87,7 +87,7 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
         bodies.push(body(&mut project, unit, &analysis.context.parse).map_err(refused)?);
     }
     // What the scan begins with has names that nothing in the program has.
-    project.given.names = std::mem::take(&mut bodies[0].names);
+    project.given.names = std::mem::take(&mut bodies[0].declared.names);
     let prelude = prelude(&mut project, &mut bodies[0]);
     for variable in project.variables(None) {
         if project.is_shared(variable.root) && !project.is_passed(variable.root) {
@@ -147,7 +147,7 @@ fn body(project: &mut Project<'_>, kind: UnitKind, parse: &Parse) -> Result<Body
     let block = match kind {
         UnitKind::Block(block) => {
             for name in ["power_in", "power_out"] {
-                unit.names.name(name, "");
+                unit.declared.names.name(name, "");
             }
             for (tag, kind) in &program.blocks[block].parameters {
                 let passed = &program.tags[tag.0 as usize];
@@ -160,9 +160,9 @@ fn body(project: &mut Project<'_>, kind: UnitKind, parse: &Parse) -> Result<Body
                     );
                 }
                 let name = unit.project.root(*tag);
-                unit.names.name(name, "");
+                unit.declared.names.name(name, "");
                 if *kind == ParameterKind::InOut {
-                    unit.in_outs.insert(names::member(name));
+                    unit.declared.in_outs.insert(names::member(name));
                 }
             }
             Some(block)
@@ -193,7 +193,7 @@ fn body(project: &mut Project<'_>, kind: UnitKind, parse: &Parse) -> Result<Body
     let first = unit.first_scan();
     unit.networks(&mut comments)?;
     let says_nothing = |line: &String| line.trim().is_empty() || line.trim().starts_with("(*");
-    if unit.lines.iter().all(says_nothing) && !matches!(kind, UnitKind::Block(_)) {
+    if unit.out.lines.iter().all(says_nothing) && !matches!(kind, UnitKind::Block(_)) {
         // A body without statements does not compile everywhere.
         let nothing = unit.instance("nothing", "BOOL");
         unit.line(format!("{nothing} := FALSE;"));
@@ -201,14 +201,9 @@ fn body(project: &mut Project<'_>, kind: UnitKind, parse: &Parse) -> Result<Body
     Ok(Body {
         kind,
         first,
-        retained: unit.retained,
-        lines: unit.lines,
-        variables: unit.variables,
-        externals: unit.externals,
+        lines: unit.out.lines,
         shared: BTreeMap::new(),
-        instances: unit.instances,
-        names: unit.names,
-        temporaries: unit.temporaries,
+        declared: unit.declared,
     })
 }
 
@@ -219,7 +214,7 @@ fn prelude(project: &mut Project<'_>, program: &mut Body) -> Vec<String> {
     let mut name = |project: &mut Project<'_>, service: Service| {
         let name = project.service(service, UnitKind::Program);
         let ty = project.scalar_name(service.ty());
-        program.externals.insert(name.clone(), ty);
+        program.declared.externals.insert(name.clone(), ty);
         name
     };
     if asked.contains(&Service::Ended) {
@@ -231,7 +226,7 @@ fn prelude(project: &mut Project<'_>, program: &mut Body) -> Vec<String> {
         let has_run = project.given.names.name("has_run", "of_ladder");
         lines.push(format!("{first} := NOT {has_run};"));
         lines.push(format!("{has_run} := TRUE;"));
-        program.instances.push(Local {
+        program.declared.instances.push(Local {
             name: has_run,
             ty: "BOOL".into(),
         });
@@ -241,7 +236,7 @@ fn prelude(project: &mut Project<'_>, program: &mut Body) -> Vec<String> {
         let begun = project.given.names.name("scans_begun", "of_ladder");
         lines.push(format!("{scan} := {begun};"));
         lines.push(format!("{begun} := {begun} + 1;"));
-        program.instances.push(Local {
+        program.declared.instances.push(Local {
             name: begun,
             ty: "DINT".into(),
         });
@@ -268,7 +263,7 @@ fn prelude(project: &mut Project<'_>, program: &mut Body) -> Vec<String> {
             lines.push(format!("{scan_time} := {clock}.NOW - {now};"));
         }
         lines.push(format!("{now} := {clock}.NOW;"));
-        program.instances.push(Local {
+        program.declared.instances.push(Local {
             name: clock,
             ty: "LADDER_CLOCK".into(),
         });
@@ -301,7 +296,7 @@ fn assembled(
     // What more than the program asks for belongs to the configuration.
     let mut shared: BTreeMap<&String, &String> = BTreeMap::new();
     for body in bodies.iter().filter(|body| body.kind != UnitKind::Program) {
-        shared.extend(&body.externals);
+        shared.extend(&body.declared.externals);
     }
     shared.extend(&bodies[0].shared);
     let mut out = format!("(* The ladder program {name}. *)\n{}\n", said(&outside.head, ""));
@@ -335,6 +330,7 @@ fn assembled(
         }
         own_variables(body, &mut out);
         let all: Vec<Local> = body
+            .declared
             .externals
             .iter()
             .map(|(name, ty)| Local {
@@ -355,6 +351,7 @@ fn assembled(
     program_variables(project, main, &shared, &mut out);
     own_variables(main, &mut out);
     let (outer, inner): (Vec<_>, Vec<_>) = main
+        .declared
         .externals
         .iter()
         .partition(|(name, _)| shared.contains_key(name));
