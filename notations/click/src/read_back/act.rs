@@ -100,7 +100,7 @@ impl Back<'_> {
             return Err("a fixed number is added to Click's pointers".to_owned());
         };
         let offset = i32::try_from(offset).map_err(|_| "the number is too large")?;
-        self.pointers.insert(tag, (by, offset));
+        self.computed.pointers.insert(tag, (by, offset));
         Ok(())
     }
 
@@ -126,7 +126,7 @@ impl Back<'_> {
                 {
                     let bits = what.strip_prefix("data of ").and_then(Span::in_text);
                     let bits = bits.ok_or("the comment of its data tag names no range")?;
-                    self.registers.push(Some(tag));
+                    self.computed.registers.push(Some(tag));
                     let (clock, reset) = (None, None);
                     return alone(Instruction::Shift(Shift { bits, clock, reset }));
                 }
@@ -196,7 +196,7 @@ impl Back<'_> {
                 let own = Operand::Tag(Tag::number(bits.bank, bits.first));
                 match self.operand(data)? {
                     data if data == own => {
-                        self.registers.push(None);
+                        self.computed.registers.push(None);
                         alone(Instruction::Shift(Shift {
                             bits,
                             clock: None,
@@ -256,7 +256,7 @@ impl Back<'_> {
         match op(block) {
             Some(Op::Coil) => match self.helper(first) {
                 Some((tag, what)) if !what.starts_with("data of ") => {
-                    self.conditions.insert(tag, condition.clone());
+                    self.computed.conditions.insert(tag, condition.clone());
                     Above::Yes
                 }
                 _ => Above::No,

@@ -47,7 +47,7 @@ impl Back<'_> {
         let place = self.place_of(block.location);
         // What a branch sees before its rung acts.
         if let Some((tag, _)) = self.helper(block.arguments.first()) {
-            let found = self.conditions.get(&tag).cloned();
+            let found = self.computed.conditions.get(&tag).cloned();
             return found.ok_or_else(|| "the rung that computes the contact is missing".to_owned());
         }
         let kind = match op(block) {

@@ -31,8 +31,15 @@ struct Back<'p> {
     meanings: Vec<Meaning>,
     report: Report,
     in_subroutine: bool,
-    /// What the importer's own rungs compute: pins, pointers with something added.
+    computed: Computed,
+}
+
+/// What the importer's own rungs compute.
+#[derive(Default)]
+struct Computed {
+    /// Pins.
     conditions: HashMap<TagId, Condition>,
+    /// Pointers with something added.
     pointers: HashMap<TagId, (Tag, i32)>,
     /// The data tags of the shift registers in the last rung; one without a clock has none.
     registers: Vec<Option<TagId>>,
@@ -67,14 +74,12 @@ pub(super) fn program(analysis: &Analysis) -> Result<(model::Program, Report), W
         meanings,
         report,
         in_subroutine: false,
-        conditions: HashMap::new(),
-        pointers: HashMap::new(),
-        registers: Vec::new(),
+        computed: Computed::default(),
     };
     let mut out = back.routines();
     out.nicknames = nicknames;
     meaning::without_own_copies(&mut out);
-    out.seen_first = back.conditions.values().cloned().collect();
+    out.seen_first = back.computed.conditions.values().cloned().collect();
     Ok((out, back.report))
 }
 

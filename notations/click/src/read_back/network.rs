@@ -84,7 +84,7 @@ impl Back<'_> {
 
     fn network(&mut self, network: &Network, said: Vec<String>, routine: &mut Routine) {
         let is_reset = said.len() == 1 && said[0].starts_with("reset of ");
-        let registers = std::mem::take(&mut self.registers);
+        let registers = std::mem::take(&mut self.computed.registers);
         let before = self.report.entries.len();
         match self.rungs(network, &registers, is_reset, routine) {
             Ok(mut rungs) => {
@@ -159,7 +159,7 @@ impl Back<'_> {
                         pin_of_register(&mut routine.rungs, |shift| shift.clock = Some(condition.clone()));
                     if given {
                         // Its reset may follow.
-                        self.registers = registers.to_vec();
+                        self.computed.registers = registers.to_vec();
                         return Ok(Vec::new());
                     }
                 }

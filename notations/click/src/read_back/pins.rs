@@ -112,7 +112,7 @@ impl Back<'_> {
 
     pub(super) fn pin(&self, bound: &Bound) -> Result<Condition, Refusal> {
         if let Some((tag, _)) = self.helper(Some(bound)) {
-            let found = self.conditions.get(&tag).cloned();
+            let found = self.computed.conditions.get(&tag).cloned();
             return found.ok_or_else(|| "the rung that computes the pin is missing".to_owned());
         }
         match self.operand(bound)? {

@@ -102,7 +102,7 @@ impl Back<'_> {
                     return Ok(Operand::Tag(Tag::number(bank, number)));
                 }
                 if let ExprKind::Read(Place::Tag(helper)) = &stripped(by).kind
-                    && let Some((by, offset)) = self.pointers.get(helper)
+                    && let Some((by, offset)) = self.computed.pointers.get(helper)
                 {
                     let (by, offset) = (by.clone(), *offset);
                     return Ok(Operand::Pointer(Pointer { bank, by, offset }));

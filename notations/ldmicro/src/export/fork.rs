@@ -20,8 +20,8 @@ const FOREIGN: &str = "LDmicro has no blocks of one's own";
 impl Exporter<'_> {
     /// Notes what the blocks of the fork say of the whole program.
     pub(super) fn fork(&mut self) {
-        let program = self.program;
-        self.made = program
+        let program = self.input.program;
+        self.fork.made = program
             .blocks
             .iter()
             .map(|block| self.definition_of(&block.name))
@@ -30,17 +30,17 @@ impl Exporter<'_> {
         for block in networks.flat_map(|network| &network.blocks) {
             match block.kind {
                 BlockKind::User(index) => {
-                    if let Some(Ok(Made::Counter(_))) = self.made.get(index)
+                    if let Some(Ok(Made::Counter(_))) = self.fork.made.get(index)
                         && let Ok((name, init)) = self.counter(block)
                     {
-                        self.resets.entry(name).or_insert(init);
+                        self.fork.resets.entry(name).or_insert(init);
                     }
                 }
                 BlockKind::Instruction(row)
                     if row.op == Op::Lbl && self.was(block).is_some_and(|was| was.starts_with("RUNG ")) =>
                 {
                     let label = self.label(block).to_owned();
-                    self.numbered.insert(label);
+                    self.fork.numbered.insert(label);
                 }
                 BlockKind::Instruction(_) => {}
             }
@@ -66,7 +66,7 @@ impl Exporter<'_> {
     fn initial(&self, block: &Block) -> i64 {
         match block.arguments.first().map(|bound| &bound.argument) {
             Some(Argument::Place(Operand::Tag(tag), _)) => {
-                match self.program.tags[tag.0 as usize].initial.first() {
+                match self.input.program.tags[tag.0 as usize].initial.first() {
                     Some(Value::Int(number)) => *number,
                     _ => 0,
                 }
@@ -77,31 +77,31 @@ impl Exporter<'_> {
 
     /// The line of a block that the program brought along.
     pub(super) fn made(&self, block: &Block, index: usize) -> Result<String, String> {
-        let name = &self.program.blocks[index].name;
+        let name = &self.input.program.blocks[index].name;
         if let Some(line) = self.unread(block, name) {
             return line;
         }
-        let made = match self.made.get(index) {
+        let made = match self.fork.made.get(index) {
             Some(made) => made.clone()?,
             None => return Err(FOREIGN.to_owned()),
         };
         let given: Result<Vec<String>, String> = (0..block.arguments.len())
             .map(|index| self.given(block, index))
             .collect();
-        Ok(made.line(&given?, self.initial(block), self.dialect))
+        Ok(made.line(&given?, self.initial(block), self.input.dialect))
     }
 
     /// The line of an element that is not read, if a block of this name is one: what is said above its definition begins
     /// with its word.
     fn unread(&self, block: &Block, name: &str) -> Option<Result<String, String>> {
-        let definition = definition_in(self.text, &format!("[{name}]"))?;
+        let definition = definition_in(self.input.text, &format!("[{name}]"))?;
         if !definition
             .lines()
             .any(|line| line.starts_with("# ladder: unread"))
         {
             return None;
         }
-        let before = &self.text[..self.text.find(definition)?];
+        let before = &self.input.text[..self.input.text.find(definition)?];
         let said = before.trim_end().lines().next_back().unwrap_or_default();
         let word = said
             .trim_start_matches(['#', ' '])
@@ -123,7 +123,7 @@ impl Exporter<'_> {
     /// What a block of this name is an element of, if it is defined so.
     fn definition_of(&self, name: &str) -> Result<Made, String> {
         let made = Made::named(name).ok_or(FOREIGN)?;
-        let text = definition_in(self.text, &made.head()).ok_or(FOREIGN)?;
+        let text = definition_in(self.input.text, &made.head()).ok_or(FOREIGN)?;
         if !made.is_defined_by(text) {
             return Err(format!("`{name}` is defined otherwise than LDmicro's own"));
         }
@@ -135,7 +135,7 @@ impl Exporter<'_> {
         let Some(line) = self.forks_line(block, op)? else {
             return Ok(None);
         };
-        if self.dialect.version == Version::V01 && !self.is_import {
+        if self.input.dialect.version == Version::V01 && !self.input.is_import {
             return Err(
                 "LDmicro 2.2 has no such element; to write the files of its fork, begin the program with \
                  `# ldmicro: LDmicro0.2 #`"
@@ -182,8 +182,8 @@ impl Exporter<'_> {
                 let name = name.unwrap_or_else(|| format!("P{number}"));
                 format!("SET_PWM {duty} {frequency} {name} {RESOLUTION}")
             }
-            Op::Lbl if self.numbered.contains(label) => format!("{UNSETTLED}LABEL {label}"),
-            Op::Jmp if self.numbered.contains(label) => {
+            Op::Lbl if self.fork.numbered.contains(label) => format!("{UNSETTLED}LABEL {label}"),
+            Op::Jmp if self.fork.numbered.contains(label) => {
                 let was = self.was(block).unwrap_or_default();
                 format!("{UNSETTLED}GOTO {label} {was}")
             }
@@ -212,18 +212,18 @@ impl Exporter<'_> {
     /// The label or function that a block names.
     fn label(&self, block: &Block) -> &str {
         let range = block.arguments.first().map(|bound| bound.range);
-        range.map_or("", |range| self.text[range].trim())
+        range.map_or("", |range| self.input.text[range].trim())
     }
 
     /// What the comment right after a block says that it was.
     fn was(&self, block: &Block) -> Option<String> {
-        let rest = self.text[usize::from(block.location.range.end())..].trim_start_matches(['-', ' ']);
+        let rest = self.input.text[usize::from(block.location.range.end())..].trim_start_matches(['-', ' ']);
         let length = rest.strip_prefix('#')?.find('#')? + 2;
         after(&rest[..length], "was:")
     }
 
     fn in_function(&self, block: &Block) -> bool {
-        let first = self.program.networks.get(self.program.main.end);
+        let first = self.input.program.networks.get(self.input.program.main.end);
         let first = first.filter(|network| network.location.file == 0);
         first.is_some_and(|first| block.location.range.start() >= first.location.range.start())
     }

@@ -38,18 +38,18 @@ pub(super) fn file(analysis: &Analysis) -> Result<(File, Report), WriteError> {
         file.set_cycle(microseconds);
     }
     let mut exporter = Exporter {
-        program,
-        text: &text,
-        lines: Lines::of(&text),
-        report: Report::default(),
-        dialect: file.dialect(),
-        is_import: head.is_import,
+        input: Input {
+            program,
+            text: &text,
+            lines: Lines::of(&text),
+            dialect: file.dialect(),
+            is_import: head.is_import,
+            in_profile: analysis.context.profile == Profile::Ldmicro,
+        },
         names: head.names,
         pulses: head.pulses,
-        made: Vec::new(),
-        resets: HashMap::new(),
-        numbered: HashSet::new(),
-        in_profile: analysis.context.profile == Profile::Ldmicro,
+        fork: Fork::default(),
+        report: Report::default(),
     };
     exporter.fork();
     if !head.is_import {
@@ -63,31 +63,42 @@ pub(super) fn file(analysis: &Analysis) -> Result<(File, Report), WriteError> {
     Ok((file, exporter.report))
 }
 
-struct Exporter<'p> {
+/// What is written.
+struct Input<'p> {
     program: &'p Program,
     text: &'p str,
     lines: Lines,
-    report: Report,
     dialect: Dialect,
     /// It was made from an LDmicro file.
     is_import: bool,
-    names: HashMap<String, String>,
-    /// LDmicro's names for outputs of pulses, by their numbers.
-    pulses: HashMap<String, String>,
+    /// The program has LDmicro's own arithmetic and timing.
+    in_profile: bool,
+}
+
+/// What only the fork has.
+#[derive(Default)]
+struct Fork {
     /// For each user-defined block the element of the fork that it is.
     made: Vec<Result<Made, String>>,
     /// What RES gives the counters of the fork.
     resets: HashMap<String, String>,
     /// The labels of rungs that numbers lead to.
     numbered: HashSet<String>,
-    /// The program has LDmicro's own arithmetic and timing.
-    in_profile: bool,
+}
+
+struct Exporter<'p> {
+    input: Input<'p>,
+    names: HashMap<String, String>,
+    /// LDmicro's names for outputs of pulses, by their numbers.
+    pulses: HashMap<String, String>,
+    fork: Fork,
+    report: Report,
 }
 
 impl Exporter<'_> {
     /// Names bits by the letters by which LDmicro knows inputs, outputs and relays.
     fn letters(&mut self) {
-        let program = self.program;
+        let program = self.input.program;
         let mut taken: HashSet<String> = program.tags.iter().map(|tag| tag.name.clone()).collect();
         for tag in program
             .tags
@@ -128,7 +139,7 @@ impl Exporter<'_> {
             Ok(parts) => parts,
             Err(why) => {
                 self.report.refused(place, "network", why);
-                let text = self.text[network.location.range].replace('\\', "\\\\");
+                let text = self.input.text[network.location.range].replace('\\', "\\\\");
                 let text = text.lines().collect::<Vec<_>>().join("\\r\\n");
                 vec![comment(&text)]
             }
@@ -140,7 +151,9 @@ impl Exporter<'_> {
     }
 
     fn place(&self, location: Location) -> LineColumn {
-        self.lines.place(self.text, location.range.start().into())
+        self.input
+            .lines
+            .place(self.input.text, location.range.start().into())
     }
 
     /// What is in series.
@@ -174,7 +187,7 @@ impl Exporter<'_> {
     fn leaf(&mut self, block: &Block) -> Result<Node, String> {
         let place = self.place(block.location);
         let range = block.location.range;
-        let written = &self.text[range];
+        let written = &self.input.text[range];
         let text = match kept(written) {
             Some(line) => {
                 element::check(&line).map_err(|why| format!("{place}: {why}"))?;
@@ -189,7 +202,8 @@ impl Exporter<'_> {
         };
         match block.kind {
             BlockKind::Instruction(row)
-                if self.dialect.version == Version::V02 && matches!(row.op, Op::Ctu | Op::Ctd | Op::Ctc) =>
+                if self.input.dialect.version == Version::V02
+                    && matches!(row.op, Op::Ctu | Op::Ctd | Op::Ctc) =>
             {
                 let why =
                     "LDmicro's fork counts no further than the limit, and its CTC gives power for one scan";
@@ -205,17 +219,17 @@ impl Exporter<'_> {
 
     /// The line that the comment after a block says it was, if it still means the same.
     fn before(&self, end: usize, plain: &str) -> Option<String> {
-        let rest = self.text[end..].trim_start_matches(['-', ' ']);
+        let rest = self.input.text[end..].trim_start_matches(['-', ' ']);
         let length = rest.strip_prefix('#')?.find('#')? + 2;
         let line = after(&rest[..length], "was:")?;
         element::check(&line).ok()?;
         if jumps::same(&line, plain) {
             return Some(line);
         }
-        let was = element::plain(&line, self.dialect)?;
+        let was = element::plain(&line, self.input.dialect)?;
         let is_reset = || {
             let (name, value) = plain.strip_prefix("MOVE ")?.split_once(' ')?;
-            let reset = self.resets.get(name).map_or("0", String::as_str);
+            let reset = self.fork.resets.get(name).map_or("0", String::as_str);
             (value == reset).then(|| format!("RES {name}"))
         };
         (was == plain || is_reset() == Some(was)).then_some(line)
@@ -232,7 +246,7 @@ impl Exporter<'_> {
             return Ok(line);
         }
         let unknown = || format!("LDmicro has no {} like this", instruction.block());
-        let fork = |line: String, more: &str| match self.dialect.version {
+        let fork = |line: String, more: &str| match self.input.dialect.version {
             Version::V01 => line,
             Version::V02 => line + more,
         };
@@ -297,10 +311,10 @@ impl Exporter<'_> {
             let preset = fields[1]
                 .parse()
                 .map_err(|_| "LDmicro's delays are fixed".to_owned());
-            return Some(preset.map(|preset| element::timer(word, &fields[0], preset, self.dialect)));
+            return Some(preset.map(|preset| element::timer(word, &fields[0], preset, self.input.dialect)));
         }
         let mut line = [&[word.to_owned()][..], &fields].concat().join(" ");
-        if self.dialect.version == Version::V02 {
+        if self.input.dialect.version == Version::V02 {
             line.push_str(match row.form {
                 Form::Values(Op::Usnd | Op::Urcv, _) => " 1 0",
                 Form::Counter(_) => " 0 /",
@@ -330,7 +344,8 @@ impl Exporter<'_> {
             return Err("LDmicro sends fixed texts".to_owned());
         };
         let latin1: String = bytes.iter().copied().map(char::from).collect();
-        let text = text::from_value(&latin1, self.in_profile).ok_or("LDmicro cannot send such characters")?;
+        let text =
+            text::from_value(&latin1, self.input.in_profile).ok_or("LDmicro cannot send such characters")?;
         let mut names = values.iter().map(|value| self.argument(value));
         let variable = names.next().unwrap_or_else(|| Ok("(none)".to_owned()))?;
         for other in names {
@@ -369,7 +384,7 @@ impl Exporter<'_> {
         match place {
             Operand::Tag(tag) | Operand::Member(tag, Member::Cv) => Ok(self.name(*tag)),
             // Elsewhere it is a time, and here a number of scans.
-            Operand::Member(tag, Member::Et) if self.in_profile => Ok(self.name(*tag)),
+            Operand::Member(tag, Member::Et) if self.input.in_profile => Ok(self.name(*tag)),
             Operand::Element(tag, index) => match index.kind {
                 ExprKind::Constant(Value::Int(index)) => Ok(format!("{}{index}", self.name(*tag))),
                 _ => Err("LDmicro has no computed index".to_owned()),
@@ -379,7 +394,7 @@ impl Exporter<'_> {
     }
 
     fn name(&self, tag: TagId) -> String {
-        self.ldmicro_name(&self.program.tags[tag.0 as usize].name)
+        self.ldmicro_name(&self.input.program.tags[tag.0 as usize].name)
     }
 
     fn ldmicro_name(&self, tag: &str) -> String {

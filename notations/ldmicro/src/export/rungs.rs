@@ -20,7 +20,7 @@ struct Subprogram {
 impl Exporter<'_> {
     /// All networks, and the comments between them.
     pub(super) fn rungs(&mut self) -> Vec<Rung> {
-        let program = self.program;
+        let program = self.input.program;
         let mut main = Vec::new();
         let mut subprograms: Vec<Subprogram> = Vec::new();
         let mut at = 0;
@@ -31,7 +31,7 @@ impl Exporter<'_> {
             if program.blocks.iter().any(|block| block.networks.contains(&index)) {
                 continue;
             }
-            let between = comments(&self.text[at..usize::from(range.start())]);
+            let between = comments(&self.input.text[at..usize::from(range.start())]);
             at = range.end().into();
             let rungs = subprograms.last_mut().map_or(&mut main, |sub| &mut sub.rungs);
             rungs.extend(between);
@@ -46,7 +46,7 @@ impl Exporter<'_> {
             rungs.push(rung);
         }
         let rungs = subprograms.last_mut().map_or(&mut main, |sub| &mut sub.rungs);
-        rungs.extend(comments(&self.text[at..]));
+        rungs.extend(comments(&self.input.text[at..]));
         let mut rungs = placed(main, subprograms);
         settle(&mut rungs);
         rungs
@@ -60,7 +60,7 @@ impl Exporter<'_> {
         match block.kind {
             BlockKind::Instruction(row) if row.op == Op::Fun => {
                 let name = block.arguments.first()?;
-                Some(self.text[name.range].trim().to_owned())
+                Some(self.input.text[name.range].trim().to_owned())
             }
             _ => None,
         }
