@@ -263,7 +263,7 @@ fn what_cannot_be_read_is_not_written() {
                 exit status 2
                 -- stderr
                 error: invalid value 'word' for '--to <NOTATION>'
-                  [possible values: clad, textbook, cplc-draft, ldmicro, ldmicro-text, l5x, iot, click, click-csv, plcopen, simatic, simaticml, c, st, ascii]
+                  [possible values: clad, textbook, cplc-draft, ldmicro, ldmicro-text, l5x, iot, click, click-csv, plcopen, simatic, simaticml, twincat, c, st, ascii]
 
                 For more information, try '--help'.
             "#]],

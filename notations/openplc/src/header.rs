@@ -33,6 +33,11 @@ pub(super) fn read(text: &str, report: &mut Report) -> Result<(Unit, Range<usize
     if end < start {
         return Err(whole("the rungs do not end: a `}` is missing"));
     }
-    let unit = declarations::unit(&plain[..start], &|offset| lines.place(text, offset), report)?;
+    let declared = declarations::Declared {
+        text: &text[..start],
+        plain: &plain[..start],
+        place: &|offset| lines.place(text, offset),
+    };
+    let unit = declared.unit(report)?;
     Ok((unit, start..end + 1))
 }

@@ -116,7 +116,7 @@ END_PROGRAM
 "#,
         expect![[r#"
             VAR
-                start           : BOOL;
+                start           : BOOL;  # { not a rung } #
                 t1              : TON;
                 done  AT %QX0.0 : BOOL;
                 n               : ARRAY[0..3] OF INT;

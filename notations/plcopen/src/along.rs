@@ -87,9 +87,48 @@ const BLOCKS: &[Row] = &[
     },
 ];
 
+/// Counters of the standard, for systems that have none of DINT.
+const COUNTERS: &[Row] = &[
+    Row {
+        name: "CTU_DINT",
+        returns: None,
+        inputs: &[("CU", "BOOL"), ("R", "BOOL"), ("PV", "DINT")],
+        outputs: &[("Q", "BOOL"), ("CV", "DINT")],
+        locals: &[("before", "BOOL")],
+        text: include_str!("along/CTU.st"),
+    },
+    Row {
+        name: "CTD_DINT",
+        returns: None,
+        inputs: &[("CD", "BOOL"), ("LD", "BOOL"), ("PV", "DINT")],
+        outputs: &[("Q", "BOOL"), ("CV", "DINT")],
+        locals: &[("before", "BOOL")],
+        text: include_str!("along/CTD.st"),
+    },
+    Row {
+        name: "CTUD_DINT",
+        returns: None,
+        inputs: &[
+            ("CU", "BOOL"),
+            ("CD", "BOOL"),
+            ("R", "BOOL"),
+            ("LD", "BOOL"),
+            ("PV", "DINT"),
+        ],
+        outputs: &[("QU", "BOOL"), ("QD", "BOOL"), ("CV", "DINT")],
+        locals: &[
+            ("was_up", "BOOL"),
+            ("was_down", "BOOL"),
+            ("up", "BOOL"),
+            ("down", "BOOL"),
+        ],
+        text: include_str!("along/CTUD.st"),
+    },
+];
+
 /// Puts the units that a written project needs before all others: the block that sets these globals for tags of `SYS`, under this
-/// name, and the blocks that units use.
-pub(crate) fn add(project: &mut Project, system: &[(SystemTag, String)], name: String) {
+/// name, and the blocks that units use; counters of DINT too, where that is asked for.
+pub(crate) fn add(project: &mut Project, system: &[(SystemTag, String)], name: String, has_counters: bool) {
     if !system.is_empty() {
         project.units.insert(0, system_block(name, system));
     }
@@ -101,7 +140,8 @@ pub(crate) fn add(project: &mut Project, system: &[(SystemTag, String)], name: S
         .filter(|function| project.units.iter().any(|unit| calls(unit, &function.name)))
         .collect();
     project.units.splice(0..0, moves);
-    for row in BLOCKS.iter().rev() {
+    let counters = if has_counters { COUNTERS } else { &[] };
+    for row in BLOCKS.iter().chain(counters).rev() {
         let of_units = project.units.iter().flat_map(|unit| &unit.variables);
         let mut types = of_units
             .chain(&project.globals)
@@ -136,7 +176,10 @@ pub(crate) fn take_out(project: &mut Project) {
             }
             _ => match unit.name.strip_prefix(MOVE) {
                 Some(ty) => Some(move_function(ty)),
-                None => BLOCKS.iter().find(|row| row.name == unit.name).map(block),
+                None => {
+                    let mut rows = BLOCKS.iter().chain(COUNTERS);
+                    rows.find(|row| row.name == unit.name).map(block)
+                }
             },
         };
         if !written.is_some_and(|written| is_same(&written, &unit)) {

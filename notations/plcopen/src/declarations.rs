@@ -1,6 +1,6 @@
 //! What a unit declares, as texts of IEC 61131-3 have it: `PROGRAM main`, and the sections of variables.
 
-use super::model::{Body, Initial, Role, Type, Unit, UnitKind, Variable};
+use super::model::{Body, Initial, Role, Type, TypeDeclaration, Unit, UnitKind, Variable};
 use ladder_format::program::Qualifier;
 use ladder_notation::{LineColumn, ReadError, Report};
 
@@ -17,60 +17,175 @@ pub fn begins_unit(text: &str) -> bool {
     KINDS.iter().any(|(name, _)| word.eq_ignore_ascii_case(name))
 }
 
-/// The unit that a text without comments declares. `place` says where an offset of it is.
-///
-/// # Errors
-///
-/// If it begins otherwise.
-pub fn unit(head: &str, place: &dyn Fn(usize) -> LineColumn, report: &mut Report) -> Result<Unit, ReadError> {
-    let at = head.len() - head.trim_start_matches('\u{feff}').trim_start().len();
-    let mut words = head[at..].split_whitespace();
-    let word = words.next().unwrap_or_default();
-    let kind = KINDS.iter().find(|(name, _)| word.eq_ignore_ascii_case(name));
-    let Some((_, kind)) = kind else {
-        return Err(ReadError::at(
-            place(at),
-            "the file begins with `PROGRAM`, `FUNCTION_BLOCK` or `FUNCTION`",
-        ));
-    };
-    let name = words.next().unwrap_or_default().trim_end_matches([':', ';']);
-    let mut unit = Unit {
-        place: place(at),
-        name: name.to_owned(),
-        kind: *kind,
-        returns: None,
-        variables: Vec::new(),
-        comment: None,
-        body: Body::Empty,
-        parts: Vec::new(),
-    };
-    let mut section: Option<(Role, Option<Qualifier>)> = None;
-    for (offset, statement) in statements(head) {
-        let at = place(offset);
-        let upper = statement.to_ascii_uppercase();
-        let word = upper.split_whitespace().next().unwrap_or_default();
-        if let Some(role) = role(word) {
-            let has = |qualifier: &str| upper.split_whitespace().any(|word| word == qualifier);
-            let qualifier = if has("CONSTANT") {
-                Some(Qualifier::Constant)
-            } else {
-                (has("RETAIN") || has("PERSISTENT")).then_some(Qualifier::Retain)
-            };
-            section = Some((role, qualifier));
-        } else if word == "END_VAR" {
-            section = None;
-        } else if let Some((role, qualifier)) = section {
-            match variables(statement, role, qualifier, at) {
-                Some(variables) => unit.variables.extend(variables),
-                None => report.refused(at, statement, "this is no declaration: `name : TYPE;` is one"),
+/// What texts of IEC 61131-3 declare: a text, the same without comments and pragmas, and where an offset is in the file.
+pub struct Declared<'d> {
+    /// With comments.
+    pub text: &'d str,
+    /// See [`without_comments`]: each byte is where it was.
+    pub plain: &'d str,
+    /// Where an offset of both is.
+    pub place: &'d dyn Fn(usize) -> LineColumn,
+}
+
+impl Declared<'_> {
+    /// The unit that is declared.
+    ///
+    /// # Errors
+    ///
+    /// If the text begins otherwise.
+    pub fn unit(&self, report: &mut Report) -> Result<Unit, ReadError> {
+        let at = self.start();
+        let mut words = self.plain[at..].split_whitespace();
+        let word = words.next().unwrap_or_default();
+        let kind = KINDS.iter().find(|(name, _)| word.eq_ignore_ascii_case(name));
+        let Some((_, kind)) = kind else {
+            return Err(ReadError::at(
+                (self.place)(at),
+                "the file begins with `PROGRAM`, `FUNCTION_BLOCK` or `FUNCTION`",
+            ));
+        };
+        let name = words.next().unwrap_or_default().trim_end_matches([':', ';']);
+        let mut unit = Unit {
+            place: (self.place)(at),
+            name: name.to_owned(),
+            kind: *kind,
+            returns: None,
+            variables: Vec::new(),
+            comment: self.comment_above(at),
+            body: Body::Empty,
+            parts: Vec::new(),
+        };
+        unit.variables = self.variables(report, |statement| {
+            let upper = statement.to_ascii_uppercase();
+            if upper.starts_with("FUNCTION") && upper.contains(':') {
+                unit.returns = statement.rsplit(':').next().map(|ty| type_of(ty.trim()));
+                return true;
             }
-        } else if upper.starts_with("FUNCTION") && upper.contains(':') {
-            unit.returns = statement.rsplit(':').next().map(|ty| type_of(ty.trim()));
-        } else if !KINDS.iter().any(|(name, _)| word == *name) {
-            report.refused(at, statement, "it stands outside of a section of variables");
-        }
+            let word = upper.split_whitespace().next().unwrap_or_default();
+            KINDS.iter().any(|(name, _)| word == *name)
+        });
+        Ok(unit)
     }
-    Ok(unit)
+
+    /// The globals that are declared.
+    pub fn globals(&self, report: &mut Report) -> Vec<Variable> {
+        let mut globals = self.variables(report, |_| false);
+        globals.iter_mut().for_each(|global| global.role = Role::Global);
+        globals
+    }
+
+    /// The type that is declared, as in `TYPE Phase : (IDLE, FILLING); END_TYPE`.
+    pub fn data_type(&self, report: &mut Report) -> Option<TypeDeclaration> {
+        let at = self.start();
+        let upper = self.plain.to_ascii_uppercase();
+        let end = upper.rfind("END_TYPE").unwrap_or(upper.len());
+        let is_type = upper[at..].starts_with("TYPE");
+        let colon = upper.get(at..end)?.find(':').filter(|_| is_type)? + at;
+        let name = self.plain[at + "TYPE".len()..colon].trim();
+        let rest = self.plain[colon + 1..end].trim().trim_end_matches(';').trim_end();
+        let declared = |ty, initial: Option<&str>| TypeDeclaration {
+            place: (self.place)(at),
+            name: name.to_owned(),
+            ty,
+            initial: initial.map(|text| initial_in(text, 0)),
+            comment: self.comment_above(at),
+        };
+        if upper[colon + 1..].trim_start().starts_with("STRUCT") {
+            let start = colon + 1 + upper[colon + 1..].find("STRUCT")? + "STRUCT".len();
+            let end = upper[start..end].find("END_STRUCT").map_or(end, |at| start + at);
+            let mut members = Vec::new();
+            for (offset, statement) in statements(&self.plain[start..end]) {
+                members.extend(self.variable((start + offset, statement), (Role::Local, None), report));
+            }
+            return Some(declared(Type::Structure(members), None));
+        }
+        if let Some(inside) = rest.strip_prefix('(') {
+            let (values, after) = inside.split_once(')')?;
+            let values = values.split(',').map(|value| match value.split_once(":=") {
+                Some((name, number)) => (name.trim().to_owned(), Some(number.trim().to_owned())),
+                None => (value.trim().to_owned(), None),
+            });
+            let initial = after.split_once(":=").map(|(_, initial)| initial);
+            return Some(declared(Type::Enumeration(values.collect()), initial));
+        }
+        Some(match rest.split_once(":=") {
+            Some((ty, initial)) => declared(type_of(ty.trim()), Some(initial)),
+            None => declared(type_of(rest), None),
+        })
+    }
+
+    fn start(&self) -> usize {
+        self.plain.len() - self.plain.trim_start_matches('\u{feff}').trim_start().len()
+    }
+
+    /// The variables of all sections. What stands outside of them is an error, unless it is `known`.
+    fn variables(&self, report: &mut Report, mut known: impl FnMut(&str) -> bool) -> Vec<Variable> {
+        let mut variables = Vec::new();
+        let mut section: Option<(Role, Option<Qualifier>)> = None;
+        for (offset, statement) in statements(self.plain) {
+            let upper = statement.to_ascii_uppercase();
+            let word = upper.split_whitespace().next().unwrap_or_default();
+            if let Some(role) = role(word) {
+                let has = |qualifier: &str| upper.split_whitespace().any(|word| word == qualifier);
+                let qualifier = if has("CONSTANT") {
+                    Some(Qualifier::Constant)
+                } else {
+                    (has("RETAIN") || has("PERSISTENT")).then_some(Qualifier::Retain)
+                };
+                section = Some((role, qualifier));
+            } else if word == "END_VAR" {
+                section = None;
+            } else if let Some(section) = section {
+                variables.extend(self.variable((offset, statement), section, report));
+            } else if !known(statement) {
+                let at = (self.place)(offset);
+                report.refused(at, statement, "it stands outside of a section of variables");
+            }
+        }
+        variables
+    }
+
+    /// The variables that a statement declares, with what is said of them behind it.
+    fn variable(
+        &self,
+        (offset, statement): (usize, &str),
+        (role, qualifier): (Role, Option<Qualifier>),
+        report: &mut Report,
+    ) -> Vec<Variable> {
+        let at = (self.place)(offset);
+        let Some(mut all) = variables(statement, role, qualifier, at) else {
+            report.refused(at, statement, "this is no declaration: `name : TYPE;` is one");
+            return Vec::new();
+        };
+        let said = self.comment_behind(offset + statement.len());
+        for variable in &mut all {
+            variable.comment.clone_from(&said);
+        }
+        all
+    }
+
+    /// What is said on the rest of a line.
+    fn comment_behind(&self, end: usize) -> Option<String> {
+        let rest = self.text[end..].lines().next()?;
+        let rest = rest.trim_start().trim_start_matches(';').trim_start();
+        said(rest)
+    }
+
+    /// What is said on the lines above.
+    fn comment_above(&self, at: usize) -> Option<String> {
+        let lines: Vec<String> = self.text[..at].lines().filter_map(|line| said(line.trim())).collect();
+        (!lines.is_empty()).then(|| lines.join("\n"))
+    }
+}
+
+/// The words of a text that is a comment.
+fn said(text: &str) -> Option<String> {
+    let inside = match text.strip_prefix("(*") {
+        Some(inside) => inside.split("*)").next()?,
+        None => text.strip_prefix("//")?,
+    };
+    let inside = inside.trim();
+    (!inside.is_empty()).then(|| inside.to_owned())
 }
 
 fn role(word: &str) -> Option<Role> {
@@ -198,7 +313,7 @@ fn variables(
         .split_once(':')
         .filter(|(names, _)| !names.trim().is_empty())?;
     let (ty, initial) = match rest.split_once(":=") {
-        Some((ty, initial)) => (ty, Some(Initial::Simple(initial.trim().to_owned()))),
+        Some((ty, initial)) => (ty, Some(initial_in(initial, 0))),
         None => (rest, None),
     };
     let (names, before) = at(names);
@@ -230,14 +345,61 @@ fn at(text: &str) -> (&str, Option<&str>) {
     }
 }
 
+/// A value as it is written: `5`, `[1, 2(0)]`, `(speed := 1.5)`.
+fn initial_in(text: &str, depth: usize) -> Initial {
+    let text = text.trim();
+    let inside = |open, close| text.strip_prefix(open)?.strip_suffix(close);
+    let repeated = |part: &str| {
+        let (times, value) = part.split_once('(')?;
+        let value = initial_in(value.strip_suffix(')')?, depth + 1);
+        Some((times.trim().parse().ok()?, value))
+    };
+    if let Some(values) = inside('[', ']').filter(|_| depth < DEEPEST) {
+        let values = parts(values).map(|part| repeated(part).unwrap_or_else(|| (1, initial_in(part, depth + 1))));
+        return Initial::Array(values.collect());
+    }
+    let members = inside('(', ')').filter(|_| depth < DEEPEST);
+    let members = members.and_then(|members| {
+        let members = parts(members).map(|part| {
+            let (name, value) = part.split_once(":=")?;
+            Some((name.trim().to_owned(), initial_in(value, depth + 1)))
+        });
+        members.collect()
+    });
+    members.map_or_else(|| Initial::Simple(text.to_owned()), Initial::Structure)
+}
+
+/// The parts of a list between its commas, each without blanks around it.
+fn parts(text: &str) -> impl Iterator<Item = &str> {
+    let (mut depth, mut is_text) = (0_i32, false);
+    text.split(move |c| {
+        match c {
+            '\'' => is_text = !is_text,
+            '(' | '[' if !is_text => depth += 1,
+            ')' | ']' if !is_text => depth -= 1,
+            _ => {}
+        }
+        c == ',' && depth == 0 && !is_text
+    })
+    .map(str::trim)
+}
+
 fn type_of(text: &str) -> Type {
+    type_in(text, 0)
+}
+
+/// Arrays are of arrays no deeper.
+const DEEPEST: usize = 8;
+
+fn type_in(text: &str, depth: usize) -> Type {
     let upper = text.to_ascii_uppercase();
     if let Some(rest) = upper.strip_prefix("ARRAY") {
         let shown = || Type::Other(format!("`{text}`"));
         let (Some(open), Some(close)) = (rest.find('['), rest.find(']')) else {
             return shown();
         };
-        let Some(of) = rest.find(" OF ").filter(|of| *of > close && open < close) else {
+        let of = rest.find(" OF ").filter(|of| *of > close && open < close);
+        let Some(of) = of.filter(|_| depth < DEEPEST) else {
             return shown();
         };
         let offset = text.len() - rest.len();
@@ -251,7 +413,7 @@ fn type_of(text: &str) -> Type {
         let Some(bounds) = bounds else { return shown() };
         return Type::Array(
             bounds,
-            Box::new(Type::Named(text[offset + of + 4..].trim().to_owned())),
+            Box::new(type_in(text[offset + of + 4..].trim(), depth + 1)),
         );
     }
     if let Some(rest) = upper.strip_prefix("STRING") {

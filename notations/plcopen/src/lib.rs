@@ -35,6 +35,7 @@ mod write;
 mod counts;
 
 pub use sketch::reading;
+pub use write::{Compiler, project};
 
 use ladder_analysis::Analysis;
 use ladder_notation::{Notation, ReadError, Reading, Source, WriteError, Writing};

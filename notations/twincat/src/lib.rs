@@ -2,15 +2,20 @@
 //! the editor's own objects, which are trees of boxes.
 //!
 //! ```text
-//! XML --unit----> a unit with its variables, and what else the file has
+//! XML --unit----> a unit with its variables, and what else the file has --project--> what it uses of the files next to it
 //!     --archive-> objects, their fields by name
 //!     --network-> boxes as a graph --> the model of `ladder-notation-plcopen`, and its way to ladder text
+//!
+//! ladder text --that model--> write: declarations, and drawings as trees of boxes --> files
 //! ```
 #![forbid(unsafe_code)]
 
 mod archive;
+mod flag;
 mod network;
+mod project;
 mod unit;
+mod write;
 
 use ladder_analysis::Analysis;
 use ladder_notation::{Notation, ReadError, Reading, Source, WriteError, Writing};
@@ -44,17 +49,23 @@ impl Notation for TwinCat {
         head.contains("<TcPlcObject")
     }
 
-    fn is_written(&self) -> bool {
-        false
+    fn has_companion(&self, _program: &str, file: &str) -> bool {
+        project::is_file(file)
     }
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
-        unit::project(source.text()?).map(ladder_notation_plcopen::reading)
+        project::project(source).map(ladder_notation_plcopen::reading)
     }
 
-    fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {
-        Err(WriteError::new(
-            "units of TwinCAT are read only: write PLCopen XML, which TwinCAT imports",
-        ))
+    fn writes_other_files(&self) -> bool {
+        true
+    }
+
+    fn writes_unread(&self) -> bool {
+        true
+    }
+
+    fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
+        write::write(analysis)
     }
 }

@@ -1,22 +1,11 @@
 //! Networks: trees of boxes as elements and wires.
 
 use crate::archive::Object;
+use crate::flag;
 use ladder_notation::xml::Xml;
 use ladder_notation::{LineColumn, Report};
 use ladder_notation_plcopen::graph::{Edge, End, Graph, Kind, Modifier, Node, Output, Pin, Storage};
 use std::collections::HashMap;
-
-/// What operands and boxes are apart from what they name: these bits of their flags.
-mod flag {
-    pub(super) const NEGATED: u32 = 1;
-    /// On what is written; with [`NEGATED`] it resets.
-    pub(super) const SET: u32 = 2;
-    pub(super) const RESET: u32 = 3;
-    pub(super) const JUMP: u32 = 4;
-    pub(super) const RETURN: u32 = 8;
-    pub(super) const RISING: u32 = 16;
-    pub(super) const FALLING: u32 = 32;
-}
 
 /// Trees are no deeper.
 const DEEPEST: usize = 100;
@@ -202,7 +191,10 @@ impl Reader<'_, '_> {
                 None => Ok(Vec::new()),
             },
             "Operand" => self.operand(object),
-            "BoxTreeBox" => self.tree_box(object, depth),
+            "BoxTreeBox" => match self.gate(object, depth)? {
+                Some(power) => Ok(power),
+                None => self.tree_box(object, depth),
+            },
             "BoxTreeTerminator" => match object.field("Input") {
                 Some(input) => self.value(input, depth + 1),
                 None => Ok(vec![self.rail]),
@@ -214,7 +206,6 @@ impl Reader<'_, '_> {
                     return known.ok_or_else(|| format!("the wire {id} begins nowhere"));
                 };
                 let power = self.value(input, depth + 1)?;
-                let power = vec![self.push(object, Kind::Joint, vec![pin("", power)])];
                 self.wires.insert(id, power.clone());
                 Ok(power)
             }
@@ -226,14 +217,11 @@ impl Reader<'_, '_> {
 
     fn operand(&mut self, operand: Object<'_>) -> Result<Vec<End>, String> {
         let text = operand.text("Operand").to_owned();
-        let edge = match operand.flags() {
-            0 => return Ok(vec![self.push(operand, Kind::Value(text, false), Vec::new())]),
-            flag::NEGATED => return Ok(vec![self.push(operand, Kind::Value(text, true), Vec::new())]),
-            flag::RISING => Edge::Rising,
-            flag::FALLING => Edge::Falling,
-            other => return Err(format!("`{text}` has the flags {other}, which are not known")),
-        };
-        let modifier = Modifier { negated: false, edge };
+        let modifier = modifier(operand)?;
+        if modifier.edge == Edge::None && !operand.is("Boolean") {
+            let value = Kind::Value(text, modifier.negated);
+            return Ok(vec![self.push(operand, value, Vec::new())]);
+        }
         let rail = vec![self.rail];
         Ok(vec![self.push(
             operand,
@@ -276,6 +264,45 @@ impl Reader<'_, '_> {
             kind,
             vec![pin("IN1", before), pin("IN2", powers)],
         )])
+    }
+
+    /// Contacts in series, or branches, as ladder diagrams have them: `AND` of contacts after power, `OR` of powers. None: it is a box.
+    fn gate(&mut self, object: Object<'_>, depth: usize) -> Result<Option<Vec<End>>, String> {
+        let name = object.text("BoxType").to_ascii_uppercase();
+        let is_plain = object.flags() == 0
+            && object.names("InputParam").is_empty()
+            && object
+                .field("InputFlags")
+                .is_none_or(|flags| flags.elements().next().is_none());
+        let items = object.field("InputItems");
+        let items: Vec<Object<'_>> = items.iter().flat_map(|items| items.elements()).collect();
+        let taken = object
+            .field("OutputItems")
+            .and_then(|list| list.field("OutputItems"));
+        let is_taken = taken
+            .iter()
+            .flat_map(|list| list.elements())
+            .any(|taken| !taken.is_nothing());
+        if !is_plain || is_taken || items.is_empty() || !items.iter().all(|item| is_power(*item, 0)) {
+            return Ok(None);
+        }
+        if name == "OR" {
+            let mut all = Vec::new();
+            for item in items {
+                all.extend(self.value(item, depth + 1)?);
+            }
+            return Ok(Some(all));
+        }
+        let follow = items.iter().skip(1).map(|item| contact(*item));
+        let Some(follow) = follow.collect::<Option<Vec<_>>>().filter(|_| name == "AND") else {
+            return Ok(None);
+        };
+        let mut power = self.value(items[0], depth + 1)?;
+        for operand in follow {
+            let kind = Kind::Contact(operand.text("Operand").to_owned(), modifier(operand)?);
+            power = vec![self.push(operand, kind, vec![pin("", power)])];
+        }
+        Ok(Some(power))
     }
 
     fn tree_box(&mut self, object: Object<'_>, depth: usize) -> Result<Vec<End>, String> {
@@ -351,6 +378,48 @@ fn pin(name: &str, from: Vec<End>) -> Pin {
         from,
         ..Pin::default()
     }
+}
+
+/// The operand that a tree is, if it is drawn as a contact.
+fn contact(tree: Object<'_>) -> Option<Object<'_>> {
+    let operand = match tree.kind() {
+        "BoxTreeOperand" => tree.field("Operand")?,
+        _ => return None,
+    };
+    operand.is("Boolean").then_some(operand)
+}
+
+/// Whether a tree is power, and no number: it ends in contacts, or in boxes that decide.
+fn is_power(tree: Object<'_>, depth: usize) -> bool {
+    let is_of_power = || {
+        let items = tree.field("InputItems");
+        let mut items = items.iter().flat_map(|items| items.elements());
+        depth < DEEPEST && items.all(|item| is_power(item, depth + 1))
+    };
+    match tree.kind() {
+        "BoxTreeTerminator" | "BoxTreeDemux" => true,
+        "BoxTreeBox" => match &*tree.text("BoxType").to_ascii_uppercase() {
+            "AND" | "OR" | "XOR" | "NOT" => is_of_power(),
+            "EQ" | "NE" | "GT" | "GE" | "LT" | "LE" => true,
+            _ => tree.is("ENO") || tree.field("CallType").is_some_and(|kind| kind.value() == "FunctionBlock"),
+        },
+        _ => contact(tree).is_some(),
+    }
+}
+
+/// What is done to the power at a contact.
+fn modifier(operand: Object<'_>) -> Result<Modifier, String> {
+    let (negated, edge) = match operand.flags() {
+        0 => (false, Edge::None),
+        flag::NEGATED => (true, Edge::None),
+        flag::RISING => (false, Edge::Rising),
+        flag::FALLING => (false, Edge::Falling),
+        other => {
+            let text = operand.text("Operand");
+            return Err(format!("`{text}` has the flags {other}, which are not known"));
+        }
+    };
+    Ok(Modifier { negated, edge })
 }
 
 /// Whether a box only decides.

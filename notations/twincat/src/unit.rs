@@ -2,48 +2,24 @@
 
 use crate::archive::Object;
 use crate::network;
-use ladder_notation::ReadError;
 use ladder_notation::xml::{Element, Xml, in_words};
-use ladder_notation_plcopen::declarations;
-use ladder_notation_plcopen::model::{Body, Evaluation, Part, Project};
+use ladder_notation::{LineColumn, Lines, ReadError, Report};
+use ladder_notation_plcopen::declarations::{Declared, without_comments};
+use ladder_notation_plcopen::model::{Body, Part, Unit};
 use roxmltree::Node;
 
-/// The project that a file is: one unit.
+/// The unit that an element `POU` is.
 ///
 /// # Errors
 ///
-/// If it is not XML, or no unit.
-pub(crate) fn project(text: &str) -> Result<Project, ReadError> {
-    let xml = Xml::parse(text)?;
-    let root = xml.document.root_element();
-    let Some(node) = root.child("POU") else {
-        let what = root
-            .elements()
-            .next()
-            .map_or("nothing", |inside| Element::name(&inside));
-        let message = format!("only units (`<POU>`) are read, and this file has `<{what}>`");
-        return Err(ReadError::at(xml.place(root), message));
-    };
-    let mut project = Project {
-        evaluation: Evaluation::Once,
-        ..Project::default()
-    };
-    let declaration = node.child("Declaration");
-    let Some(declaration) = declaration else {
-        return Err(ReadError::at(xml.place(node), "the unit has no declaration"));
-    };
-    let said = declaration.text().unwrap_or_default();
-    // A pragma says nothing of what runs.
-    let plain = without_pragmas(&declarations::without_comments(said));
-    let start = text[declaration.range().start..]
-        .find(said)
-        .map(|at| at + declaration.range().start);
-    let lines = ladder_notation::Lines::of(text);
-    let place = |offset: usize| match start {
-        Some(start) => lines.place(text, start + offset),
-        None => xml.place(declaration),
-    };
-    let mut unit = declarations::unit(&plain, &place, &mut project.report)?;
+/// If it declares nothing, or no unit.
+pub(crate) fn unit(
+    text: &str,
+    xml: &Xml<'_>,
+    node: Node<'_, '_>,
+    report: &mut Report,
+) -> Result<Unit, ReadError> {
+    let mut unit = declared(text, xml, node, |declared| declared.unit(report))??;
     if unit.name.is_empty() {
         node.attribute("Name")
             .unwrap_or_default()
@@ -51,10 +27,10 @@ pub(crate) fn project(text: &str) -> Result<Project, ReadError> {
     }
     let implementation = node.child("Implementation");
     unit.body = match implementation.and_then(|implementation| implementation.elements().next()) {
-        Some(language) => body(&xml, language, &mut project),
+        Some(language) => body(xml, language, report),
         None => {
             let why = "there is none: what the unit declares is read";
-            project.report.refused(xml.place(node), "body", why);
+            report.refused(xml.place(node), "body", why);
             Body::Empty
         }
     };
@@ -66,7 +42,7 @@ pub(crate) fn project(text: &str) -> Result<Project, ReadError> {
         let language = part.child("Implementation").and_then(|it| it.elements().next());
         let body = match language {
             // What has variables of its own is not drawn as part of the unit.
-            Some(language) if part.child("Declaration").is_none() => body(&xml, language, &mut project),
+            Some(language) if part.child("Declaration").is_none() => body(xml, language, report),
             Some(language) if !language.is("ST") => Body::Text("LD", in_words(part)),
             _ => Body::Text("ST", part.words()),
         };
@@ -77,8 +53,40 @@ pub(crate) fn project(text: &str) -> Result<Project, ReadError> {
             body,
         });
     }
-    project.units.push(unit);
-    Ok(project)
+    Ok(unit)
+}
+
+/// What an element declares.
+///
+/// # Errors
+///
+/// If it declares nothing.
+pub(crate) fn declared<T>(
+    text: &str,
+    xml: &Xml<'_>,
+    node: Node<'_, '_>,
+    read: impl FnOnce(&Declared<'_>) -> T,
+) -> Result<T, ReadError> {
+    let declaration = node.child("Declaration");
+    let declaration =
+        declaration.ok_or_else(|| ReadError::at(xml.place(node), "the unit has no declaration"))?;
+    let said = declaration.text().unwrap_or_default();
+    let start = text[declaration.range().start..]
+        .find(said)
+        .map(|at| at + declaration.range().start);
+    let lines = Lines::of(text);
+    let place = |offset: usize| -> LineColumn {
+        match start {
+            Some(start) => lines.place(text, start + offset),
+            None => xml.place(declaration),
+        }
+    };
+    Ok(read(&Declared {
+        text: said,
+        // A pragma says nothing of what runs.
+        plain: &without_pragmas(&without_comments(said)),
+        place: &place,
+    }))
 }
 
 /// Blanks in the place of `{attribute 'hide'}`.
@@ -102,16 +110,16 @@ fn without_pragmas(text: &str) -> String {
     text.chars().map(blank).collect()
 }
 
-fn body(xml: &Xml<'_>, language: Node<'_, '_>, project: &mut Project) -> Body {
+fn body(xml: &Xml<'_>, language: Node<'_, '_>, report: &mut Report) -> Body {
     match Element::name(&language) {
         "NWL" => {
             let mut all = language.descendants().filter(Node::is_element);
             let archive = all.find(|node| node.attribute("t") == Some("NWLImplementationObject"));
             match archive {
-                Some(archive) => Body::Graph(network::graph(xml, Object::of(archive), &mut project.report)),
+                Some(archive) => Body::Graph(network::graph(xml, Object::of(archive), report)),
                 None => {
                     let why = "the body has no networks in it";
-                    project.report.refused(xml.place(language), "body", why);
+                    report.refused(xml.place(language), "body", why);
                     Body::Empty
                 }
             }

@@ -157,10 +157,10 @@ fn contacts_coils_and_boxes() {
         ),
         expect![[r#"
             VAR
-                start            : BOOL;
-                halt             : BOOL;
-                lamp             : BOOL;
-                warm             : BOOL;
+                start            : BOOL;  # all #
+                halt             : BOOL;  # all #
+                lamp             : BOOL;  # all #
+                warm             : BOOL;  # all #
                 run    AT %QX0.0 : BOOL;
                 door             : BOOL := TRUE;
                 n                : INT;

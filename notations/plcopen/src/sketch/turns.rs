@@ -7,7 +7,6 @@ use super::body::Body;
 use super::draw::Target;
 use crate::expression::reads;
 use crate::graph::{Edge, End, Kind, Pin};
-use crate::model::Evaluation;
 use crate::standard::Gate;
 use ladder_format::program::Path;
 use std::collections::HashSet;
@@ -323,9 +322,6 @@ impl Body<'_> {
 
     /// Whether power that leaves an output comes to something that stands in no network yet, and not in this one.
     pub(super) fn goes_on_from(&self, end: End, here: &HashSet<usize>) -> bool {
-        if self.evaluation == Evaluation::Once {
-            return false;
-        }
         let mut met = HashSet::new();
         let mut waiting: Vec<usize> = self.uses.get(&end).cloned().unwrap_or_default();
         while let Some(user) = waiting.pop() {

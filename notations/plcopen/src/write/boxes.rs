@@ -1,5 +1,6 @@
 //! Functions, function blocks and blocks of one's own as boxes with pins.
 
+use super::compiler::Compiler;
 use super::declare::{named, scalar, state_name};
 use super::element::{FAULT, Power, Writer};
 use super::functions::Function;
@@ -76,8 +77,9 @@ impl Writer<'_> {
             self.remark(rung, FAULT);
         }
         self.is_taken(op)?;
-        // NOT is an operator for compilers, and no function.
+        // NOT is an operator for that compiler, and no function.
         if op == Op::Not
+            && self.is_strict()
             && let Some(ty) = self.result_type()
         {
             let mask = match ty {
@@ -91,6 +93,7 @@ impl Writer<'_> {
         }
         let (of_time, is_time) = self.of_time(op);
         let name = match op {
+            _ if !self.is_strict() => function.name,
             Op::Add if is_time => "ADD_TIME",
             Op::Sub if is_time => "SUB_TIME",
             Op::Mul if of_time => "MULTIME",
@@ -104,11 +107,16 @@ impl Writer<'_> {
         }
         let inputs = self.inputs_as(rung, function, 1, None)?;
         match self.result_type() {
-            Some(ty) if ty.is_enumeration() => {
+            Some(ty) if ty.is_enumeration() && self.is_strict() => {
                 self.call(rung, &along::move_name(&type_name(ty)), inputs, power)
             }
             _ => self.call(rung, name, inputs, power),
         }
+    }
+
+    /// Whether the compiler has functions for some types alone, and converts nothing.
+    fn is_strict(&self) -> bool {
+        self.unit.compiler == Compiler::Matiec
     }
 
     fn result_type(&self) -> Option<Scalar> {
@@ -161,6 +169,15 @@ impl Writer<'_> {
         if let ("LEN" | "FIND", Some(ty)) = (name, self.result_type())
             && ty != Scalar::Int
         {
+            match ty {
+                _ if self.is_strict() => {}
+                // It converts to what holds every INT.
+                Scalar::Dint | Scalar::Lint | Scalar::Real | Scalar::Lreal => {
+                    rung.variable(result, out, self.touched());
+                    return Ok(vec![end]);
+                }
+                _ => return Err(format!("{name} makes an INT there: take it into an INT or a DINT")),
+            }
             let inputs = vec![pin("EN", vec![end]), pin("IN", vec![out])];
             let conversion = format!("INT_TO_{}", ty.name());
             let touched = Touched::default();
@@ -169,7 +186,8 @@ impl Writer<'_> {
                 .node;
         }
         // Generators find the type of a result by a variable that takes it, and no type in elements of arrays.
-        if result.contains('[')
+        if self.is_strict()
+            && result.contains('[')
             && let Some(ty) = self.result_type()
         {
             let unused = rung.made("unused", scalar(ty), own::SINK);
@@ -364,11 +382,17 @@ impl Writer<'_> {
         }
         let touched = self.touched().anything();
         let outputs: Vec<&str> = outputs.iter().map(String::as_str).collect();
-        let end = rung.block((&face.name, Some(instance)), inputs, &outputs, touched, true);
+        let end = rung.block((&face.name, Some(instance.clone())), inputs, &outputs, touched, true);
         for (output, text, conversion) in taken {
             let mut from = End { output, ..end };
             if let Some(name) = conversion {
-                let inputs = vec![pin("IN", vec![from])];
+                let output = outputs[output];
+                let value = match self.unit.compiler {
+                    Compiler::Matiec => vec![from],
+                    // Of a box there one output goes on.
+                    Compiler::TwinCat => rung.value(format!("{instance}.{output}")),
+                };
+                let inputs = vec![pin("IN", value)];
                 from = rung.block((&name, None), inputs, &["OUT"], Touched::default(), false);
             }
             rung.variable(text, from, self.touched());

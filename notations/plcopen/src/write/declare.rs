@@ -1,5 +1,6 @@
 //! Types and variables.
 
+use super::compiler::Compiler;
 use super::names::{Names, identifier};
 use super::text::{self, Words};
 use crate::model::{Initial, Role, Type, Variable};
@@ -276,6 +277,7 @@ pub(super) fn declared_initial(source: &Source<'_>, declared: &Declared) -> Resu
         text: &initial.line,
         base: TextSize::default(),
         names: source.globals,
+        compiler: source.compiler,
     };
     initial_in(words, &initial.node).map(Some)
 }
@@ -288,6 +290,7 @@ pub(super) struct Source<'s> {
     pub(super) blocks: &'s Names,
     /// The names that initial values may mention.
     pub(super) globals: &'s Names,
+    pub(super) compiler: Compiler,
 }
 
 /// The value that a tag begins with.
@@ -388,7 +391,9 @@ pub(super) fn variable(
     name: &str,
     role: Role,
 ) -> Result<Variable, String> {
-    tag.ty.map_or(Ok(()), |ty| is_taken(ty, role))?;
+    if let (Some(ty), Compiler::Matiec) = (tag.ty, source.compiler) {
+        is_taken(ty, role)?;
+    }
     if let (Some(declared), Some(ty)) = (&tag.cold.declared, tag.ty)
         && let SpecKind::Named(name) = &declared.spec.kind
         && is_alias(name, ty)
@@ -406,7 +411,7 @@ pub(super) fn variable(
     variable.role = role;
     variable.address = tag.cold.address.as_deref().map(str::to_ascii_uppercase);
     variable.initial = initial(source, tag)?;
-    if let (Some(initial), Some(ty)) = (&variable.initial, tag.ty) {
+    if let (Some(initial), Some(ty), Compiler::Matiec) = (&variable.initial, tag.ty, source.compiler) {
         has_no_name(initial, ty)?;
     }
     if tag.is_declared() {

@@ -1,6 +1,7 @@
 //! Blocks on a rung as elements of a drawing.
 
 use super::boxes::function_block;
+use super::compiler::Compiler;
 use super::declare::named;
 use super::edge::{fell, fell_power, invert};
 use super::faces::Faces;
@@ -51,6 +52,7 @@ impl Writer<'_> {
             text: self.unit.text,
             base: self.facts.base,
             names: &rung.names,
+            compiler: self.unit.compiler,
         }
     }
 
@@ -102,6 +104,13 @@ impl Writer<'_> {
         rung.remarks.push((self.shown(), why.to_owned()));
     }
 
+    /// Says of a jump that generators leave it out.
+    fn passed_over(&self, rung: &mut Rung) {
+        if self.unit.compiler == Compiler::Matiec {
+            self.remark(rung, JUMP);
+        }
+    }
+
     fn instruction(&self, rung: &mut Rung, row: &Instruction, power: Vec<End>) -> Power {
         let none = Modifier::default();
         let unknown = || Err(format!("the standard has no {}", row.block()));
@@ -142,16 +151,7 @@ impl Writer<'_> {
                 vec![rung.contact(&fell, none, power, Touched::default())]
             }
             Op::Inverter => vec![invert(rung, power)],
-            Op::OneShotRising => {
-                let instance = rung.made("trigger", named("R_TRIG"), "finds an edge");
-                function_block(
-                    rung,
-                    ("R_TRIG", instance),
-                    vec![pin("CLK", power)],
-                    &["Q"],
-                    touched,
-                )
-            }
+            Op::OneShotRising => rose(rung, power, touched),
             Op::OneShotFalling => {
                 let rail = rung.rail();
                 let fell = fell_power(rung, power);
@@ -187,6 +187,12 @@ impl Writer<'_> {
                 let tag = self.coil_tag(rung, row)?;
                 vec![rung.coil(&tag, modifier(true, Edge::None), Storage::None, power, touched)]
             }
+            Op::RisingCoil if self.unit.compiler == Compiler::TwinCat => {
+                let tag = self.coil_tag(rung, row)?;
+                let from = rose(rung, power.clone(), Touched::default());
+                rung.coil(&tag, none, Storage::None, from, touched);
+                power
+            }
             Op::RisingCoil => {
                 let tag = self.coil_tag(rung, row)?;
                 vec![rung.coil(&tag, modifier(false, Edge::Rising), Storage::None, power, touched)]
@@ -216,17 +222,17 @@ impl Writer<'_> {
             Op::Lbl => {
                 let label = self.label()?;
                 rung.push(Kind::Label(label), Vec::new(), Touched::default(), false);
-                self.remark(rung, JUMP);
+                self.passed_over(rung);
                 power
             }
             Op::Jmp => {
                 let label = self.label()?;
-                self.remark(rung, JUMP);
+                self.passed_over(rung);
                 rung.push(Kind::Jump(label, false), vec![pin("", power)], touched, true);
                 Vec::new()
             }
             Op::Ret => {
-                self.remark(rung, JUMP);
+                self.passed_over(rung);
                 rung.push(Kind::Return(false), vec![pin("", power)], touched, true);
                 Vec::new()
             }
@@ -245,6 +251,7 @@ impl Writer<'_> {
         let is_name =
             |bound: &Bound| matches!(&bound.argument, Argument::Value(value) if value.ty.is_enumeration());
         match &self.block.arguments[..] {
+            _ if self.unit.compiler == Compiler::TwinCat => Ok(None),
             [one, other] if is_name(one) && is_name(other) => {
                 let sign = if op == Op::Ne { "<>" } else { "=" };
                 let text = format!("{} {sign} {}", self.text(rung, one)?, self.text(rung, other)?);
@@ -285,6 +292,18 @@ impl Writer<'_> {
         }
         Ok(tag)
     }
+}
+
+/// Power in the scan in which it comes.
+fn rose(rung: &mut Rung, power: Vec<End>, touched: Touched) -> Vec<End> {
+    let instance = rung.made("trigger", named("R_TRIG"), "finds an edge");
+    function_block(
+        rung,
+        ("R_TRIG", instance),
+        vec![pin("CLK", power)],
+        &["Q"],
+        touched,
+    )
 }
 
 /// A condition in series with the power that comes to it.

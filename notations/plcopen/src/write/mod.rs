@@ -5,6 +5,7 @@
 //! ```
 
 mod boxes;
+mod compiler;
 mod declare;
 mod edge;
 mod element;
@@ -22,7 +23,9 @@ use super::along;
 use super::arrays;
 use super::emit;
 use super::model::{Project, Role, Task, TypeDeclaration, UnitKind};
+use super::own;
 use super::shared;
+pub use compiler::Compiler;
 use declare::Source;
 use faces::{Broken, Face, Faces, Parameter};
 use ladder_analysis::context::Body;
@@ -50,7 +53,7 @@ const CYCLE: i64 = 10_000_000;
 /// If the program has errors, or needs files that are not there.
 pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     Target::BLOCKS_ALONE.write(analysis, |analysis, unwritable| {
-        let (project, report) = project(analysis, unwritable)?;
+        let (project, report) = project(analysis, unwritable, Compiler::Matiec)?;
         Ok(Writing {
             bytes: emit::project(project).into_bytes(),
             report,
@@ -59,8 +62,16 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     })
 }
 
-/// The project that a program is.
-fn project(analysis: &Analysis, unwritable: &Unwritable) -> Result<(Project, Report), WriteError> {
+/// The project that a program is, with what a compiler of projects lacks said by what it has: see [`Target::BLOCKS_ALONE`].
+///
+/// # Errors
+///
+/// If the program has errors.
+pub fn project(
+    analysis: &Analysis,
+    unwritable: &Unwritable,
+    compiler: Compiler,
+) -> Result<(Project, Report), WriteError> {
     let text = analysis.context.parse.to_string();
     let Some(program) = analysis.program() else {
         return Err(no_program(analysis, &text));
@@ -81,6 +92,7 @@ fn project(analysis: &Analysis, unwritable: &Unwritable) -> Result<(Project, Rep
         program,
         text: &text,
         end: TextSize::of(text.as_str()),
+        compiler,
     };
     let mut project = Project::default();
     let mut shared = Shared {
@@ -152,8 +164,11 @@ fn project(analysis: &Analysis, unwritable: &Unwritable) -> Result<(Project, Rep
         programs: vec![(LineColumn::START, name)],
     });
     shared::move_out(&mut project, &faces.shared());
-    along::add(&mut project, &system, sets_system);
-    arrays::name_all(&mut project, |like| shared.globals.fresh(like));
+    along::add(&mut project, &system, sets_system, compiler == Compiler::TwinCat);
+    match compiler {
+        Compiler::Matiec => arrays::name_all(&mut project, |like| shared.globals.fresh(like)),
+        Compiler::TwinCat => project.units.iter_mut().for_each(own::without_sinks),
+    }
     debug_assert!(
         project
             .units
@@ -214,14 +229,15 @@ fn types(own: &Unit<'_>, shared: &Shared<'_>, report: &mut Report) -> Vec<TypeDe
         context,
         blocks: &shared.blocks,
         globals: &shared.globals,
+        compiler: own.compiler,
     };
     let mut types = Vec::new();
     for ty in context.types.own() {
         let declared = &ty.declaration.declared;
         let at = declare::place(context, ty.declaration.at.start());
         let made = match ty.ty.map(|ty| declare::is_taken(ty, Role::Local)) {
-            Some(Err(why)) => Err(why),
-            Some(Ok(()))
+            Some(Err(why)) if own.compiler == Compiler::Matiec => Err(why),
+            Some(_)
                 if ty
                     .ty
                     .is_some_and(|it| declare::is_alias(&ty.declaration.name, it)) =>

@@ -241,14 +241,14 @@ impl Networks<'_, '_> {
                 Names::add(&mut self.names, rung.names);
             }
             Err(why) => {
+                let text = self.unit.text[facts.range].trim_end();
+                self.comment(format!("Not written, because {why}:\n{text}"));
                 for label in facts.blocks().filter(|block| block.op() == Some(Op::Lbl)) {
                     let operand = label.facts.operands.first();
                     let name = operand.map_or("", |it| &self.unit.text[label.absolute(it.value.range)]);
                     let kind = Kind::Label(super::names::identifier(name));
                     self.graph.nodes.push(Node::new(at, kind, Vec::new()));
                 }
-                let text = self.unit.text[facts.range].trim_end();
-                self.comment(format!("Not written, because {why}:\n{text}"));
                 self.report.refused(at, "network", why);
             }
         }

@@ -1,5 +1,6 @@
 //! Operands as expressions of ST.
 
+use super::compiler::Compiler;
 use super::names::{Names, identifier};
 use super::system;
 use crate::own;
@@ -17,6 +18,7 @@ pub(super) struct Words<'w> {
     /// Where the line of the operand starts.
     pub(super) base: TextSize,
     pub(super) names: &'w Names,
+    pub(super) compiler: Compiler,
 }
 
 /// An expression, and how tightly its parts hold together: a name 9, `OR` 1.
@@ -54,7 +56,7 @@ impl Words<'_> {
                 }
                 // A value of an enumeration, after the name of its type.
                 NodeKind::Name(name) if self.names.get(name).is_none() => {
-                    format!("{}#{}", identifier(name), identifier(&word.text))
+                    self.compiler.enumerator(&identifier(name), &identifier(&word.text))
                 }
                 _ => format!("{}.{}", self.node(base)?, member(&word.text)),
             },
@@ -105,7 +107,9 @@ impl Words<'_> {
     pub(super) fn enumerator(&self, node: &Node) -> Result<String, String> {
         match &node.kind {
             NodeKind::Member(base, word) => match &base.kind {
-                NodeKind::Name(name) => Ok(format!("{}#{}", identifier(name), identifier(&word.text))),
+                NodeKind::Name(name) => Ok(self
+                    .compiler
+                    .enumerator(&identifier(name), &identifier(&word.text))),
                 _ => Err("such a value has no counterpart".to_owned()),
             },
             _ => self.node(node),
@@ -134,12 +138,15 @@ impl Words<'_> {
                 let text = self.slice(expression.range);
                 match found(node, expression.range, self.base).map(|node| &node.kind) {
                     Some(NodeKind::Literal(_)) => {}
-                    Some(_) if matches!(expression.ty, Scalar::Enum(_)) => {
-                        let node = found(node, expression.range, self.base).unwrap_or(node);
-                        let text = self.enumerator(node)?;
-                        return whole(text.rsplit('#').next().unwrap_or_default().to_owned());
+                    _ => {
+                        let text = value(known, expression.ty)?;
+                        return whole(match (self.compiler, expression.ty) {
+                            (Compiler::TwinCat, Scalar::Enum(id)) => {
+                                self.compiler.enumerator(&identifier(&id.get().name), &text)
+                            }
+                            _ => text,
+                        });
                     }
-                    _ => return value(known, expression.ty).and_then(whole),
                 }
                 // Generators read what is before a `#` as a type.
                 if text.contains('#')
@@ -155,7 +162,9 @@ impl Words<'_> {
             ExprKind::Read(place) => {
                 let at = found(node, expression.range, self.base);
                 let at = at.ok_or("such an expression has no counterpart")?;
-                if let (Place::Bit(_, ty, bit), NodeKind::Member(base, _)) = (place, &at.kind) {
+                if let (Place::Bit(_, ty, bit), NodeKind::Member(base, _), Compiler::Matiec) =
+                    (place, &at.kind, self.compiler)
+                {
                     return Ok((own::bit(&self.node(base)?, *ty, *bit), 4));
                 }
                 self.place(place, at).and_then(whole)
@@ -275,7 +284,7 @@ impl Words<'_> {
                 };
                 Ok(format!("{}.{name}", self.node(base)?))
             }
-            (Place::Bit(..), _) => Err("a bit of a number cannot be written there: use a BOOL".to_owned()),
+            (Place::Bit(..), _) if self.compiler == Compiler::Matiec => Err("a bit of a number cannot be written there: use a BOOL".to_owned()),
             (Place::Member(..) | Place::ChosenMember(..), _) => {
                 Err("a timer or counter is no value there".to_owned())
             }

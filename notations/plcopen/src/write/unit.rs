@@ -1,5 +1,6 @@
 //! One unit: the program of a file, or a block of one's own.
 
+use super::compiler::Compiler;
 use super::declare::{self, Source, place};
 use super::faces::Faces;
 use super::names::Names;
@@ -38,6 +39,7 @@ pub(super) struct Unit<'u> {
     pub(super) text: &'u str,
     /// What is declared from here on was added for the writer's own sake.
     pub(super) end: TextSize,
+    pub(super) compiler: Compiler,
 }
 
 /// The names of a unit's tags.
@@ -105,6 +107,7 @@ impl<'u> Unit<'u> {
         let is_handed = parameter.origin == Origin::Declared(SectionKind::InOut)
             && parameter.ty.is_some_and(declare::is_instance);
         is_handed
+            && self.compiler == Compiler::Matiec
             && above
                 .by_ref()
                 .take_while(|line| line.starts_with('#'))
@@ -173,6 +176,7 @@ impl<'u> Unit<'u> {
             context: self.context(),
             blocks: &project.blocks,
             globals: &names,
+            compiler: self.compiler,
         };
         let mut variables = Vec::new();
         if let Some((enters, leaves)) = &own.power {
@@ -244,6 +248,7 @@ impl<'u> Unit<'u> {
                     context: self.context(),
                     blocks: &project.blocks,
                     globals: &project.globals,
+                    compiler: self.compiler,
                 };
                 match declare::variable(&source, global, &name, Role::Global) {
                     Ok(mut variable) => {
@@ -304,7 +309,9 @@ impl<'u> Unit<'u> {
             body.calls_system(name);
         }
         let comment = body.draw(block);
-        body.does_something();
+        if self.compiler == Compiler::Matiec {
+            body.does_something();
+        }
         let Networks {
             graph,
             made,

@@ -1,8 +1,8 @@
-//! Programs as PLCopen XML, and back.
+//! Programs as PLCopen XML and as units of TwinCAT, and back.
 
 use super::says::{Says, networks};
 use super::tables::{PLCOPEN, PLCOPEN_ALONG};
-use expect_test::expect;
+use expect_test::{Expect, expect};
 use ladder_analysis::analyze;
 use ladder_analysis::networks::NetworkAt;
 use ladder_format::Options;
@@ -24,6 +24,22 @@ fn what_is_written_along_comes_back() {
     assert!(same > 10, "{same}");
 }
 
+#[test]
+fn twincat() {
+    let says = Says {
+        notation: "twincat",
+        ..PLCOPEN
+    };
+    let (same, through_tags) = come_back(&says, &["[NOT]", "[TON]( t1, T#", "(P)"]);
+    assert!(same > 10 && through_tags > 10, "{same} {through_tags}");
+    let says = Says {
+        notation: "twincat",
+        ..PLCOPEN_ALONG
+    };
+    let (same, _) = come_back(&says, &["[RTO]( t1", "[RTOF]( t1", "[CTC]( c1", "(P)"]);
+    assert!(same > 10, "{same}");
+}
+
 /// Of 200 programs, how many are drawn as they were, and how many have tags for powers. All do the same, and have the same blocks with
 /// state. Those with one of these words may be drawn otherwise.
 fn come_back(says: &Says, otherwise: &[&str]) -> (usize, usize) {
@@ -39,7 +55,10 @@ fn come_back(says: &Says, otherwise: &[&str]) -> (usize, usize) {
         assert!(remarks.is_empty(), "{remarks:?}\n{text}");
         let shown = String::from_utf8_lossy(&writing.bytes);
         assert!(notation.recognises(&writing.bytes), "{shown}");
-        let source = Source::alone("test", &writing.bytes);
+        let source = Source {
+            companions: writing.companions,
+            ..Source::alone("test", &writing.bytes)
+        };
         let back = convert(notation, &source, &Options::default());
         let back = back.unwrap_or_else(|error| panic!("{error}\n{shown}\nof\n{text}"));
         let ladder = back.written.text;
@@ -68,10 +87,9 @@ fn come_back(says: &Says, otherwise: &[&str]) -> (usize, usize) {
     (same, through_tags)
 }
 
-/// Each example as a project, and what is read of that.
-#[test]
-fn examples_as_plcopen() {
-    let notation: &dyn Notation = by_name("plcopen").expect("the notation is registered");
+/// Each example in a notation, and what is read of that. It does the same.
+fn examples(notation: &str, expected: Expect) {
+    let notation: &dyn Notation = by_name(notation).expect("the notation is registered");
     let mut account = String::new();
     let folder = ladder_tests::project::root().join("examples");
     let mut examples: Vec<_> = std::fs::read_dir(folder)
@@ -89,7 +107,10 @@ fn examples_as_plcopen() {
             .into_owned();
         let analysis = analyze(&Arc::new(parse(&text)), &name);
         let writing = notation.write(&analysis).expect("an example has no errors");
-        let source = Source::alone("test", &writing.bytes);
+        let source = Source {
+            companions: writing.companions,
+            ..Source::alone("test", &writing.bytes)
+        };
         let back = convert(notation, &source, &Options::default()).expect("what is written is read");
         let read = back.report.remarks().count();
         // What is of the same blocks in the same order; names may have changed, comments and wires are drawn otherwise.
@@ -103,13 +124,24 @@ fn examples_as_plcopen() {
             "{name}: {} again, {read} remarks on that\n",
             if is_same { "the same" } else { "not the same" }
         ));
+        if writing.report.tally().refused == 0 {
+            let different = next_to(&text, &back.written.text, Stimulus { seed: 1, scans: 60 });
+            assert_eq!(different, None, "{name}\n{}", back.written.text);
+        }
         for entry in writing.report.remarks() {
             if let Outcome::Refused(why) = &entry.outcome {
                 account.push_str(&format!("    {}: {why}\n", entry.place));
             }
         }
     }
-    expect![[r#"
+    expected.assert_eq(&account);
+}
+
+#[test]
+fn examples_as_plcopen() {
+    examples(
+        "plcopen",
+        expect![[r#"
         conveyor.clad: not the same again, 0 remarks on that
         garage_door.clad: the same again, 0 remarks on that
         level_control.clad: not the same again, 0 remarks on that
@@ -127,6 +159,11 @@ fn examples_as_plcopen() {
         tank.clad: the same again, 0 remarks on that
         tank_level.clad: not the same again, 0 remarks on that
         traffic_light.clad: the same again, 0 remarks on that
-    "#]]
-    .assert_eq(&account);
+    "#]],
+    );
+}
+
+#[test]
+fn examples_as_twincat() {
+    examples("twincat", expect![[""]]);
 }

@@ -87,6 +87,7 @@ fn blocks_and_types_of_other_files_are_written_along() {
     for (notation, expected) in [
         ("plcopen", ""),
         ("simatic", ""),
+        ("twincat", ""),
         (
             "l5x",
             "11:15 [$Late]: Approximated(\"there a time is a DINT in milliseconds\")\n",
@@ -100,7 +101,7 @@ fn blocks_and_types_of_other_files_are_written_along() {
 /// What the page of each block of the library shows does the same there.
 #[test]
 fn blocks_of_the_library_do_the_same() {
-    for notation in ["plcopen", "simatic"] {
+    for notation in ["plcopen", "simatic", "twincat"] {
         let mut account = String::new();
         for source in ladder_analysis::library::SOURCES {
             let own = linked(&[("plant.clad", source.example)]);
@@ -165,7 +166,7 @@ const SHARED: &[(&str, &str)] = &[
 
 #[test]
 fn functions_of_other_files_are_written_along() {
-    for notation in ["plcopen", "simatic", "l5x"] {
+    for notation in ["plcopen", "simatic", "l5x", "twincat"] {
         let (ladder, said) = check(notation, SHARED);
         expect_test::expect_file![format!("{notation}_shared.txt")].assert_eq(&format!("{said}{ladder}"));
     }
@@ -204,7 +205,7 @@ END_VAR
 
 #[test]
 fn functions_are_blocks_and_functions_again() {
-    for notation in ["plcopen", "simatic"] {
+    for notation in ["plcopen", "simatic", "twincat"] {
         let (ladder, said) = check(notation, &[("plant.clad", FUNCTIONS)]);
         expect_test::expect_file![format!("{notation}_functions.txt")].assert_eq(&format!("{said}{ladder}"));
     }

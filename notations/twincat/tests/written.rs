@@ -1,0 +1,586 @@
+//! Programs as units of TwinCAT: what is written, what there is to say about it, and what is read of it again.
+
+use expect_test::{Expect, expect};
+use ladder_format::Options;
+use ladder_notation::{Notation, Outcome, Source, Writing, convert};
+use ladder_notation_twincat::TwinCat;
+
+fn written(text: &str) -> Writing {
+    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "plant.clad");
+    let errors: Vec<&str> = analysis.errors().map(|error| error.message.as_str()).collect();
+    assert!(errors.is_empty(), "{errors:?}");
+    TwinCat.write(&analysis).expect("it has no errors")
+}
+
+/// The names of the files next to the program, the remarks, and the program that is read of all of them.
+#[track_caller]
+fn check(text: &str, expected: Expect) {
+    let writing = written(text);
+    let mut out = String::new();
+    for file in &writing.companions {
+        out.push_str(&format!("{}\n", file.name));
+    }
+    for entry in writing.report.remarks() {
+        if let Outcome::Approximated(why) | Outcome::Refused(why) = &entry.outcome {
+            out.push_str(&format!("{}: {}: {why}\n", entry.place, entry.element));
+        }
+    }
+    let source = Source {
+        companions: writing.companions,
+        ..Source::alone("plant", &writing.bytes)
+    };
+    let again = convert(&TwinCat, &source, &Options::default()).expect("it is read again");
+    for entry in again.report.remarks() {
+        if let Outcome::Approximated(why) | Outcome::Refused(why) = &entry.outcome {
+            out.push_str(&format!("read again: {}: {why}\n", entry.element));
+        }
+    }
+    let text = again.written.text;
+    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(&text).into(), "plant.clad");
+    out.push_str(&text);
+    out.extend(
+        analysis
+            .errors()
+            .map(|error| format!("error: {}\n", error.message)),
+    );
+    expected.assert_eq(&out);
+}
+
+fn file(writing: &Writing, name: &str) -> String {
+    let file = writing.companions.iter().find(|file| file.name == name);
+    String::from_utf8(file.expect("there is such a file").bytes.clone()).expect("it is UTF-8")
+}
+
+#[test]
+fn the_file_of_a_rung() {
+    let writing = written("VAR  start, halt, run : BOOL;  END_VAR\n+--\\--[ ]( start )--\\--[/]( halt )--( )( run )--+\n|  /--[ ]( run )----/                           |\n");
+    let text = String::from_utf8(writing.bytes).expect("it is UTF-8");
+    expect![[r#"
+        <?xml version="1.0" encoding="utf-8"?>
+        <TcPlcObject Version="1.1.0.1" ProductVersion="3.1.4024.16">
+          <POU Name="plant" Id="{f2a4e89d-0c5e-4594-89ce-5a263c853889}" SpecialFunc="None">
+            <Declaration><![CDATA[PROGRAM plant
+        VAR
+        	start : BOOL;
+        	halt : BOOL;
+        	run : BOOL;
+        END_VAR
+        ]]></Declaration>
+            <Implementation>
+              <NWL>
+                <XmlArchive>
+                  <Data>
+                    <o xml:space="preserve" t="NWLImplementationObject">
+                      <v n="NetworkListComment">""</v>
+                      <v n="DefaultViewMode">"Ld"</v>
+                      <l2 n="NetworkList" cet="Network">
+                        <o>
+                          <v n="ILActive">false</v>
+                          <v n="FBDValid">false</v>
+                          <v n="ILValid">false</v>
+                          <l2 n="ILLines" />
+                          <v n="Comment">""</v>
+                          <v n="Title">""</v>
+                          <v n="Label">""</v>
+                          <v n="OutCommented">false</v>
+                          <l2 n="NetworkItems" cet="BoxTreeAssign">
+                            <o>
+                              <o n="OutputItems" t="OutputItemList">
+                                <l2 n="OutputItems" cet="Operand">
+                                  <o>
+                                    <v n="Operand">"run"</v>
+                                    <v n="Type">"BOOL"</v>
+                                    <v n="Comment">""</v>
+                                    <v n="SymbolComment">""</v>
+                                    <v n="Address">""</v>
+                                    <o n="Flags" t="Flags">
+                                      <v n="Flags">0</v>
+                                      <v n="Fixed">true</v>
+                                      <v n="Extensible">false</v>
+                                    </o>
+                                    <v n="LValue">true</v>
+                                    <v n="Boolean">true</v>
+                                    <v n="IsInstance">false</v>
+                                    <v n="Id">1L</v>
+                                  </o>
+                                </l2>
+                              </o>
+                              <o n="Flags" t="Flags">
+                                <v n="Flags">0</v>
+                                <v n="Fixed">false</v>
+                                <v n="Extensible">false</v>
+                              </o>
+                              <o n="RValue" t="BoxTreeBox">
+                                <v n="BoxType">"AND"</v>
+                                <o n="Instance" t="Operand">
+                                  <n n="Operand" />
+                                  <v n="Type">""</v>
+                                  <v n="Comment">""</v>
+                                  <v n="SymbolComment">""</v>
+                                  <v n="Address">""</v>
+                                  <o n="Flags" t="Flags">
+                                    <v n="Flags">0</v>
+                                    <v n="Fixed">false</v>
+                                    <v n="Extensible">false</v>
+                                  </o>
+                                  <v n="LValue">false</v>
+                                  <v n="Boolean">false</v>
+                                  <v n="IsInstance">true</v>
+                                  <v n="Id">2L</v>
+                                </o>
+                                <o n="OutputItems" t="OutputItemList">
+                                  <l2 n="OutputItems" />
+                                </o>
+                                <o n="Flags" t="Flags">
+                                  <v n="Flags">0</v>
+                                  <v n="Fixed">false</v>
+                                  <v n="Extensible">false</v>
+                                </o>
+                                <n n="InputFlags" />
+                                <l2 n="InputItems">
+                                  <o t="BoxTreeBox">
+                                    <v n="BoxType">"OR"</v>
+                                    <o n="Instance" t="Operand">
+                                      <n n="Operand" />
+                                      <v n="Type">""</v>
+                                      <v n="Comment">""</v>
+                                      <v n="SymbolComment">""</v>
+                                      <v n="Address">""</v>
+                                      <o n="Flags" t="Flags">
+                                        <v n="Flags">0</v>
+                                        <v n="Fixed">false</v>
+                                        <v n="Extensible">false</v>
+                                      </o>
+                                      <v n="LValue">false</v>
+                                      <v n="Boolean">false</v>
+                                      <v n="IsInstance">true</v>
+                                      <v n="Id">3L</v>
+                                    </o>
+                                    <o n="OutputItems" t="OutputItemList">
+                                      <l2 n="OutputItems" />
+                                    </o>
+                                    <o n="Flags" t="Flags">
+                                      <v n="Flags">0</v>
+                                      <v n="Fixed">false</v>
+                                      <v n="Extensible">false</v>
+                                    </o>
+                                    <n n="InputFlags" />
+                                    <l2 n="InputItems" cet="BoxTreeOperand">
+                                      <o>
+                                        <o n="Operand" t="Operand">
+                                          <v n="Operand">"start"</v>
+                                          <v n="Type">"BOOL"</v>
+                                          <v n="Comment">""</v>
+                                          <v n="SymbolComment">""</v>
+                                          <v n="Address">""</v>
+                                          <o n="Flags" t="Flags">
+                                            <v n="Flags">0</v>
+                                            <v n="Fixed">true</v>
+                                            <v n="Extensible">false</v>
+                                          </o>
+                                          <v n="LValue">false</v>
+                                          <v n="Boolean">true</v>
+                                          <v n="IsInstance">false</v>
+                                          <v n="Id">4L</v>
+                                        </o>
+                                        <v n="Id">5L</v>
+                                      </o>
+                                      <o>
+                                        <o n="Operand" t="Operand">
+                                          <v n="Operand">"run"</v>
+                                          <v n="Type">"BOOL"</v>
+                                          <v n="Comment">""</v>
+                                          <v n="SymbolComment">""</v>
+                                          <v n="Address">""</v>
+                                          <o n="Flags" t="Flags">
+                                            <v n="Flags">0</v>
+                                            <v n="Fixed">true</v>
+                                            <v n="Extensible">false</v>
+                                          </o>
+                                          <v n="LValue">false</v>
+                                          <v n="Boolean">true</v>
+                                          <v n="IsInstance">false</v>
+                                          <v n="Id">6L</v>
+                                        </o>
+                                        <v n="Id">7L</v>
+                                      </o>
+                                    </l2>
+                                    <o n="InputParam" t="ParamList">
+                                      <l2 n="Names" />
+                                      <l2 n="Types" />
+                                    </o>
+                                    <o n="OutputParam" t="ParamList">
+                                      <l2 n="Names" />
+                                      <l2 n="Types" />
+                                    </o>
+                                    <v n="CallType" t="Operator">Or</v>
+                                    <n n="EN" />
+                                    <n n="ENO" />
+                                    <n n="STSnippet" />
+                                    <v n="ContainsExtensibleInputs">false</v>
+                                    <v n="ProvidesSTSnippet">false</v>
+                                    <v n="Id">8L</v>
+                                  </o>
+                                  <o t="BoxTreeOperand">
+                                    <o n="Operand" t="Operand">
+                                      <v n="Operand">"halt"</v>
+                                      <v n="Type">"BOOL"</v>
+                                      <v n="Comment">""</v>
+                                      <v n="SymbolComment">""</v>
+                                      <v n="Address">""</v>
+                                      <o n="Flags" t="Flags">
+                                        <v n="Flags">1</v>
+                                        <v n="Fixed">true</v>
+                                        <v n="Extensible">false</v>
+                                      </o>
+                                      <v n="LValue">false</v>
+                                      <v n="Boolean">true</v>
+                                      <v n="IsInstance">false</v>
+                                      <v n="Id">9L</v>
+                                    </o>
+                                    <v n="Id">10L</v>
+                                  </o>
+                                </l2>
+                                <o n="InputParam" t="ParamList">
+                                  <l2 n="Names" />
+                                  <l2 n="Types" />
+                                </o>
+                                <o n="OutputParam" t="ParamList">
+                                  <l2 n="Names" />
+                                  <l2 n="Types" />
+                                </o>
+                                <v n="CallType" t="Operator">And</v>
+                                <n n="EN" />
+                                <n n="ENO" />
+                                <n n="STSnippet" />
+                                <v n="ContainsExtensibleInputs">false</v>
+                                <v n="ProvidesSTSnippet">false</v>
+                                <v n="Id">11L</v>
+                              </o>
+                              <v n="Id">12L</v>
+                            </o>
+                          </l2>
+                          <l2 n="Connectors" />
+                          <v n="Id">13L</v>
+                        </o>
+                      </l2>
+                      <v n="BranchCounter">1</v>
+                      <v n="ValidIds">true</v>
+                    </o>
+                  </Data>
+                  <TypeList>
+                    <Type n="Boolean">System.Boolean</Type>
+                    <Type n="BoxTreeAssign">{9873c309-1f09-4ebf-9078-42d8057ef11b}</Type>
+                    <Type n="BoxTreeBox">{acfc6f68-8e3a-4af5-bf81-3dd512095a46}</Type>
+                    <Type n="BoxTreeOperand">{9de7f100-1b87-424c-a62e-45b0cfc85ed2}</Type>
+                    <Type n="Flags">{668066f2-6069-46b3-8962-8db8d13d7db2}</Type>
+                    <Type n="Int32">System.Int32</Type>
+                    <Type n="Int64">System.Int64</Type>
+                    <Type n="Network">{d9a99d73-b633-47db-b876-a752acb25871}</Type>
+                    <Type n="NWLImplementationObject">{25e509de-33d4-4447-93f8-c9e4ea381c8b}</Type>
+                    <Type n="Operand">{c9b2f165-48a2-4a45-8326-3952d8a3d708}</Type>
+                    <Type n="Operator">{bffb3c53-f105-4e85-aba2-e30df579d75f}</Type>
+                    <Type n="OutputItemList">{f40d3e09-c02c-4522-a88c-dac23558cfc4}</Type>
+                    <Type n="ParamList">{71496971-9e0c-4677-a832-b9583b571130}</Type>
+                    <Type n="String">System.String</Type>
+                  </TypeList>
+                </XmlArchive>
+              </NWL>
+            </Implementation>
+          </POU>
+        </TcPlcObject>
+    "#]].assert_eq(&text);
+}
+
+#[test]
+fn declarations_of_types_globals_and_blocks() {
+    let writing = written(
+        r"
+TYPE
+    Phase : (IDLE, FILLING := 10);
+    Pump  : STRUCT
+        speed : REAL := 50.0;  # rpm #
+        on    : BOOL;
+    END_STRUCT;
+END_TYPE
+VAR_GLOBAL  limit : INT := 80;  END_VAR
+VAR  pumps : ARRAY[1..2] OF Pump;  step : Phase := FILLING;  m : $Motor;  q AT %QX0.1 : BOOL;  END_VAR
+# Runs a motor #
+FUNCTION_BLOCK [$Motor]
+VAR_INPUT  start : BOOL;  END_VAR
+VAR_OUTPUT  run : BOOL;  END_VAR
++--[ ]( start )--( )( run )--+
+END_FUNCTION_BLOCK
++--[EQ]( step, FILLING )--[$Motor]( m, start := pumps[1].on )--[LT]( limit, 90 )--( )( q )--+
+",
+    );
+    let mut out = String::new();
+    for name in ["Phase.TcDUT", "Pump.TcDUT", "GVL.TcGVL", "Motor.TcPOU"] {
+        let text = file(&writing, name);
+        let end = text.find("]]>").unwrap_or(text.len());
+        let start = text.find("<Declaration>").unwrap_or_default();
+        out.push_str(&text[start..end]);
+        out.push('\n');
+    }
+    expect![[r#"
+        <Declaration><![CDATA[TYPE Phase : (IDLE, FILLING := 10);
+        END_TYPE
+
+        <Declaration><![CDATA[TYPE Pump :
+        STRUCT
+        	speed : REAL := 50.0; // rpm
+        	on_1 : BOOL;
+        END_STRUCT
+        END_TYPE
+
+        <Declaration><![CDATA[VAR_GLOBAL
+        	limit_1 : INT := 80;
+        END_VAR
+
+        <Declaration><![CDATA[// Runs a motor
+        FUNCTION_BLOCK Motor
+        VAR_INPUT
+        	power_in : BOOL; // EN of the block in ladder text
+        END_VAR
+        VAR_OUTPUT
+        	power_out : BOOL; // ENO of the block in ladder text
+        END_VAR
+        VAR_INPUT
+        	start : BOOL;
+        END_VAR
+        VAR_OUTPUT
+        	run : BOOL;
+        END_VAR
+
+    "#]].assert_eq(&out);
+}
+
+#[test]
+fn contacts_coils_and_branches() {
+    check(
+        r"
+VAR  a, b, c, x, y, z : BOOL;  w : WORD;  END_VAR
+
+# Seal-in #
++--\--[ ]( a )--\--[/]( b )--( )( x )--+
+|  /--[ ]( x )--/                      |
+
++--[P]( a )--\--(S)( y )------------\--+
+|            /--[ ]( c )--(/)( z )--/  |
++--[ ]( b )--(R)( y )--(P)( x )--+
++--[ ]( a )--\--[ ]( b )-----\--( )( y )--+
+|            /--[/]( x )--\--/            |
++--[ ]( c )---------------/--[ ]( z )--( )( x )--+
++--[ ]( w.3 )--[/]( w.4 )--[NOT]--( )( x )--+
+",
+        expect![[r#"
+            VAR
+                a : BOOL;
+                b : BOOL;
+                c : BOOL;
+                x : BOOL;
+                y : BOOL;
+                z : BOOL;
+                w : WORD;
+            END_VAR
+
+            # Seal-in #
+            +--\--[ ]( a )--\--[/]( b )------------------------------------------( )( x )--+
+            |  /--[ ]( x )--/                                                              |
+
+            +--[P]( a )--\----------------------------------------------------(S)( y )--\--+
+            |            /--[ ]( c )------------------------------------------(/)( z )--/  |
+
+            +--[ ]( b )--\----------------------------------------------------(R)( y )--\--+
+            |            /--[OSR]---------------------------------------------( )( x )--/  |
+
+            +--\--[ ]( a )--\--[ ]( b )--\-----\---------------------------------( )( y )--+
+            |  /--\         /--[/]( x )--/  \--/                                           |
+            |     /--[ ]( c )---------------/                                              |
+
+            +--\--[ ]( a )--[/]( x )--\--[ ]( z )--------------------------------( )( x )--+
+            |  /--[ ]( c )------------/                                                    |
+
+            +--[ ]( w.3 )--[/]( w.4 )--[NOT]-------------------------------------( )( x )--+
+        "#]],
+    );
+}
+
+#[test]
+fn timers_counters_and_values() {
+    check(
+        r"
+VAR  a, b, y : BOOL;  n, m : DINT;  i : INT;  s : STRING;  t : TON;  c : CTU;  d : CTD;  u : CTUD;  r : RTO;  f : SR;  p : TIME;  END_VAR
+
++--[ ]( a )--[TON]( t, T#5s )--\--( )( y )----------------\--+
+|                              /--[ ]( b )--[MOV]( n, 3 )--/  |
++--[ ]( a )--[CTU]( c, 3, R := b )--[CTD]( d, n )--[CTUD]( u, 5, CD := b )--(S)( y )--+
++--[ ]( a )--[RTO]( r, T#1s, R := b )--[SR]( f, R := a )--( )( y )--+
++--[ ]( a )--[ADD]( n, n, 1 )--[CALC]( m, n * 2 + i )--[LEN]( n, s )--+
++--[GE]( n, 3 )--[TYP]( i, n )--[MOV]( p, T#3s )--[ADD]( p, p, T#1s )--+
++--[ ]( SYS.CLOCK_1S )--( )( y )--+
+",
+        expect![[r#"
+            LADDER_CLOCK.TcPOU
+            LADDER_RTO.TcPOU
+            CTU_DINT.TcPOU
+            CTD_DINT.TcPOU
+            CTUD_DINT.TcPOU
+            LADDER_SYS.TcPOU
+            GVL.TcGVL
+            9:1: [TYP]( i, n ): what is a fault here (a division by zero, a value that does not fit) is there whatever the other system makes of it
+            VAR
+                a : BOOL;
+                b : BOOL;
+                y : BOOL;
+                n : DINT;
+                m : DINT;
+                i : INT;
+                s : STRING;
+                t : TON;
+                c : CTU;
+                d : CTD;
+                u : CTUD;
+                r : RTO;
+                f : SR;
+                p : TIME;
+            END_VAR
+
+            +--[ ]( a )--[TON]( t, T#5s )--\----------------------------------( )( y )--\--+
+            |                              /--[ ]( b )-------------------[MOV]( n, 3 )--/  |
+
+            +--[ ]( a )---------------[CTU]( c, 3, R := b )--[CTD]( d, n )--[CTUD]( u, 5, CD := b )--(S)( y )--+
+
+            +--[ ]( a )-------------[RTO]( r, T#1s, R := b )--[SR]( f, R := a )--( )( y )--+
+
+            +--[ ]( a )-----------[ADD]( n, n, 1 )--[CALC]( m, n * 2 + i )--[LEN]( n, s )--+
+
+            +--[GE]( n, 3 )----------[TYP]( i, n )--[MOV]( p, T#3s )--[ADD]( p, p, T#1s )--+
+
+            +--[ ]( SYS.CLOCK_1S )-----------------------------------------------( )( y )--+
+        "#]],
+    );
+}
+
+#[test]
+fn jumps_returns_and_loops() {
+    check(
+        r"
+VAR  a, b, y : BOOL;  n : DINT;  END_VAR
+
++--[ ]( a )--<JMP>( over )--+
++--[ ]( b )--( )( y )--+
++--<LBL>( over )--[ ]( b )--<RET>--+
++--<FOR>( 3, I => n )--+
++--[ ]( a )--( )( y )--+
++--<NEXT>--+
+",
+        expect![[r#"
+            VAR
+                a : BOOL;
+                b : BOOL;
+                y : BOOL;
+                n : DINT;
+            END_VAR
+
+            +--[ ]( a )-----------------------------------------------------<JMP>( over )--+
+
+            +--[ ]( b )----------------------------------------------------------( )( y )--+
+
+            +--<LBL>( over )---------------------------------------------------------------+
+
+            +--[ ]( b )-------------------------------------------------------------<RET>--+
+
+            +----------------------------------------------------------<FOR>( 3, I => n )--+
+
+            +--[ ]( a )----------------------------------------------------------( )( y )--+
+
+            +----------------------------------------------------------------------<NEXT>--+
+        "#]],
+    );
+}
+
+#[test]
+fn blocks_functions_and_structures() {
+    check(
+        r"
+TYPE
+    Phase : (IDLE, FILLING);
+    Pump  : STRUCT
+        on    : BOOL;
+        delay : TON;
+        step  : Phase := FILLING;
+    END_STRUCT;
+END_TYPE
+VAR  pumps : ARRAY[1..2] OF Pump := [2((step := FILLING))];  k : INT := 1;  step : Phase;  y : BOOL;  d : DINT;  m : $Motor;  END_VAR
+
+# Guarded #
+FUNCTION_BLOCK [$Motor]
+VAR_IN_OUT  pump : Pump;  END_VAR
+VAR_INPUT  start : BOOL;  END_VAR
+VAR_OUTPUT  count : INT;  END_VAR
++--[/]( EN )--<RET>--+
++--[ ]( start )--[TON]( pump.delay, T#1s )--( )( pump.on )--[ADD]( count, count, 1 )--+
+END_FUNCTION_BLOCK
+
++--[EQ]( step, FILLING )--[$Motor]( m, pump := pumps[k], start := y, count => d )--( )( y )--+
++--[ ]( y )--<CALL>( Stop )--+
++--<FUN>( Stop )--+
++--[MOV]( step, IDLE )--[TON]( pumps[2].delay, T#2s )--(R)( pumps[1].on )--+
+",
+        expect![[r#"
+            Motor.TcPOU
+            Stop.TcPOU
+            Phase.TcDUT
+            Pump.TcDUT
+            TYPE
+                Phase : (IDLE, FILLING);
+                Pump  : STRUCT
+                    on_1   : BOOL;
+                    delay  : TON;
+                    step_1 : Phase := FILLING;
+                END_STRUCT;
+            END_TYPE
+
+            # Guarded #
+            FUNCTION_BLOCK [$Motor]
+            VAR_IN_OUT
+                pump_2 : Pump;
+            END_VAR
+            VAR_INPUT
+                start : BOOL := FALSE;
+            END_VAR
+            VAR_OUTPUT
+                count : INT;
+            END_VAR
+
+            +--[/]( EN )------------------------------------------------------------<RET>--+
+
+            +--[ ]( start )---[TON]( pump_2.delay, T#1s )--\--------( )( pump_2.on_1 )--\--+
+            |                                              /--[ADD]( count, count, 1 )--/  |
+            END_FUNCTION_BLOCK
+
+            VAR
+                pumps  : ARRAY[1..2] OF Pump := [2((step_1 := FILLING))];
+                k      : INT                 := 1;
+                step_1 : Phase;
+                y      : BOOL;
+                d      : DINT;
+                m      : $Motor;
+                power  : BOOL;  # the power after a block #
+            END_VAR
+
+            +--[EQ]( step_1, Phase.FILLING )------[$Motor]( m, pump_2 := pumps[k], start := y )--( )( power )--+
+
+            +---------------------------------------------------------[TYP]( d, m.count )--+
+
+            +--[ ]( power )------------------------------------------------------( )( y )--+
+
+            +--[ ]( y )----------------------------------------------------<CALL>( Stop )--+
+
+            +--<FUN>( Stop )---------------------------------------------------------------+
+
+            +----------------[MOV]( step_1, Phase.IDLE )--[TON]( pumps[2].delay, T#2s )--(R)( pumps[1].on_1 )--+
+        "#]],
+    );
+}
