@@ -36,6 +36,8 @@ pub(crate) struct Shared<'p> {
     pub(crate) types: HashMap<String, (String, &'p Type)>,
     /// The names of members that are more than a word, in small letters.
     pub(crate) odd_members: HashSet<String>,
+    /// How a network is run there.
+    pub(crate) evaluation: Evaluation,
     /// What is compiled as Beremiz and OpenPLC do: a function without power at EN has 0.
     pub(crate) is_compiled: bool,
     /// The functions and function blocks, by their names in small letters.
@@ -161,6 +163,7 @@ impl<'p> Shared<'p> {
         }
         Shared {
             odd_members: odd_members(project),
+            evaluation: project.evaluation,
             is_compiled: project.evaluation == Evaluation::EachOutput && !project.is_own,
             globals,
             types,

@@ -1,6 +1,8 @@
 //! The functions and function blocks of IEC 61131-3, each next to the instruction that says the same.
 
+use Pins::{Chosen, Fixed, Many};
 use ladder_format::program::Operator;
+use ladder_instructions::{Op, by_op};
 
 /// A function block of the standard.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -136,26 +138,103 @@ pub(crate) fn function(name: &str) -> Option<Function> {
     {
         return elementary(to).map(Function::Convert);
     }
-    let mnemonic = match upper.as_str() {
-        "MOVE" => "MOV",
-        "EXPT" => "EXP",
+    let name = match upper.as_str() {
         "ADD_TIME" => "ADD",
         "SUB_TIME" => "SUB",
         "MUL_TIME" | "MULTIME" => "MUL",
         "DIV_TIME" | "DIVTIME" => "DIV",
-        "EXP" => "EXPE",
         other => other,
     };
-    let known = VALUES.iter().find(|known| **known == mnemonic);
-    known.copied().map(Function::Value)
+    let known = FUNCTIONS.iter().find(|(known, ..)| *known == name);
+    known.map(|(_, op, _)| Function::Value(by_op(*op).mnemonic))
 }
 
-/// What makes a value of values, in the order of the standard's pins.
-const VALUES: &[&str] = &[
-    "MOV", "ADD", "SUB", "MUL", "DIV", "MOD", "EXP", "ABS", "SQRT", "LN", "LOG", "EXPE", "SIN", "COS", "TAN",
-    "ASIN", "ACOS", "ATAN", "MIN", "MAX", "LIMIT", "SEL", "MUX", "SHL", "SHR", "ROL", "ROR", "LEN", "LEFT",
-    "RIGHT", "MID", "CONCAT", "INSERT", "DELETE", "REPLACE", "FIND",
+/// The inputs of a function.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Pins {
+    /// These.
+    Fixed(&'static [&'static str]),
+    /// `IN1`, `IN2`, as many as there are.
+    Many,
+    /// `K`, `IN0`, `IN1`, as many as there are.
+    Chosen,
+}
+
+const ONE: Pins = Fixed(&["IN"]);
+const TWO: Pins = Fixed(&["IN1", "IN2"]);
+const SHIFT: Pins = Fixed(&["IN", "N"]);
+
+/// The functions of the standard, each with the instruction that says the same, and its inputs.
+const FUNCTIONS: &[(&str, Op, Pins)] = &[
+    ("MOVE", Op::Mov, ONE),
+    ("ADD", Op::Add, Many),
+    ("MUL", Op::Mul, Many),
+    ("SUB", Op::Sub, TWO),
+    ("DIV", Op::Div, TWO),
+    ("MOD", Op::Mod, TWO),
+    ("EXPT", Op::Exp, TWO),
+    ("NOT", Op::Not, ONE),
+    ("AND", Op::And, Many),
+    ("OR", Op::Or, Many),
+    ("XOR", Op::Xor, Many),
+    ("SHL", Op::Shl, SHIFT),
+    ("SHR", Op::Shr, SHIFT),
+    ("ROL", Op::Rol, SHIFT),
+    ("ROR", Op::Ror, SHIFT),
+    ("ABS", Op::Abs, ONE),
+    ("SQRT", Op::Sqrt, ONE),
+    ("LN", Op::Ln, ONE),
+    ("LOG", Op::Log, ONE),
+    ("EXP", Op::Expe, ONE),
+    ("SIN", Op::Sin, ONE),
+    ("COS", Op::Cos, ONE),
+    ("TAN", Op::Tan, ONE),
+    ("ASIN", Op::Asin, ONE),
+    ("ACOS", Op::Acos, ONE),
+    ("ATAN", Op::Atan, ONE),
+    ("MIN", Op::Min, Many),
+    ("MAX", Op::Max, Many),
+    ("LIMIT", Op::Limit, Fixed(&["MN", "IN", "MX"])),
+    ("SEL", Op::Sel, Fixed(&["G", "IN0", "IN1"])),
+    ("MUX", Op::Mux, Chosen),
+    ("LEN", Op::Len, ONE),
+    ("LEFT", Op::Left, Fixed(&["IN", "L"])),
+    ("RIGHT", Op::Right, Fixed(&["IN", "L"])),
+    ("MID", Op::Mid, Fixed(&["IN", "L", "P"])),
+    ("CONCAT", Op::Concat, Many),
+    ("INSERT", Op::Insert, Fixed(&["IN1", "IN2", "P"])),
+    ("DELETE", Op::Delete, Fixed(&["IN", "L", "P"])),
+    ("REPLACE", Op::Replace, Fixed(&["IN1", "IN2", "L", "P"])),
+    ("FIND", Op::Find, TWO),
+    ("EQ", Op::Eq, Many),
+    ("NE", Op::Ne, TWO),
+    ("GT", Op::Gt, Many),
+    ("GE", Op::Ge, Many),
+    ("LT", Op::Lt, Many),
+    ("LE", Op::Le, Many),
 ];
+
+/// The function of an instruction, and its inputs. None: the standard has none.
+pub(crate) fn function_of(op: Op) -> Option<(&'static str, Pins)> {
+    let row = FUNCTIONS.iter().find(|(_, known, _)| *known == op)?;
+    Some((row.0, row.2))
+}
+
+impl Pins {
+    /// The names of so many inputs. None: it has another number of them.
+    pub(crate) fn names(self, count: usize) -> Option<Vec<String>> {
+        match self {
+            Fixed(names) => {
+                (names.len() == count).then(|| names.iter().map(|name| (*name).to_owned()).collect())
+            }
+            Many => (count > 1).then(|| (1..=count).map(|n| format!("IN{n}")).collect()),
+            Chosen => (count > 1).then(|| {
+                let rest = (0..count - 1).map(|n| format!("IN{n}"));
+                std::iter::once("K".to_owned()).chain(rest).collect()
+            }),
+        }
+    }
+}
 
 /// The elementary type of a name, as it is spelled here.
 pub(crate) fn elementary(name: &str) -> Option<&'static str> {

@@ -5,10 +5,13 @@ use crate::flag;
 use ladder_notation::xml::Xml;
 use ladder_notation::{LineColumn, Report};
 use ladder_notation_plcopen::graph::{Edge, End, Graph, Kind, Modifier, Node, Output, Pin, Storage};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Trees are no deeper.
 const DEEPEST: usize = 100;
+
+/// More branches that end in a wire do so at a point of their own.
+const WIDEST: usize = 16;
 
 /// From the top of one network to the next.
 const HEIGHT: f64 = 100.0;
@@ -205,7 +208,10 @@ impl Reader<'_, '_> {
                     let known = self.wires.get(&id).cloned();
                     return known.ok_or_else(|| format!("the wire {id} begins nowhere"));
                 };
-                let power = self.value(input, depth + 1)?;
+                let mut power = self.value(input, depth + 1)?;
+                if power.len() > WIDEST {
+                    power = vec![self.push(object, Kind::Joint, vec![pin("", power)])];
+                }
                 self.wires.insert(id, power.clone());
                 Ok(power)
             }
@@ -291,6 +297,8 @@ impl Reader<'_, '_> {
             for item in items {
                 all.extend(self.value(item, depth + 1)?);
             }
+            let mut met = HashSet::new();
+            all.retain(|end| met.insert(*end));
             return Ok(Some(all));
         }
         let follow = items.iter().skip(1).map(|item| contact(*item));
@@ -401,7 +409,12 @@ fn is_power(tree: Object<'_>, depth: usize) -> bool {
         "BoxTreeBox" => match &*tree.text("BoxType").to_ascii_uppercase() {
             "AND" | "OR" | "XOR" | "NOT" => is_of_power(),
             "EQ" | "NE" | "GT" | "GE" | "LT" | "LE" => true,
-            _ => tree.is("ENO") || tree.field("CallType").is_some_and(|kind| kind.value() == "FunctionBlock"),
+            _ => {
+                tree.is("ENO")
+                    || tree
+                        .field("CallType")
+                        .is_some_and(|kind| kind.value() == "FunctionBlock")
+            }
         },
         _ => contact(tree).is_some(),
     }

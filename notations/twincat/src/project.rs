@@ -42,7 +42,12 @@ pub(crate) fn project(source: &Source<'_>) -> Result<Project, ReadError> {
     let mut names = HashSet::new();
     add_names(&mut names, text);
     let mut others: Vec<File<'_>> = Vec::new();
-    others.extend(source.companions.iter().map(|file| File::of(&file.name, &file.bytes)));
+    others.extend(
+        source
+            .companions
+            .iter()
+            .map(|file| File::of(&file.name, &file.bytes)),
+    );
     // What is used uses something itself.
     loop {
         let before = names.len();
@@ -121,9 +126,9 @@ impl<'f> File<'f> {
             return Ok(Held::Nothing);
         };
         let mut globals = unit::declared(text, &xml, node, |declared| declared.globals(report))?;
-        globals
-            .iter_mut()
-            .for_each(|global| global.place = LineColumn::START);
+        for global in &mut globals {
+            global.place = LineColumn::START;
+        }
         Ok(Held::Globals(globals))
     }
 
@@ -175,19 +180,18 @@ impl<'f> File<'f> {
 /// Lets all that a unit has be at the start: its places are those of another file.
 fn at_start(unit: &mut Unit) {
     unit.place = LineColumn::START;
-    unit.variables
-        .iter_mut()
-        .for_each(|variable| variable.place = LineColumn::START);
+    for variable in &mut unit.variables {
+        variable.place = LineColumn::START;
+    }
     let parts = unit.parts.iter_mut().map(|part| {
         part.place = LineColumn::START;
         &mut part.body
     });
     for body in parts.chain([&mut unit.body]) {
         if let Body::Graph(graph) = body {
-            graph
-                .nodes
-                .iter_mut()
-                .for_each(|node| node.place = LineColumn::START);
+            for node in &mut graph.nodes {
+                node.place = LineColumn::START;
+            }
         }
     }
 }

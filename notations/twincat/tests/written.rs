@@ -53,7 +53,9 @@ fn file(writing: &Writing, name: &str) -> String {
 
 #[test]
 fn the_file_of_a_rung() {
-    let writing = written("VAR  start, halt, run : BOOL;  END_VAR\n+--\\--[ ]( start )--\\--[/]( halt )--( )( run )--+\n|  /--[ ]( run )----/                           |\n");
+    let writing = written(
+        "VAR  start, halt, run : BOOL;  END_VAR\n+--\\--[ ]( start )--\\--[/]( halt )--( )( run )--+\n|  /--[ ]( run )----/                           |\n",
+    );
     let text = String::from_utf8(writing.bytes).expect("it is UTF-8");
     expect![[r#"
         <?xml version="1.0" encoding="utf-8"?>
@@ -289,7 +291,8 @@ fn the_file_of_a_rung() {
             </Implementation>
           </POU>
         </TcPlcObject>
-    "#]].assert_eq(&text);
+    "#]]
+    .assert_eq(&text);
 }
 
 #[test]
@@ -315,7 +318,7 @@ END_FUNCTION_BLOCK
 ",
     );
     let mut out = String::new();
-    for name in ["Phase.TcDUT", "Pump.TcDUT", "GVL.TcGVL", "Motor.TcPOU"] {
+    for name in ["Phase.TcDUT", "Pump.TcDUT", "GVL_plant.TcGVL", "Motor.TcPOU"] {
         let text = file(&writing, name);
         let end = text.find("]]>").unwrap_or(text.len());
         let start = text.find("<Declaration>").unwrap_or_default();
@@ -352,7 +355,8 @@ END_FUNCTION_BLOCK
         	run : BOOL;
         END_VAR
 
-    "#]].assert_eq(&out);
+    "#]]
+    .assert_eq(&out);
 }
 
 #[test]
@@ -427,7 +431,7 @@ VAR  a, b, y : BOOL;  n, m : DINT;  i : INT;  s : STRING;  t : TON;  c : CTU;  d
             CTD_DINT.TcPOU
             CTUD_DINT.TcPOU
             LADDER_SYS.TcPOU
-            GVL.TcGVL
+            GVL_plant.TcGVL
             9:1: [TYP]( i, n ): what is a fault here (a division by zero, a value that does not fit) is there whatever the other system makes of it
             VAR
                 a : BOOL;
@@ -581,6 +585,58 @@ END_FUNCTION_BLOCK
             +--<FUN>( Stop )---------------------------------------------------------------+
 
             +----------------[MOV]( step_1, Phase.IDLE )--[TON]( pumps[2].delay, T#2s )--(R)( pumps[1].on_1 )--+
+        "#]],
+    );
+}
+
+#[test]
+fn long_rungs() {
+    let written_of = |elements: &str, times: usize| {
+        let text = format!(
+            "VAR  a, y : BOOL;  n : DINT;  END_VAR\n+--{}( )( y )--+\n",
+            elements.repeat(times)
+        );
+        let remarks = written(&text).report;
+        remarks
+            .remarks()
+            .map(|entry| format!("{:?}", entry.outcome))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(written_of("[ ]( a )--", 900), [""; 0]);
+    assert_eq!(written_of("[MOV]( n, 3 )--", 300), [""; 0]);
+    let why = "Refused(\"more than 90 boxes are one in the other\")";
+    assert_eq!(written_of("[NOT]--", 900), [why]);
+}
+
+#[test]
+fn what_is_not_written_stays_as_a_comment() {
+    check(
+        r"
+VAR  a, y : BOOL;  t : TON;  c : CTU;  END_VAR
+
++--[ ]( a )--<JMP>( on )--+
++--<LBL>( on )--(RES)( t )--+
+# The last #
++--[ ]( a )--[TON]( t, 5s )--[CTU]( c, 3 )--( )( y )--+
+",
+        expect![[r#"
+            CTU_DINT.TcPOU
+            5:1: network: the standard has no (RES)
+            VAR
+                a : BOOL;
+                y : BOOL;
+                t : TON;
+                c : CTU;
+            END_VAR
+
+            +--[ ]( a )-----------------------------------------------------<JMP>( on_1 )--+
+
+            # Not written, because the standard has no (RES): #
+            # +--<LBL>( on )--(RES)( t )--+ #
+            +--<LBL>( on_1 )---------------------------------------------------------------+
+
+            # The last #
+            +--[ ]( a )-------------------------[TON]( t, T#5s )--[CTU]( c, 3 )--( )( y )--+
         "#]],
     );
 }

@@ -74,7 +74,8 @@ fn only_decides(body: &Body<'_>, node: usize) -> bool {
     let drawn = &body.graph.nodes[node];
     let is_compare = matches!(&drawn.kind, Kind::Block { name, .. } if matches!(standard::function(name), Some(Function::Compare(..))));
     let takes = |output: usize| {
-        body.uses
+        body.facts
+            .uses
             .get(&End { node, output })
             .map_or(&[][..], Vec::as_slice)
     };
@@ -214,13 +215,13 @@ pub(super) fn state(shared: &Shared<'_>, name: &str) -> Option<String> {
 impl Body<'_> {
     /// The type of what leaves an output.
     pub(super) fn out_type(&mut self, end: End) -> Option<Type> {
-        if let Some(ty) = self.types.get(&end) {
+        if let Some(ty) = self.tags.types.get(&end) {
             return ty.clone();
         }
         // What asks for itself is not known.
-        self.types.insert(end, None);
+        self.tags.types.insert(end, None);
         let ty = self.find_type(end);
-        self.types.insert(end, ty.clone());
+        self.tags.types.insert(end, ty.clone());
         ty
     }
 

@@ -3,9 +3,10 @@
 
 use super::blocks::{self, Class};
 use super::draw::{Drawn, Target};
+use super::state::{Facts, Next, State, Tags};
 use crate::expression::{self, Meaning, Typed};
 use crate::graph::{End, Graph, Kind};
-use crate::model::{Evaluation, Type};
+use crate::model::Evaluation;
 use crate::scope::{Scope, Shared};
 use ladder_format::Circuit;
 use ladder_format::program::{Block, Drawing, Element, Expression, Item, Network, Path};
@@ -51,115 +52,39 @@ pub(super) struct Body<'b> {
     pub(super) graph: &'b Graph,
     pub(super) made: &'b mut Made,
     pub(super) reading: &'b mut Reading,
-    pub(super) evaluation: Evaluation,
-    pub(super) uses: HashMap<End, Vec<usize>>,
-    /// What became of each element, where it is not the same.
-    outcomes: Vec<Option<Outcome>>,
-    /// The blocks that stand in a network above.
-    pub(super) executed: Vec<bool>,
-    /// Variables that are written together with the block before them.
-    pub(super) merged: Vec<bool>,
-    /// The tags that hold results, and power at points of the drawing.
-    pub(super) results: HashMap<End, Path>,
-    /// The tags that are high while a contact sees its edge, for the next network.
-    pub(super) edges: HashMap<usize, Path>,
-    /// The tags for power after blocks.
-    pub(super) holders: HashMap<End, Path>,
-    /// What else is written where a block has power: the variables that take its result.
-    pub(super) moves: HashMap<usize, Vec<Block>>,
-    /// The power with which variables take a result that was made above.
-    pub(super) guards: HashMap<usize, End>,
-    /// All elements in the order of execution, the place of each in it, and how many of them had their turn.
-    pub(super) order: Vec<usize>,
-    pub(super) places: Vec<usize>,
-    pub(super) turn: usize,
-    /// The operands at pins.
-    pub(super) operands: HashMap<(usize, usize), Typed>,
-    /// The tags that are the instances of blocks.
-    pub(super) instances: HashMap<usize, Path>,
-    /// What is done in the next network, and what feeds it.
-    group: Vec<usize>,
-    shown: HashSet<usize>,
-    pub(super) work: usize,
-    pieces: usize,
-    /// The drawing is taken apart.
-    pub(super) is_in_pieces: bool,
-    /// The characters of all networks so far.
-    pub(super) characters: usize,
-    /// The elements that read a tag by its name in small letters, and those that write it.
-    pub(super) readers: HashMap<String, Vec<usize>>,
-    pub(super) writers: HashMap<String, Vec<usize>>,
-    /// Whether a contact sees falls, and whether something reads by name what a block writes.
-    pub(super) has_falls: bool,
-    pub(super) has_turns: bool,
-    /// The elements that stand somewhere, or are operands.
-    pub(super) seen: Vec<bool>,
-    comments: Vec<String>,
-    next: Vec<String>,
-    pub(super) types: HashMap<End, Option<Type>>,
+    pub(super) facts: Facts,
+    pub(super) tags: Tags,
+    pub(super) state: State,
+    pub(super) next: Next,
 }
 
 impl<'b> Body<'b> {
     /// The networks of a drawing.
     pub(super) fn draw(
         shared: &'b Shared<'b>,
-        evaluation: Evaluation,
         graph: &'b Graph,
         made: &'b mut Made,
         reading: &'b mut Reading,
     ) {
-        let count = graph.nodes.len();
-        let mut uses: HashMap<End, Vec<usize>> = HashMap::new();
-        for (index, node) in graph.nodes.iter().enumerate() {
-            if node.kind != Kind::RightRail {
-                let ends = node.inputs.iter().flat_map(|pin| &pin.from);
-                ends.for_each(|end| uses.entry(*end).or_default().push(index));
-            }
-        }
         let mut body = Body {
             shared,
             graph,
             made,
             reading,
-            evaluation,
-            uses,
-            outcomes: vec![None; count],
-            executed: vec![false; count],
-            merged: vec![false; count],
-            results: HashMap::new(),
-            edges: HashMap::new(),
-            holders: HashMap::new(),
-            moves: HashMap::new(),
-            guards: HashMap::new(),
-            order: graph.in_order(),
-            places: vec![usize::MAX; count],
-            turn: 0,
-            operands: HashMap::new(),
-            instances: HashMap::new(),
-            group: Vec::new(),
-            shown: HashSet::new(),
-            work: 0,
-            pieces: 0,
-            is_in_pieces: false,
-            characters: 0,
-            readers: HashMap::new(),
-            writers: HashMap::new(),
-            has_falls: false,
-            has_turns: false,
-            seen: vec![false; count],
-            comments: Vec::new(),
-            next: Vec::new(),
-            types: HashMap::new(),
+            facts: Facts::of(graph),
+            tags: Tags::default(),
+            state: State::of(graph.nodes.len()),
+            next: Next::default(),
         };
         body.names();
         body.look_over();
-        while let Some(node) = body.order.get(body.turn).copied() {
+        while let Some(node) = body.facts.order.get(body.state.turn).copied() {
             body.element(node);
-            body.turn += 1;
+            body.state.turn += 1;
         }
         body.flush();
         body.lost();
-        let left = std::mem::take(&mut body.comments);
+        let left = std::mem::take(&mut body.next.comments);
         if !left.is_empty() {
             body.made.items.push(Item::Blank);
             body.made.items.extend(left.into_iter().map(Item::Comment));
@@ -204,13 +129,13 @@ impl<'b> Body<'b> {
             .outputs
             .iter()
             .enumerate()
-            .all(|(output, _)| !self.uses.contains_key(&End { node, output }));
+            .all(|(output, _)| !self.facts.uses.contains_key(&End { node, output }));
         match &drawn.kind {
             Kind::LeftRail | Kind::RightRail => {}
             Kind::Comment(text) if text.is_empty() => {}
             // What is said after something was begun is about what comes next.
-            Kind::Comment(text) if !self.group.is_empty() => self.next.push(text.clone()),
-            Kind::Comment(text) => self.comments.push(text.clone()),
+            Kind::Comment(text) if !self.next.group.is_empty() => self.next.further.push(text.clone()),
+            Kind::Comment(text) => self.next.comments.push(text.clone()),
             Kind::Label(name) => {
                 self.flush();
                 let origin = self.reading.origin(drawn.place);
@@ -234,14 +159,17 @@ impl<'b> Body<'b> {
                 }
             }
             Kind::Value(text, _) => {
-                if !self.uses.contains_key(&end) {
+                if !self.facts.uses.contains_key(&end) {
                     let text = text.clone();
                     self.note(node, "nothing is wired to it: it is a comment");
-                    self.comments.push(format!("{text}, which nothing is wired to"));
+                    self.next
+                        .comments
+                        .push(format!("{text}, which nothing is wired to"));
                 }
             }
             Kind::Other(what) => {
-                self.comments
+                self.next
+                    .comments
                     .push(format!("{what}, which has no counterpart here"));
                 self.refuse(node, "it has no counterpart");
             }
@@ -250,48 +178,53 @@ impl<'b> Body<'b> {
 
     /// Something that is done.
     fn root(&mut self, node: usize) {
-        if self.executed[node] || self.merged[node] {
+        if self.state.executed[node] || self.state.merged[node] {
             return;
         }
         let mut own = HashSet::new();
         self.feeds(node, &mut own);
-        self.work += own.len();
-        if self.work > MOST_WORK {
+        self.state.work += own.len();
+        if self.state.work > MOST_WORK {
             self.lose(node, "the drawing is larger than what can be read");
             return;
         }
         if self.take_turns(node) {
             self.flush();
             self.prepare(node);
-            if !self.executed[node] && !self.merged[node] {
-                self.group.push(node);
+            if !self.state.executed[node] && !self.state.merged[node] {
+                self.next.group.push(node);
                 self.flush();
             }
-            self.edges.clear();
+            self.tags.edges.clear();
             return;
         }
         self.prepare(node);
         if !self.goes_on(node, &own) {
             self.flush();
         }
-        if self.executed[node] || self.merged[node] {
+        if self.state.executed[node] || self.state.merged[node] {
             return;
         }
-        self.shown.extend(own);
-        self.group.push(node);
+        self.next.shown.extend(own);
+        self.next.group.push(node);
     }
 
     /// Whether what feeds an element belongs into the network so far: something of it stands there, and reads nothing
     /// that is written in it before. Else all of it is read again.
     fn goes_on(&self, node: usize, own: &HashSet<usize>) -> bool {
-        let mut both = own.intersection(&self.shown).peekable();
+        let mut both = own.intersection(&self.next.shown).peekable();
         if both.peek().is_none() {
-            return self.group.is_empty();
+            return self.next.group.is_empty();
         }
-        if self.evaluation == Evaluation::Once {
+        if self.shared.evaluation == Evaluation::Once {
             return true;
         }
-        let written: HashSet<String> = self.group.iter().flat_map(|node| self.writes(*node)).collect();
+        let written: HashSet<String> = self
+            .next
+            .group
+            .iter()
+            .flat_map(|node| self.writes(*node))
+            .collect();
         let is_written = |node: &usize| self.reads(*node).iter().any(|tag| written.contains(tag));
         !both.any(is_written) && !self.falls_within(node, None).iter().any(is_written)
     }
@@ -311,20 +244,23 @@ impl<'b> Body<'b> {
                 _ => (0..inputs.len()).collect(),
             };
             let ends = pins.into_iter().flat_map(|pin| &inputs[pin].from);
-            waiting.extend(ends.map(|end| end.node).filter(|node| !self.executed[*node]));
+            waiting.extend(
+                ends.map(|end| end.node)
+                    .filter(|node| !self.state.executed[*node]),
+            );
         }
     }
 
     /// The network so far is written.
     pub(super) fn flush(&mut self) {
-        let group = std::mem::take(&mut self.group);
-        self.shown.clear();
+        let group = std::mem::take(&mut self.next.group);
+        self.next.shown.clear();
         if group.is_empty() {
             return;
         }
         self.write(group);
-        let next = std::mem::take(&mut self.next);
-        self.comments.extend(next);
+        let next = std::mem::take(&mut self.next.further);
+        self.next.comments.extend(next);
     }
 
     fn write(&mut self, group: Vec<usize>) {
@@ -342,7 +278,7 @@ impl<'b> Body<'b> {
         for target in targets {
             if let Target::Root(node) = target {
                 self.run_blocks_before(node);
-                if self.executed[node] {
+                if self.state.executed[node] {
                     continue;
                 }
             }
@@ -381,16 +317,16 @@ impl<'b> Body<'b> {
     /// Draws a network, if it can be drawn as one, and above it what sees the falls in it.
     pub(super) fn network(&mut self, targets: &[Target]) -> bool {
         let (items, helpers) = (self.made.items.len(), self.made.helpers.len());
-        let comments = self.comments.clone();
+        let comments = self.next.comments.clone();
         let falls = self.see_falls(targets);
         let is_drawn = self.one_network(targets);
         for contact in falls {
-            self.edges.remove(&contact);
+            self.tags.edges.remove(&contact);
         }
         if !is_drawn {
             self.made.items.truncate(items);
             self.made.helpers.truncate(helpers);
-            self.comments = comments;
+            self.next.comments = comments;
         }
         is_drawn
     }
@@ -400,10 +336,13 @@ impl<'b> Body<'b> {
             match Drawn::of(self, targets) {
                 Ok(Some(drawn)) => {
                     for node in drawn.executed {
-                        self.executed[node] = true;
+                        self.state.executed[node] = true;
                     }
-                    drawn.shown.into_iter().for_each(|node| self.seen[node] = true);
-                    self.results.extend(drawn.results);
+                    drawn
+                        .shown
+                        .into_iter()
+                        .for_each(|node| self.state.seen[node] = true);
+                    self.tags.results.extend(drawn.results);
                     if let Some(circuit) = drawn.circuit {
                         self.push(circuit);
                     }
@@ -424,11 +363,11 @@ impl<'b> Body<'b> {
             Target::End(end, _) | Target::Value(end, _) => end.node,
         };
         self.run_blocks_before(node);
-        self.is_in_pieces = true;
+        self.next.is_in_pieces = true;
         let mut cuts = Vec::new();
         let ends = self.ends_before(node);
-        self.pieces += ends.len();
-        let ends = if self.pieces > MOST_PIECES {
+        self.state.pieces += ends.len();
+        let ends = if self.state.pieces > MOST_PIECES {
             Vec::new()
         } else {
             ends
@@ -438,8 +377,8 @@ impl<'b> Body<'b> {
         let here = HashSet::from([node]);
         let lasting: Vec<bool> = ends.iter().map(|end| self.is_asked_again(*end, &here)).collect();
         for (end, lasts) in ends.into_iter().zip(lasting) {
-            let several = self.uses.get(&end).is_some_and(|uses| uses.len() > 1);
-            if (several || lasts) && !self.results.contains_key(&end) && self.has_power(end) {
+            let several = self.facts.uses.get(&end).is_some_and(|uses| uses.len() > 1);
+            if (several || lasts) && !self.tags.results.contains_key(&end) && self.has_power(end) {
                 let (like, comment) = if lasts {
                     ("decided", "what a condition decided")
                 } else {
@@ -454,9 +393,9 @@ impl<'b> Body<'b> {
         if !self.network(std::slice::from_ref(&target)) {
             self.lose(node, "the drawing is larger than what can be drawn");
         }
-        self.is_in_pieces = false;
+        self.next.is_in_pieces = false;
         for end in cuts {
-            self.results.remove(&end);
+            self.tags.results.remove(&end);
         }
     }
 
@@ -486,7 +425,7 @@ impl<'b> Body<'b> {
             stack.push((node, true));
             for end in self.graph.nodes[node].inputs.iter().flat_map(|pin| &pin.from) {
                 let is_feedback = self.graph.feedback.contains(&(node, *end));
-                if !is_feedback && !self.executed[end.node] {
+                if !is_feedback && !self.state.executed[end.node] {
                     stack.push((end.node, false));
                 }
             }
@@ -498,25 +437,25 @@ impl<'b> Body<'b> {
     pub(super) fn push(&mut self, circuit: Circuit<Element>) {
         self.made.items.push(Item::Blank);
         self.made.items.push(Item::Network(Network {
-            comments: std::mem::take(&mut self.comments),
+            comments: std::mem::take(&mut self.next.comments),
             drawing: Drawing::Circuit(circuit),
         }));
     }
 
     /// An element stays as a comment.
     pub(super) fn refuse(&mut self, node: usize, why: impl Into<String>) {
-        self.outcomes[node] = Some(Outcome::Refused(why.into()));
+        self.state.outcomes[node] = Some(Outcome::Refused(why.into()));
     }
 
     /// Whether an element is a comment.
     pub(super) fn is_refused(&self, node: usize) -> bool {
-        matches!(self.outcomes[node], Some(Outcome::Refused(_)))
+        matches!(self.state.outcomes[node], Some(Outcome::Refused(_)))
     }
 
     /// An element that stands in no network.
     pub(super) fn lose(&mut self, node: usize, why: &str) {
         self.refuse(node, why);
-        self.comments.push(format!(
+        self.next.comments.push(format!(
             "{}: not translated",
             blocks::shown(&self.graph.nodes[node])
         ));
@@ -524,7 +463,7 @@ impl<'b> Body<'b> {
 
     /// An element says nearly the same.
     pub(super) fn note(&mut self, node: usize, why: &str) {
-        let outcome = &mut self.outcomes[node];
+        let outcome = &mut self.state.outcomes[node];
         if outcome.is_none() {
             *outcome = Some(Outcome::Approximated(why.to_owned()));
         }
@@ -537,7 +476,8 @@ impl<'b> Body<'b> {
     /// What stands nowhere is not left out in silence.
     fn lost(&mut self) {
         for node in 0..self.graph.nodes.len() {
-            let is_told = self.seen[node] || self.merged[node] || self.outcomes[node].is_some();
+            let is_told =
+                self.state.seen[node] || self.state.merged[node] || self.state.outcomes[node].is_some();
             let draws = !matches!(
                 self.graph.nodes[node].kind,
                 Kind::LeftRail
@@ -549,7 +489,7 @@ impl<'b> Body<'b> {
             );
             if draws && !is_told {
                 self.refuse(node, "it is part of what is not translated");
-                self.comments.push(format!(
+                self.next.comments.push(format!(
                     "{}: not translated",
                     blocks::shown(&self.graph.nodes[node])
                 ));
@@ -558,7 +498,7 @@ impl<'b> Body<'b> {
     }
 
     fn report(&mut self) {
-        for (node, outcome) in std::mem::take(&mut self.outcomes).into_iter().enumerate() {
+        for (node, outcome) in std::mem::take(&mut self.state.outcomes).into_iter().enumerate() {
             let drawn = &self.graph.nodes[node];
             let shown = blocks::shown(drawn);
             let report = &mut self.reading.report;

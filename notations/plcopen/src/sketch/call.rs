@@ -31,7 +31,7 @@ impl Body<'_> {
                     }
                 };
                 match instance {
-                    Ok(instance) => drop(self.instances.insert(node, instance)),
+                    Ok(instance) => drop(self.tags.instances.insert(node, instance)),
                     Err(why) => self.refuse(node, why),
                 }
             }
@@ -59,7 +59,7 @@ impl Body<'_> {
             Class::Value(mnemonic) => {
                 let mut given = operand_pins(self, node).into_iter();
                 let given = given.find_map(|pin| {
-                    let form = self.operands.get(&(node, pin))?.form();
+                    let form = self.tags.operands.get(&(node, pin))?.form();
                     matches!(form, Form::Formula | Form::Milliseconds).then_some(form)
                 });
                 let mnemonic = match given {
@@ -107,7 +107,7 @@ impl Body<'_> {
         let pins = operand_pins(self, node).into_iter();
         let pins = pins.filter(|pin| !self.graph.nodes[node].inputs[*pin].from.is_empty());
         pins.map(|pin| {
-            let operand = self.operands.get(&(node, pin));
+            let operand = self.tags.operands.get(&(node, pin));
             let operand = operand.ok_or_else(|| "one of its inputs is not known".to_owned())?;
             Ok(operand.value.clone())
         })
@@ -116,12 +116,12 @@ impl Body<'_> {
 
     fn result(&self, node: usize) -> Result<&Path, String> {
         let output = result_output(&self.graph.nodes[node]).ok_or("it has no output")?;
-        let tag = self.results.get(&End { node, output });
+        let tag = self.tags.results.get(&End { node, output });
         tag.ok_or_else(|| "nothing takes its result".to_owned())
     }
 
     fn instance(&self, node: usize) -> Result<&Path, String> {
-        let instance = self.instances.get(&node);
+        let instance = self.tags.instances.get(&node);
         instance.ok_or_else(|| "it has no name".to_owned())
     }
 
@@ -136,7 +136,7 @@ impl Body<'_> {
         for (pin, name) in pins {
             let mut inputs = self.graph.nodes[node].inputs.iter();
             let index = inputs.position(|input| standard::is_pin(&input.name, pin));
-            let operand = index.and_then(|index| self.operands.get(&(node, index)));
+            let operand = index.and_then(|index| self.tags.operands.get(&(node, index)));
             let value = operand.map(|operand| operand.value.clone());
             match (value, name) {
                 (Some(value), Some(name)) => operands.push(Operand::Given((*name).to_owned(), value)),
@@ -169,7 +169,7 @@ impl Body<'_> {
             if is_enable(&pin.name) || named_in_unit(self, node, &pin.name) == Some("EN") {
                 continue;
             }
-            let Some(operand) = self.operands.get(&(node, index)) else {
+            let Some(operand) = self.tags.operands.get(&(node, index)) else {
                 continue;
             };
             let known = block
@@ -193,7 +193,7 @@ impl Body<'_> {
         if kind == UnitKind::Function {
             let first = result_output(&self.graph.nodes[node]);
             for (output, pin) in self.graph.nodes[node].outputs.iter().enumerate() {
-                let Some(tag) = self.results.get(&End { node, output }) else {
+                let Some(tag) = self.tags.results.get(&End { node, output }) else {
                     continue;
                 };
                 // The result is called OUT, or as the function, or not at all.
@@ -222,10 +222,10 @@ impl Body<'_> {
 
     /// The tag that holds the power after a block.
     pub(super) fn holder(&mut self, end: End) -> Path {
-        if let Some(tag) = self.holders.get(&end) {
+        if let Some(tag) = self.tags.holders.get(&end) {
             return tag.clone();
         }
-        let tag = match (self.class(end.node), self.instances.get(&end.node)) {
+        let tag = match (self.class(end.node), self.tags.instances.get(&end.node)) {
             // The tag of the edge detector itself, which is declared where it is read.
             (Some(Class::Standard(_)), Some(instance)) => {
                 self.made.needed.insert(instance.root.to_lowercase());
@@ -233,7 +233,7 @@ impl Body<'_> {
             }
             _ => self.helper("power", "BOOL", "the power after a block"),
         };
-        self.holders.insert(end, tag.clone());
+        self.tags.holders.insert(end, tag.clone());
         tag
     }
 
@@ -243,7 +243,7 @@ impl Body<'_> {
             self.class(node),
             Some(Class::Standard(StandardBlock::Rising | StandardBlock::Falling))
         );
-        let instance = self.instances.get(&node).filter(|_| is_trigger);
+        let instance = self.tags.instances.get(&node).filter(|_| is_trigger);
         instance.is_some_and(|instance| self.made.needed.contains(&instance.root.to_lowercase()))
     }
 }

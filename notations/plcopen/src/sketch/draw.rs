@@ -103,7 +103,7 @@ impl Drawn {
         // What conditions decide may not be held where it stands: then it is in pieces, and in the end they are asked again.
         let is_held = body.made.helpers.len() > helpers;
         body.made.helpers.truncate(helpers);
-        if is_held && !body.is_in_pieces {
+        if is_held && !body.next.is_in_pieces {
             return Ok(None);
         }
         Drawn::holding(body, targets, false)
@@ -146,8 +146,11 @@ impl Drawn {
         } = pencil;
         let length: usize = elements.iter().map(|element| element.to_string().len() + 4).sum();
         let characters = length * wires.len();
-        body.characters += characters;
-        if elements.len() > MOST_ELEMENTS || characters > MOST_CHARACTERS || body.characters > MOST_IN_ALL {
+        body.state.characters += characters;
+        if elements.len() > MOST_ELEMENTS
+            || characters > MOST_CHARACTERS
+            || body.state.characters > MOST_IN_ALL
+        {
             return Ok(None);
         }
         let done = |circuit| Drawn {
@@ -270,9 +273,9 @@ impl Pencil<'_, '_> {
                 }
             }
             Kind::Variable(text, negated) => {
-                if let Some(value) = self.body.operands.get(&(node, 0)).cloned() {
+                if let Some(value) = self.body.tags.operands.get(&(node, 0)).cloned() {
                     let block = at(node, self.body.moved(text, *negated, value))?;
-                    let before = match self.body.guards.get(&node).copied() {
+                    let before = match self.body.tags.guards.get(&node).copied() {
                         Some(end) => self.end(end, RAIL)?,
                         None => RAIL,
                     };
@@ -331,7 +334,7 @@ impl Pencil<'_, '_> {
         }
         if modifier != Modifier::default()
             && start != RAIL
-            && let Some(operand) = self.body.operands.get(&(node, pin))
+            && let Some(operand) = self.body.tags.operands.get(&(node, pin))
         {
             let contact = Block::contact(operand.value.clone());
             return Ok(self.series(start, [contact], node));
@@ -398,10 +401,10 @@ impl Pencil<'_, '_> {
     fn has_tag(&self, end: End) -> bool {
         let is_named = match self.body.graph.nodes[end.node].kind {
             Kind::Value(..) | Kind::Variable(..) => true,
-            Kind::Block { .. } => self.body.executed[end.node],
+            Kind::Block { .. } => self.body.state.executed[end.node],
             _ => false,
         };
-        self.body.results.contains_key(&end) || (self.body.is_in_pieces && is_named)
+        self.body.tags.results.contains_key(&end) || (self.body.next.is_in_pieces && is_named)
     }
 
     /// The point that an output is.
@@ -434,7 +437,7 @@ impl Pencil<'_, '_> {
                 if self.body.is_refused(node) {
                     return Ok(self.stand_in(before, node));
                 }
-                let contacts = match self.body.edges.get(&node) {
+                let contacts = match self.body.tags.edges.get(&node) {
                     Some(tag) => vec![Block::contact(tag)],
                     None => self.contact(node, text, *modifier, before == RAIL)?,
                 };
@@ -459,7 +462,7 @@ impl Pencil<'_, '_> {
 
     /// A contact on the tag that a network above put the power of an output into.
     fn held_before(&mut self, end: End, start: usize) -> Option<usize> {
-        let contact = Block::contact(self.body.results.get(&end)?);
+        let contact = Block::contact(self.body.tags.results.get(&end)?);
         Some(self.series(start, [contact], end.node))
     }
 
@@ -484,7 +487,7 @@ impl Pencil<'_, '_> {
             });
         }
         let is_power = power_output(self.body, node) == Some(end.output);
-        if self.body.executed[node] || !is_power || start != RAIL {
+        if self.body.state.executed[node] || !is_power || start != RAIL {
             return self.referenced(end, start);
         }
         let point = self.block(node)?;
@@ -516,7 +519,7 @@ impl Pencil<'_, '_> {
             self.stand_in(point, node)
         } else {
             let mut blocks = at(node, self.body.blocks(node))?;
-            blocks.extend(self.body.moves.get(&node).into_iter().flatten().cloned());
+            blocks.extend(self.body.tags.moves.get(&node).into_iter().flatten().cloned());
             self.series(point, blocks, node)
         };
         self.executed.push(node);
@@ -540,7 +543,7 @@ impl Pencil<'_, '_> {
     fn hold(&mut self, end: End) {
         let has_tag = match self.body.class(end.node) {
             Some(Class::Standard(StandardBlock::Stateful(..))) => true,
-            _ => self.body.results.contains_key(&end),
+            _ => self.body.tags.results.contains_key(&end),
         };
         if has_tag || self.body.is_refused(end.node) || self.held.iter().any(|(held, _)| *held == end) {
             return;
@@ -555,7 +558,7 @@ impl Pencil<'_, '_> {
         for node in self.executed.clone() {
             if let Some(output) = power_output(self.body, node) {
                 let end = End { node, output };
-                let mut guards = self.body.guards.iter();
+                let mut guards = self.body.tags.guards.iter();
                 let is_guard = guards.any(|(user, guard)| *guard == end && !self.done.contains(user));
                 if is_guard || self.body.goes_on_from(end, &self.done) {
                     self.hold(end);

@@ -16,7 +16,7 @@ impl Body<'_> {
         let is_rail = |end: &End| self.graph.nodes[end.node].kind == Kind::LeftRail;
         let mut pins = self.graph.nodes[node].inputs.iter();
         let may_be_low = pins.any(|pin| is_enable(&pin.name) && !pin.from.iter().any(is_rail));
-        let uses = self.uses.get(&end).map_or(&[][..], Vec::as_slice);
+        let uses = self.facts.uses.get(&end).map_or(&[][..], Vec::as_slice);
         let is_variable = |user: &usize| matches!(self.graph.nodes[*user].kind, Kind::Variable(..));
         if !self.shared.is_compiled || !may_be_low || uses.iter().all(is_variable) {
             return Ok(());
@@ -41,7 +41,7 @@ impl Body<'_> {
         let mut waiting = vec![end];
         for _ in 0..self.graph.nodes.len() {
             let end = waiting.pop()?;
-            for user in self.uses.get(&end).into_iter().flatten() {
+            for user in self.facts.uses.get(&end).into_iter().flatten() {
                 let found = match &self.graph.nodes[*user].kind {
                     Kind::Variable(text, _) => self.operand(text).ok().and_then(|operand| operand.ty),
                     Kind::Block { .. } if matches!(self.class(*user), Some(Class::Value(_))) => {

@@ -10,6 +10,7 @@ mod enabled;
 mod initial;
 mod power;
 mod prepare;
+mod state;
 mod tasks;
 mod turns;
 mod units;

@@ -90,7 +90,7 @@ impl Pencil<'_, '_> {
             Form::NotPath(tag) => contact_on(tag, !negated),
             Form::Milliseconds => return Err((end.node, "it is no power".to_owned())),
             Form::Formula => {
-                let tag = self.body.results.get(&end);
+                let tag = self.body.tags.results.get(&end);
                 let tag = tag.ok_or_else(|| (end.node, "its value is not known here".to_owned()))?;
                 contact_on(tag, negated)
             }
@@ -168,7 +168,7 @@ impl Pencil<'_, '_> {
                 if let Some(point) = self.inverted(node, 0, start)? {
                     return Ok(point);
                 }
-                if let (true, Some(operand)) = (start != RAIL, self.body.operands.get(&(node, 0))) {
+                if let (true, Some(operand)) = (start != RAIL, self.body.tags.operands.get(&(node, 0))) {
                     let contact = Block::negated_contact(operand.value.clone());
                     return Ok(self.series(start, [contact], node));
                 }

@@ -54,7 +54,7 @@ impl Body<'_> {
         let Some(first) = from.first().copied() else {
             return true;
         };
-        if self.guards.contains_key(&node) {
+        if self.tags.guards.contains_key(&node) {
             return false;
         }
         self.is_power(first).unwrap_or_else(|| {
@@ -84,7 +84,7 @@ impl Body<'_> {
             .outputs
             .get(output)
             .is_some_and(|it| it.negated);
-        if is_negated && !inline && !self.results.contains_key(&end) {
+        if is_negated && !inline && !self.tags.results.contains_key(&end) {
             let tag = self.helper("inverted", "BOOL", "what leaves a gate");
             self.flush();
             self.network(&[Target::End(end, tag)]);
@@ -95,7 +95,7 @@ impl Body<'_> {
     fn prepare_inversion(&mut self, node: usize, pin: usize, inline: bool, seen: &mut Seen) {
         let is_not = self.class(node) == Some(Class::Gate(Gate::Not));
         let is_modified = self.graph.nodes[node].inputs[pin].modifier != Modifier::default();
-        let is_kept = inline || self.operands.contains_key(&(node, pin));
+        let is_kept = inline || self.tags.operands.contains_key(&(node, pin));
         if is_kept || !(is_not || is_modified) || self.invertible(node, pin).is_some() {
             return;
         }
@@ -121,7 +121,7 @@ impl Body<'_> {
             }
             _ => false,
         };
-        (is_invertible && !self.is_refused(end.node) && !self.results.contains_key(end)).then_some(*end)
+        (is_invertible && !self.is_refused(end.node) && !self.tags.results.contains_key(end)).then_some(*end)
     }
 
     fn prepare_pin(&mut self, node: usize, pin: usize, inline: bool, seen: &mut Seen) {
@@ -151,12 +151,12 @@ impl Body<'_> {
                 if !class.acts() {
                     return self.prepare_condition(node, inline, seen);
                 }
-                if self.executed[node] {
+                if self.state.executed[node] {
                     return;
                 }
                 self.prepare_block(node, class, seen);
                 let stands_in_wire = inline && power_output(self, node) == Some(end.output);
-                if !stands_in_wire && !self.executed[node] {
+                if !stands_in_wire && !self.state.executed[node] {
                     self.execute(node);
                 }
             }
@@ -167,13 +167,13 @@ impl Body<'_> {
     /// A block is written in a network of its own.
     pub(super) fn execute(&mut self, node: usize) {
         self.flush();
-        if !self.executed[node] {
+        if !self.state.executed[node] {
             self.take_turns(node);
         }
         // It may have stood in the network that is written now.
-        if !self.executed[node] && !self.network(&[Target::Root(node)]) {
+        if !self.state.executed[node] && !self.network(&[Target::Root(node)]) {
             self.in_pieces(Target::Root(node));
-            self.executed[node] = true;
+            self.state.executed[node] = true;
         }
     }
 
@@ -196,7 +196,7 @@ impl Body<'_> {
         }
         for pin in operand_pins(self, node) {
             let is_wired = !self.graph.nodes[node].inputs[pin].from.is_empty();
-            if is_wired && !self.operands.contains_key(&(node, pin)) {
+            if is_wired && !self.tags.operands.contains_key(&(node, pin)) {
                 self.direct(node, pin, seen)?;
             }
         }
@@ -222,10 +222,10 @@ impl Body<'_> {
         for output in 0..self.graph.nodes[node].outputs.len() {
             let end = End { node, output };
             let is_power = power_output(self, node) == Some(output);
-            if is_power || self.results.contains_key(&end) {
+            if is_power || self.tags.results.contains_key(&end) {
                 continue;
             }
-            let uses = self.uses.get(&end).cloned().unwrap_or_default();
+            let uses = self.facts.uses.get(&end).cloned().unwrap_or_default();
             if (output != first || class == Class::Unknown) && uses.is_empty() {
                 continue;
             }
@@ -257,10 +257,12 @@ impl Body<'_> {
                 .any(|pin| is_enable(&pin.name));
             if let (true, Some(output)) = (is_enabled, power_output(self, node)) {
                 let end = End { node, output };
-                self.guards.extend(late.into_iter().map(|(user, ..)| (user, end)));
+                self.tags
+                    .guards
+                    .extend(late.into_iter().map(|(user, ..)| (user, end)));
             }
             let tag = if let ([(user, tag, _)], true) = (&variables[..], uses.len() == 1) {
-                self.merged[*user] = true;
+                self.state.merged[*user] = true;
                 tag.clone()
             } else {
                 let ty = self.out_type(end).or(taken).or_else(|| self.type_taken(end));
@@ -276,14 +278,14 @@ impl Body<'_> {
                 // Without power at EN nothing is written.
                 if is_enabled {
                     for (user, variable, _) in variables {
-                        self.merged[user] = true;
+                        self.state.merged[user] = true;
                         let block = Block::of(Op::Mov, [&variable, &tag])?;
-                        self.moves.entry(node).or_default().push(block);
+                        self.tags.moves.entry(node).or_default().push(block);
                     }
                 }
                 tag
             };
-            self.results.insert(end, tag);
+            self.tags.results.insert(end, tag);
         }
         Ok(())
     }
@@ -291,9 +293,9 @@ impl Body<'_> {
     /// The operand at a pin: the variable or value that is wired to it, or a tag with what comes there.
     fn direct(&mut self, node: usize, pin: usize, seen: &mut Seen) -> Result<Typed, String> {
         let operand = self.find_direct(node, pin, seen)?;
-        self.operands.insert((node, pin), operand.clone());
+        self.tags.operands.insert((node, pin), operand.clone());
         for end in &self.graph.nodes[node].inputs[pin].from {
-            self.seen[end.node] = true;
+            self.state.seen[end.node] = true;
         }
         Ok(operand)
     }
@@ -379,6 +381,7 @@ impl Body<'_> {
             return false;
         };
         let taken = self
+            .facts
             .uses
             .get(&End { node, output })
             .map_or(&[][..], Vec::as_slice);
@@ -406,7 +409,7 @@ impl Body<'_> {
         let written = self.type_text(&ty)?;
         let tag = self.helper("value", &written, "the value of an expression");
         self.flush();
-        self.results.insert(end, tag.clone());
+        self.tags.results.insert(end, tag.clone());
         self.network(&[Target::Value(end, tag.clone())]);
         Ok(Typed::of(tag, Some(ty)))
     }
@@ -418,13 +421,13 @@ impl Body<'_> {
             .outputs
             .get(end.output)
             .map_or("", |output| output.name.as_str());
-        if let Some(tag) = self.results.get(&end) {
+        if let Some(tag) = self.tags.results.get(&end) {
             return Ok(tag.clone());
         }
         let Kind::Block { name, .. } = &node.kind else {
             return Err("what feeds it has no result".to_owned());
         };
-        match (self.class(end.node), self.instances.get(&end.node).cloned()) {
+        match (self.class(end.node), self.tags.instances.get(&end.node).cloned()) {
             (Some(Class::Standard(standard::StandardBlock::Stateful(mnemonic, ..))), Some(instance)) => {
                 let output = if output.is_empty() {
                     standard::power_output(standard::StandardBlock::Stateful(mnemonic, "", &[])).to_owned()

@@ -32,19 +32,21 @@ impl Body<'_> {
         let nodes = 0..self.graph.nodes.len();
         for node in nodes.clone() {
             for tag in self.reads(node) {
-                self.readers.entry(tag).or_default().push(node);
+                self.facts.readers.entry(tag).or_default().push(node);
             }
             for tag in self.writes(node) {
-                self.writers.entry(tag).or_default().push(node);
+                self.facts.writers.entry(tag).or_default().push(node);
             }
         }
-        for (place, node) in self.order.iter().enumerate() {
-            self.places[*node] = place;
+        for (place, node) in self.facts.order.iter().enumerate() {
+            self.facts.places[*node] = place;
         }
-        self.has_falls = nodes.clone().any(|node| self.falls(node));
+        self.facts.has_falls = nodes.clone().any(|node| self.falls(node));
         let is_block = |node: &usize| matches!(self.graph.nodes[*node].kind, Kind::Block { .. });
         let states = nodes.filter(is_block).flat_map(|node| self.writes(node));
-        self.has_turns = states.into_iter().any(|tag| self.readers.contains_key(&tag));
+        self.facts.has_turns = states
+            .into_iter()
+            .any(|tag| self.facts.readers.contains_key(&tag));
     }
 
     /// The tags that an element reads by name, in small letters.
@@ -60,7 +62,7 @@ impl Body<'_> {
         match &self.graph.nodes[node].kind {
             Kind::Coil(text, ..) | Kind::Variable(text, _) => self.tags(text),
             Kind::Block { .. } => {
-                let instance = self.instances.get(&node).into_iter();
+                let instance = self.tags.instances.get(&node).into_iter();
                 instance.map(|tag| tag.root.to_lowercase()).collect()
             }
             _ => Vec::new(),
@@ -98,7 +100,7 @@ impl Body<'_> {
             let pins = self.graph.nodes[node].inputs.iter();
             let ends: Vec<&End> = pins.flat_map(|pin| &pin.from).collect();
             let ends = ends.into_iter().rev().filter(|end| {
-                let is_above = self.executed[end.node] || self.results.contains_key(end);
+                let is_above = self.state.executed[end.node] || self.tags.results.contains_key(end);
                 !is_above && !self.graph.feedback.contains(&(node, **end))
             });
             waiting.extend(ends.map(|end| (end.node, false)));
@@ -108,11 +110,11 @@ impl Body<'_> {
 
     /// Runs what feeds an element one by one, if it would run otherwise in one network.
     pub(super) fn take_turns(&mut self, node: usize) -> bool {
-        if !self.has_turns {
+        if !self.facts.has_turns {
             return false;
         }
         let before = self.before(node);
-        self.work += before.seen.len();
+        self.state.work += before.seen.len();
         let is_block = |node: &&usize| matches!(self.graph.nodes[**node].kind, Kind::Block { .. });
         let mut blocks = before.turns.iter().filter(is_block);
         if !blocks.any(|block| self.is_read_out_of_turn(*block, node, &before)) {
@@ -229,7 +231,7 @@ impl Body<'_> {
             .any(|tag| reads.contains(&tag));
         let output = power_output(self, block).unwrap_or(0);
         let end = End { node: block, output };
-        if is_written && !self.results.contains_key(&end) && !self.is_refused(block) {
+        if is_written && !self.tags.results.contains_key(&end) && !self.is_refused(block) {
             self.prepare(block);
             let tag = self.helper("decided", "BOOL", "what a condition decided");
             self.network(&[Target::End(end, tag)]);
@@ -241,7 +243,7 @@ impl Body<'_> {
         let Kind::Contact(_, modifier) = self.graph.nodes[contact].kind else {
             return;
         };
-        if self.edges.contains_key(&contact) || self.is_refused(contact) {
+        if self.tags.edges.contains_key(&contact) || self.is_refused(contact) {
             return;
         }
         let (like, comment) = match modifier.edge {
@@ -250,7 +252,7 @@ impl Body<'_> {
         };
         let tag = self.helper(like, "BOOL", comment);
         if self.network(&[Target::Edge(contact, tag.clone())]) {
-            self.edges.insert(contact, tag);
+            self.tags.edges.insert(contact, tag);
         }
     }
 
@@ -258,7 +260,7 @@ impl Body<'_> {
     /// first scan, as the standard has it, so that a network above does.
     pub(super) fn falls_within(&self, root: usize, pin: Option<usize>) -> Vec<usize> {
         let mut falls = Vec::new();
-        if !self.has_falls {
+        if !self.facts.has_falls {
             return falls;
         }
         let mut met = HashSet::new();
@@ -285,7 +287,7 @@ impl Body<'_> {
                 && matches!(class, Some(class) if class.acts() || class == Class::Gate(Gate::And));
             for (number, pin) in pins.into_iter().enumerate() {
                 let ends = drawn.inputs[pin].from.iter().filter(|end| {
-                    let is_above = self.executed[end.node] || self.results.contains_key(end);
+                    let is_above = self.state.executed[end.node] || self.tags.results.contains_key(end);
                     !is_above && !self.graph.feedback.contains(&(node, **end))
                 });
                 waiting.extend(ends.map(|end| (end.node, None, is_at_rail && !(is_series && number > 0))));
@@ -298,8 +300,8 @@ impl Body<'_> {
     fn falls(&self, node: usize) -> bool {
         let drawn = &self.graph.nodes[node];
         matches!(drawn.kind, Kind::Contact(_, modifier) if modifier.edge == Edge::Falling && !modifier.negated)
-            && !self.edges.contains_key(&node)
-            && !self.results.contains_key(&End { node, output: 0 })
+            && !self.tags.edges.contains_key(&node)
+            && !self.tags.results.contains_key(&End { node, output: 0 })
     }
 
     /// Networks above the next one for the falls in it; comes back with their contacts.
@@ -323,13 +325,13 @@ impl Body<'_> {
     /// Whether power that leaves an output comes to something that stands in no network yet, and not in this one.
     pub(super) fn goes_on_from(&self, end: End, here: &HashSet<usize>) -> bool {
         let mut met = HashSet::new();
-        let mut waiting: Vec<usize> = self.uses.get(&end).cloned().unwrap_or_default();
+        let mut waiting: Vec<usize> = self.facts.uses.get(&end).cloned().unwrap_or_default();
         while let Some(user) = waiting.pop() {
-            if !met.insert(user) || self.merged[user] {
+            if !met.insert(user) || self.state.merged[user] {
                 continue;
             }
             let is_root = self.is_root(user);
-            if is_root && !here.contains(&user) && !self.executed[user] && !self.seen[user] {
+            if is_root && !here.contains(&user) && !self.state.executed[user] && !self.state.seen[user] {
                 return true;
             }
             // Power goes through coils and stops at blocks.
@@ -343,16 +345,22 @@ impl Body<'_> {
     /// Whether a variable takes the result of a block later than the block makes it: something that has its turn between the two
     /// reads or writes the same tag, and not only for the block.
     pub(super) fn is_written_later(&self, block: usize, user: usize, tag: &Path) -> bool {
-        let end = Some(self.places[user]).filter(|place| *place >= self.turn);
-        let between = self.turn..end.unwrap_or(self.order.len());
-        let is_between = |node: usize| between.contains(&self.places[node]);
+        let end = Some(self.facts.places[user]).filter(|place| *place >= self.state.turn);
+        let between = self.state.turn..end.unwrap_or(self.facts.order.len());
+        let is_between = |node: usize| between.contains(&self.facts.places[node]);
         let tags = reads(&tag.into());
-        let mut writers = tags.iter().filter_map(|name| self.writers.get(name)).flatten();
+        let mut writers = tags
+            .iter()
+            .filter_map(|name| self.facts.writers.get(name))
+            .flatten();
         if writers.any(|node| is_between(*node)) {
             return true;
         }
         let mut met = HashSet::new();
-        let readers = tags.iter().filter_map(|name| self.readers.get(name)).flatten();
+        let readers = tags
+            .iter()
+            .filter_map(|name| self.facts.readers.get(name))
+            .flatten();
         let mut waiting: Vec<usize> = readers.copied().collect();
         while let Some(node) = waiting.pop() {
             if node == block || node == user || !met.insert(node) {
@@ -369,7 +377,7 @@ impl Body<'_> {
     /// What takes what leaves an element.
     fn users(&self, node: usize) -> impl Iterator<Item = usize> {
         let outputs = 0..self.graph.nodes[node].outputs.len();
-        let users = outputs.filter_map(move |output| self.uses.get(&End { node, output }));
+        let users = outputs.filter_map(move |output| self.facts.uses.get(&End { node, output }));
         users.flatten().copied()
     }
 
@@ -389,6 +397,9 @@ impl Body<'_> {
             return false;
         }
         let before = self.before(end.node);
-        before.reads.iter().any(|tag| self.writers.contains_key(tag))
+        before
+            .reads
+            .iter()
+            .any(|tag| self.facts.writers.contains_key(tag))
     }
 }

@@ -59,7 +59,7 @@ pub(super) fn unit_items(
     if unit.kind == UnitKind::Program {
         made.items.extend(unit.comment.iter().cloned().map(Item::Comment));
     }
-    let whole = whole(shared, project, unit, &made.scope, reading);
+    let whole = whole(shared, unit, &made.scope, reading);
     let about = whole.as_ref().map(|(language, _)| {
         let what = format!("{} ({language})", unit.name);
         (format!("{what} is not read: {UNREAD}."), what)
@@ -84,10 +84,10 @@ pub(super) fn unit_items(
     } else {
         made.actions = actions(shared, project, unit, reading);
         if let Body::Graph(graph) = &unit.body {
-            Networks::draw(shared, project.evaluation, graph, &mut made, reading);
+            Networks::draw(shared, graph, &mut made, reading);
         }
         for part in &unit.parts {
-            part_items(shared, project, (unit, part), (place, when), &mut made, reading);
+            part_items(shared, (unit, part), (place, when), &mut made, reading);
         }
     }
     let Made {
@@ -126,7 +126,6 @@ pub(super) fn network(block: Block, place: ladder_notation::LineColumn, reading:
 /// with that what comes after it.
 fn whole(
     shared: &Shared<'_>,
-    project: &Project,
     unit: &Unit,
     scope: &Scope,
     reading: &mut Reading,
@@ -139,7 +138,7 @@ fn whole(
             let lines: Vec<&str> = shown.iter().map(|(_, said)| said.as_str()).collect();
             ("SFC", lines.join("\n"))
         }
-        body if bodies.any(may_leave) => ("LD", text_of(shared, project, body, scope, reading)),
+        body if bodies.any(may_leave) => ("LD", text_of(shared, body, scope, reading)),
         _ => return None,
     };
     let shown = format!("body of {}", unit.name);
@@ -153,7 +152,7 @@ fn whole(
             scope.declare(&part.name, &Type::Named("BOOL".to_owned()), "");
         }
         let shown = format!("{} {}", part.what, part.name);
-        let text = text_of(shared, project, &part.body, &scope, reading);
+        let text = text_of(shared, &part.body, &scope, reading);
         all.push_str(&format!("\n\n{shown}:\n{text}"));
         let why = format!("it is part of what is not read: {UNREAD}");
         reading.report.approximated(part.place, shown, why);
@@ -184,7 +183,7 @@ fn actions(
         let block = shared.blocks.get(&owner.name.to_lowercase());
         let scope = block.map_or_else(|| shared.program(owner, None), |block| block.scope.clone());
         for part in parts {
-            let text = text_of(shared, project, &part.body, &scope, reading);
+            let text = text_of(shared, &part.body, &scope, reading);
             let all = actions.entry(action_name(&part.name)).or_default();
             all.push_str(&format!("{} of {}:\n{text}\n", part.name, owner.name));
         }
@@ -212,13 +211,7 @@ fn may_leave(body: &Body) -> bool {
 }
 
 /// What is in a body, as a text: of what is drawn the ladder that it is here.
-fn text_of(
-    shared: &Shared<'_>,
-    project: &Project,
-    body: &Body,
-    scope: &Scope,
-    reading: &mut Reading,
-) -> String {
+fn text_of(shared: &Shared<'_>, body: &Body, scope: &Scope, reading: &mut Reading) -> String {
     match body {
         Body::Empty => String::new(),
         Body::Text(_, text) | Body::Ladder(text) => text.clone(),
@@ -229,7 +222,7 @@ fn text_of(
         Body::Graph(graph) => {
             let mut aside = Reading::default();
             let mut made = Made::of(scope.clone());
-            Networks::draw(shared, project.evaluation, graph, &mut made, &mut aside);
+            Networks::draw(shared, graph, &mut made, &mut aside);
             // What cannot be drawn is in no text either.
             let mut entries = aside.report.entries;
             entries.retain(|entry| matches!(entry.outcome, Outcome::Refused(_)));
@@ -244,7 +237,6 @@ fn text_of(
 /// A further body, or an action, which is a function that nothing calls, and in a block stands after its end.
 fn part_items(
     shared: &Shared<'_>,
-    project: &Project,
     (unit, part): (&Unit, &Part),
     (place, when): (Place, When<'_>),
     made: &mut Made,
@@ -253,10 +245,10 @@ fn part_items(
     let shown = format!("{} {}", part.what, part.name);
     if part.what == WORKSHEET {
         match &part.body {
-            Body::Graph(graph) => Networks::draw(shared, project.evaluation, graph, made, reading),
+            Body::Graph(graph) => Networks::draw(shared, graph, made, reading),
             Body::Empty => {}
             body => {
-                let text = text_of(shared, project, body, &made.scope, reading);
+                let text = text_of(shared, body, &made.scope, reading);
                 let name = format!("{shown} of {}", unit.name);
                 let part_of = Unread {
                     name: &name,
@@ -284,7 +276,7 @@ fn part_items(
     };
     reading.report.approximated(part.place, shown.clone(), why);
     let Body::Graph(graph) = &part.body else {
-        let text = text_of(shared, project, &part.body, &made.scope, reading);
+        let text = text_of(shared, &part.body, &made.scope, reading);
         made.items
             .extend([Item::Blank, Item::Comment(format!("{shown}:\n{text}"))]);
         return;
@@ -297,5 +289,5 @@ fn part_items(
     made.items.extend([Item::Blank, Item::Comment(shown)]);
     let [_, begin] = network(block, part.place, reading);
     made.items.push(begin);
-    Networks::draw(shared, project.evaluation, graph, made, reading);
+    Networks::draw(shared, graph, made, reading);
 }

@@ -45,12 +45,12 @@ impl Body<'_> {
         let inputs = inputs
             .filter(|(pin, _)| !power.contains(pin))
             .filter_map(|(number, pin)| {
-                let operand = self.operands.get(&(node, number))?;
+                let operand = self.tags.operands.get(&(node, number))?;
                 Some(format!("{} := {}", pin.name, operand.value))
             });
         let outputs = self.graph.nodes[node].outputs.iter().enumerate();
         let outputs = outputs.filter_map(|(output, pin)| {
-            let tag = self.results.get(&End { node, output })?;
+            let tag = self.tags.results.get(&End { node, output })?;
             Some(format!("{} => {tag}", pin.name))
         });
         let operands: Vec<String> = instance.iter().cloned().chain(inputs).chain(outputs).collect();
@@ -70,7 +70,7 @@ impl Body<'_> {
         let mut waiting = vec![end];
         for _ in 0..self.graph.nodes.len() {
             let end = waiting.pop()?;
-            for user in self.uses.get(&end).into_iter().flatten() {
+            for user in self.facts.uses.get(&end).into_iter().flatten() {
                 let drawn = &self.graph.nodes[*user];
                 let pin = drawn.inputs.iter().find(|pin| pin.from.contains(&end))?;
                 let found = match (&drawn.kind, self.class(*user)) {

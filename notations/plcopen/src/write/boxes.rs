@@ -3,30 +3,33 @@
 use super::compiler::Compiler;
 use super::declare::{named, scalar, state_name};
 use super::element::{FAULT, Power, Writer};
-use super::functions::Function;
 use super::rung::{Rung, modifier, pin};
 use super::text::{OF_BITS, OF_REALS};
 use super::touched::Touched;
 use crate::along;
 use crate::graph::{Edge, End, Pin};
 use crate::own;
+use crate::standard::Pins;
 use ladder_analysis::program::ParameterKind::{InOut, Input, Output};
 use ladder_analysis::program::{Argument, Bound, Expr, ExprKind};
 use ladder_analysis::values::types::{Scalar, Type, common};
 use ladder_instructions::{Instruction, Op};
 
+/// A function of the standard, by its name, with its inputs.
+type Function = (&'static str, Pins);
+
 impl Writer<'_> {
     /// The inputs of a function, from this operand on.
     fn inputs_as(
         &self,
-        rung: &mut Rung,
-        function: &Function,
+        rung: &mut Rung<'_>,
+        (function, pins): Function,
         from: usize,
         ty: Option<Scalar>,
     ) -> Result<Vec<Pin>, String> {
         let given = &self.block.arguments[from.min(self.block.arguments.len())..];
-        let names = function.pins.names(given.len());
-        let names = names.ok_or_else(|| format!("{} has another number of inputs there", function.name))?;
+        let names = pins.names(given.len());
+        let names = names.ok_or_else(|| format!("{function} has another number of inputs there"))?;
         let mut inputs = Vec::new();
         for (bound, name) in given.iter().zip(names) {
             let text = self.text(rung, bound)?;
@@ -44,7 +47,7 @@ impl Writer<'_> {
     }
 
     /// The inputs of a comparison, all of one type: compilers convert none.
-    pub(super) fn compared(&self, rung: &mut Rung, function: &Function) -> Result<Vec<Pin>, String> {
+    pub(super) fn compared(&self, rung: &mut Rung<'_>, function: Function) -> Result<Vec<Pin>, String> {
         let value = |bound: &Bound| match &bound.argument {
             Argument::Value(value) => Some((value.ty, matches!(value.kind, ExprKind::Constant(_)))),
             _ => None,
@@ -69,7 +72,7 @@ impl Writer<'_> {
     }
 
     /// A function with EN and ENO, and the variable that takes its result.
-    pub(super) fn function(&self, rung: &mut Rung, op: Op, function: &Function, power: Vec<End>) -> Power {
+    pub(super) fn function(&self, rung: &mut Rung<'_>, op: Op, function: Function, power: Vec<End>) -> Power {
         if matches!(
             op,
             Op::Div | Op::Mod | Op::Exp | Op::Mux | Op::Sqrt | Op::Ln | Op::Log | Op::Asin | Op::Acos
@@ -93,12 +96,12 @@ impl Writer<'_> {
         }
         let (of_time, is_time) = self.of_time(op);
         let name = match op {
-            _ if !self.is_strict() => function.name,
+            _ if !self.is_strict() => function.0,
             Op::Add if is_time => "ADD_TIME",
             Op::Sub if is_time => "SUB_TIME",
             Op::Mul if of_time => "MULTIME",
             Op::Div if of_time => "DIVTIME",
-            _ => function.name,
+            _ => function.0,
         };
         if let Op::Sub | Op::Div = op
             && self.block.arguments.len() > 3
@@ -160,7 +163,7 @@ impl Writer<'_> {
         (first, first && is_time(&self.block.arguments[2]))
     }
 
-    fn call(&self, rung: &mut Rung, name: &str, mut inputs: Vec<Pin>, power: Vec<End>) -> Power {
+    fn call(&self, rung: &mut Rung<'_>, name: &str, mut inputs: Vec<Pin>, power: Vec<End>) -> Power {
         let result = self.first_text(rung)?;
         inputs.insert(0, pin("EN", power));
         let end = rung.block((name, None), inputs, &["ENO", "OUT"], self.touched(), true);
@@ -176,7 +179,11 @@ impl Writer<'_> {
                     rung.variable(result, out, self.touched());
                     return Ok(vec![end]);
                 }
-                _ => return Err(format!("{name} makes an INT there: take it into an INT or a DINT")),
+                _ => {
+                    return Err(format!(
+                        "{name} makes an INT there: take it into an INT or a DINT"
+                    ));
+                }
             }
             let inputs = vec![pin("EN", vec![end]), pin("IN", vec![out])];
             let conversion = format!("INT_TO_{}", ty.name());
@@ -198,7 +205,7 @@ impl Writer<'_> {
     }
 
     /// An expression that a variable takes.
-    pub(super) fn formula(&self, rung: &mut Rung, op: Op, power: Vec<End>) -> Power {
+    pub(super) fn formula(&self, rung: &mut Rung<'_>, op: Op, power: Vec<End>) -> Power {
         let mut texts = Vec::new();
         for bound in &self.block.arguments[1..] {
             texts.push((self.text(rung, bound)?, bound));
@@ -265,7 +272,7 @@ impl Writer<'_> {
     }
 
     /// A timer, counter or bistable.
-    pub(super) fn state(&self, rung: &mut Rung, row: &Instruction, mut power: Vec<End>) -> Power {
+    pub(super) fn state(&self, rung: &mut Rung<'_>, row: &Instruction, mut power: Vec<End>) -> Power {
         let state = row.state().ok_or("it has no state")?;
         let name = state_name(state);
         let instance = self.first_text(rung)?;
@@ -315,8 +322,8 @@ impl Writer<'_> {
     }
 
     /// A block of one's own.
-    pub(super) fn user(&self, rung: &mut Rung, user: usize, power: Vec<End>) -> Power {
-        let known = &self.program.blocks[user];
+    pub(super) fn user(&self, rung: &mut Rung<'_>, user: usize, power: Vec<End>) -> Power {
+        let known = &self.unit.program.blocks[user];
         let face = self.faces.get(&known.name).ok_or("its block is not written")?;
         if let Some(why) = &face.broken {
             return Err(why.clone());
@@ -369,7 +376,7 @@ impl Writer<'_> {
             if let (Output, Some(bound)) = (parameter.kind, bound) {
                 // Compilers convert nothing on its way.
                 let conversion = match (
-                    self.program.tags[known.parameters[number].0.0 as usize].ty,
+                    self.unit.program.tags[known.parameters[number].0.0 as usize].ty,
                     &bound.argument,
                 ) {
                     (Type::Scalar(from), Argument::Place(_, to)) if from.name() != to.name() => {
@@ -382,7 +389,13 @@ impl Writer<'_> {
         }
         let touched = self.touched().anything();
         let outputs: Vec<&str> = outputs.iter().map(String::as_str).collect();
-        let end = rung.block((&face.name, Some(instance.clone())), inputs, &outputs, touched, true);
+        let end = rung.block(
+            (&face.name, Some(instance.clone())),
+            inputs,
+            &outputs,
+            touched,
+            true,
+        );
         for (output, text, conversion) in taken {
             let mut from = End { output, ..end };
             if let Some(name) = conversion {
@@ -414,7 +427,7 @@ fn type_name(ty: Scalar) -> String {
 
 /// A function block, and what asks for it.
 pub(super) fn function_block(
-    rung: &mut Rung,
+    rung: &mut Rung<'_>,
     (name, instance): (&str, String),
     inputs: Vec<Pin>,
     outputs: &[&str],

@@ -6,7 +6,7 @@ use super::touched::Touched;
 use crate::graph::{End, Modifier, Storage};
 
 /// The power that is not there.
-pub(super) fn invert(rung: &mut Rung, power: Vec<End>) -> End {
+pub(super) fn invert(rung: &mut Rung<'_>, power: Vec<End>) -> End {
     rung.block(
         ("NOT", None),
         vec![pin("IN", power)],
@@ -18,7 +18,7 @@ pub(super) fn invert(rung: &mut Rung, power: Vec<End>) -> End {
 
 /// A tag that is high in the scan in which power fell. The function block of the standard reports a fall in the first scan,
 /// the instruction does not.
-pub(super) fn fell_power(rung: &mut Rung, power: Vec<End>) -> String {
+pub(super) fn fell_power(rung: &mut Rung<'_>, power: Vec<End>) -> String {
     let again = power.clone();
     fell(
         rung,
@@ -33,9 +33,9 @@ pub(super) fn fell_power(rung: &mut Rung, power: Vec<End>) -> String {
 
 /// A tag that is high in the scan in which something fell: `low` passes power on while it is low, `high` is it.
 pub(super) fn fell(
-    rung: &mut Rung,
-    low: impl FnOnce(&mut Rung, Vec<End>) -> Vec<End>,
-    high: impl FnOnce(&mut Rung) -> Vec<End>,
+    rung: &mut Rung<'_>,
+    low: impl FnOnce(&mut Rung<'_>, Vec<End>) -> Vec<End>,
+    high: impl FnOnce(&mut Rung<'_>) -> Vec<End>,
 ) -> String {
     let none = Modifier::default();
     let was = rung.made("was", named("BOOL"), "what it was at the last evaluation");

@@ -5,15 +5,15 @@ use super::compiler::Compiler;
 use super::declare::named;
 use super::edge::{fell, fell_power, invert};
 use super::faces::Faces;
-use super::functions;
 use super::rung::{Rung, modifier, pin};
 use super::text::Words;
 use super::touched::Touched;
 use super::unit::Unit;
 use crate::graph::{Edge, End, Kind, Modifier, Storage};
 use crate::own;
+use crate::standard::function_of;
 use ladder_analysis::networks::BlockAt;
-use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Program};
+use ladder_analysis::program::{Argument, Block, BlockKind, Bound};
 use ladder_analysis::written::facts::{Node, NodeKind};
 use ladder_instructions::{Instruction, Op};
 
@@ -26,7 +26,6 @@ const JUMP: &str = "the generators of Beremiz and OpenPLC Editor up to 3 pass ov
 /// A block with what it is written from.
 pub(super) struct Writer<'w> {
     pub(super) unit: &'w Unit<'w>,
-    pub(super) program: &'w Program,
     pub(super) faces: &'w Faces,
     pub(super) block: &'w Block,
     pub(super) facts: BlockAt<'w>,
@@ -40,18 +39,18 @@ impl Writer<'_> {
     /// # Errors
     ///
     /// Why it has no counterpart.
-    pub(super) fn write(&self, rung: &mut Rung, power: Vec<End>) -> Power {
+    pub(super) fn write(&self, rung: &mut Rung<'_>, power: Vec<End>) -> Power {
         match self.block.kind {
             BlockKind::Instruction(row) => self.instruction(rung, row, power),
             BlockKind::User(user) => self.user(rung, user, power),
         }
     }
 
-    pub(super) fn words<'r>(&'r self, rung: &'r Rung) -> Words<'r> {
+    pub(super) fn words<'r>(&'r self, rung: &'r Rung<'_>) -> Words<'r> {
         Words {
             text: self.unit.text,
             base: self.facts.base,
-            names: &rung.names,
+            names: &rung.made.names,
             compiler: self.unit.compiler,
         }
     }
@@ -75,7 +74,7 @@ impl Writer<'_> {
     }
 
     /// An operand in ST.
-    pub(super) fn text(&self, rung: &Rung, bound: &Bound) -> Result<String, String> {
+    pub(super) fn text(&self, rung: &Rung<'_>, bound: &Bound) -> Result<String, String> {
         let node = self.node(bound)?;
         let words = self.words(rung);
         match &bound.argument {
@@ -91,7 +90,7 @@ impl Writer<'_> {
         }
     }
 
-    pub(super) fn first_text(&self, rung: &Rung) -> Result<String, String> {
+    pub(super) fn first_text(&self, rung: &Rung<'_>) -> Result<String, String> {
         let bound = self.block.arguments.first();
         self.text(rung, bound.ok_or("it has no operand")?)
     }
@@ -100,18 +99,18 @@ impl Writer<'_> {
         self.unit.text[self.facts.range()].to_owned()
     }
 
-    pub(super) fn remark(&self, rung: &mut Rung, why: &str) {
-        rung.remarks.push((self.shown(), why.to_owned()));
+    pub(super) fn remark(&self, rung: &mut Rung<'_>, why: &str) {
+        rung.made.remarks.push((self.shown(), why.to_owned()));
     }
 
     /// Says of a jump that generators leave it out.
-    fn passed_over(&self, rung: &mut Rung) {
+    fn passed_over(&self, rung: &mut Rung<'_>) {
         if self.unit.compiler == Compiler::Matiec {
             self.remark(rung, JUMP);
         }
     }
 
-    fn instruction(&self, rung: &mut Rung, row: &Instruction, power: Vec<End>) -> Power {
+    fn instruction(&self, rung: &mut Rung<'_>, row: &Instruction, power: Vec<End>) -> Power {
         let none = Modifier::default();
         let unknown = || Err(format!("the standard has no {}", row.block()));
         let touched = self.touched();
@@ -143,10 +142,11 @@ impl Writer<'_> {
             Op::FallingContact => {
                 let tag = self.first_text(rung)?;
                 let rail = vec![rung.rail()];
-                let low = |rung: &mut Rung, from| {
+                let low = |rung: &mut Rung<'_>, from| {
                     vec![rung.contact(&tag, modifier(true, Edge::None), from, touched.clone())]
                 };
-                let high = |rung: &mut Rung| vec![rung.contact(&tag, none, rail.clone(), touched.clone())];
+                let high =
+                    |rung: &mut Rung<'_>| vec![rung.contact(&tag, none, rail.clone(), touched.clone())];
                 let fell = fell(rung, low, high);
                 vec![rung.contact(&fell, none, power, Touched::default())]
             }
@@ -158,12 +158,12 @@ impl Writer<'_> {
                 vec![rung.contact(&fell, none, vec![rail], Touched::default())]
             }
             Op::Eq | Op::Ne | Op::Gt | Op::Ge | Op::Lt | Op::Le => {
-                let function = functions::of(row.op).ok_or("it has no counterpart")?;
+                let (name, pins) = function_of(row.op).ok_or("it has no counterpart")?;
                 let result = match self.of_names(rung, row.op)? {
                     Some(value) => value,
                     None => {
-                        let inputs = self.compared(rung, &function)?;
-                        vec![rung.block((function.name, None), inputs, &["OUT"], touched, false)]
+                        let inputs = self.compared(rung, (name, pins))?;
+                        vec![rung.block((name, None), inputs, &["OUT"], touched, false)]
                     }
                 };
                 with_power(rung, power, result)
@@ -236,8 +236,8 @@ impl Writer<'_> {
                 rung.push(Kind::Return(false), vec![pin("", power)], touched, true);
                 Vec::new()
             }
-            _ => match functions::of(row.op) {
-                Some(function) => self.function(rung, row.op, &function, power)?,
+            _ => match function_of(row.op) {
+                Some(function) => self.function(rung, row.op, function, power)?,
                 None if matches!(row.op, Op::Calc | Op::Neg | Op::Typ) => {
                     self.formula(rung, row.op, power)?
                 }
@@ -247,7 +247,7 @@ impl Writer<'_> {
     }
 
     /// A comparison of values of an enumeration, for which compilers have the operator and no function.
-    fn of_names(&self, rung: &mut Rung, op: Op) -> Result<Option<Vec<End>>, String> {
+    fn of_names(&self, rung: &mut Rung<'_>, op: Op) -> Result<Option<Vec<End>>, String> {
         let is_name =
             |bound: &Bound| matches!(&bound.argument, Argument::Value(value) if value.ty.is_enumeration());
         match &self.block.arguments[..] {
@@ -277,7 +277,7 @@ impl Writer<'_> {
     }
 
     /// The tag of a coil, which some make retentive.
-    fn coil_tag(&self, rung: &mut Rung, row: &Instruction) -> Result<String, String> {
+    fn coil_tag(&self, rung: &mut Rung<'_>, row: &Instruction) -> Result<String, String> {
         if let Some(Bound {
             argument: Argument::State(_) | Argument::ChosenState(_),
             ..
@@ -288,14 +288,14 @@ impl Writer<'_> {
         let tag = self.first_text(rung)?;
         if matches!(row.op, Op::RetentiveCoil | Op::RetentiveSet | Op::RetentiveReset) {
             let root = tag.split(['.', '[']).next().unwrap_or_default();
-            rung.retentive.push(root.to_owned());
+            rung.made.retentive.push(root.to_owned());
         }
         Ok(tag)
     }
 }
 
 /// Power in the scan in which it comes.
-fn rose(rung: &mut Rung, power: Vec<End>, touched: Touched) -> Vec<End> {
+fn rose(rung: &mut Rung<'_>, power: Vec<End>, touched: Touched) -> Vec<End> {
     let instance = rung.made("trigger", named("R_TRIG"), "finds an edge");
     function_block(
         rung,
@@ -307,7 +307,7 @@ fn rose(rung: &mut Rung, power: Vec<End>, touched: Touched) -> Vec<End> {
 }
 
 /// A condition in series with the power that comes to it.
-fn with_power(rung: &mut Rung, power: Vec<End>, condition: Vec<End>) -> Vec<End> {
+fn with_power(rung: &mut Rung<'_>, power: Vec<End>, condition: Vec<End>) -> Vec<End> {
     if rung.is_rail(&power) {
         return condition;
     }

@@ -4,13 +4,13 @@
 //! analysis --unit--> types, variables, bodies --rung, element--> graphs --emit--> XML
 //! ```
 
+mod added;
 mod boxes;
 mod compiler;
 mod declare;
 mod edge;
 mod element;
 mod faces;
-mod functions;
 mod names;
 mod networks;
 mod rung;

@@ -1,32 +1,27 @@
 //! The networks of a unit as one drawing, with comments between them.
 
+use super::added::Added;
+use super::declare::named;
 use super::element::Writer;
-use super::names::Names;
-use super::rung::{Rung, pin};
+use super::rung::{self, Rung, pin};
 use super::unit::{Project, Unit};
 use crate::along;
 use crate::graph::{End, Graph, Kind, Modifier, Node, Storage};
-use crate::model::{Type, Variable};
-use crate::own;
 use ladder_analysis::context::Body as OwnBody;
 use ladder_analysis::networks::NetworkAt;
-use ladder_analysis::program::{Network, Program};
+use ladder_analysis::program::Network;
 use ladder_instructions::Op;
 use ladder_notation::{LineColumn, Report, comments};
 use ladder_syntax::{Item, TextSize};
 use std::collections::HashMap;
-use std::rc::Rc;
 
 /// The networks of a unit on their way.
 pub(super) struct Networks<'n, 'u> {
     pub(super) unit: &'n Unit<'u>,
     pub(super) project: &'n Project<'n>,
-    pub(super) program: &'n Program,
     pub(super) graph: Graph,
     pub(super) report: &'n mut Report,
-    pub(super) names: Rc<Names>,
-    pub(super) made: Vec<Variable>,
-    pub(super) retentive: Vec<String>,
+    pub(super) made: Added,
 }
 
 /// What is not run as it stands, from one network on.
@@ -46,13 +41,15 @@ impl Networks<'_, '_> {
 
     /// Calls the block that sets the globals of `SYS`.
     pub(super) fn calls_system(&mut self, name: &str) {
-        let instance = self.variable("system", name, "sets what is SYS in ladder text");
+        let at = self.unit.place(TextSize::default());
+        let comment = "sets what is SYS in ladder text";
+        let instance = self.made.variable(at, "system", named(name), comment);
         let block = Kind::Block {
             name: name.to_owned(),
             instance: Some(instance),
             code: None,
         };
-        let sink = self.sink();
+        let sink = self.made.sink(at);
         self.network_of(Some(block), sink);
     }
 
@@ -65,30 +62,9 @@ impl Networks<'_, '_> {
             )
         };
         if !self.graph.nodes.iter().any(is_done) {
-            let sink = self.sink();
+            let sink = self.made.sink(self.unit.place(TextSize::default()));
             self.network_of(None, sink);
         }
-    }
-
-    /// The variable that power ends in.
-    fn sink(&mut self) -> String {
-        if let Some(name) = self.names.get(own::SINK) {
-            return name.to_owned();
-        }
-        let name = self.variable("unused", "BOOL", own::SINK);
-        Rc::make_mut(&mut self.names).alias(own::SINK, &name);
-        name
-    }
-
-    fn variable(&mut self, like: &str, ty: &str, comment: &str) -> String {
-        let name = Rc::make_mut(&mut self.names).fresh(like);
-        let at = self.unit.place(TextSize::default());
-        let variable = Variable::local(at, name.clone(), Type::Named(ty.to_owned()));
-        self.made.push(Variable {
-            comment: Some(comment.to_owned()),
-            ..variable
-        });
-        name
     }
 
     /// A network with at most one element before its coil.
@@ -133,6 +109,7 @@ impl Networks<'_, '_> {
         let parse = &context.parse;
         let structure = parse.structure();
         let by_start: HashMap<TextSize, &Network> = self
+            .unit
             .program
             .networks
             .iter()
@@ -230,15 +207,13 @@ impl Networks<'_, '_> {
             *under = Under::Nothing;
         }
         match drawn {
-            Ok(rung) => {
+            Ok((nodes, mut made)) => {
                 self.report.translated(at, "network");
-                for (element, why) in rung.remarks {
+                for (element, why) in made.remarks.drain(..) {
                     self.report.approximated(at, element, why);
                 }
-                self.graph.nodes.extend(rung.nodes);
-                self.made.extend(rung.made);
-                self.retentive.extend(rung.retentive);
-                Names::add(&mut self.names, rung.names);
+                self.graph.nodes.extend(nodes);
+                self.made.add(made);
             }
             Err(why) => {
                 let text = self.unit.text[facts.range].trim_end();
@@ -254,29 +229,29 @@ impl Networks<'_, '_> {
         }
     }
 
-    fn rung(&self, at: LineColumn, facts: NetworkAt<'_>, network: Option<&Network>) -> Result<Rung, String> {
+    fn rung(
+        &self,
+        at: LineColumn,
+        facts: NetworkAt<'_>,
+        network: Option<&Network>,
+    ) -> Result<(Vec<Node>, Added), String> {
         let network = network.ok_or("nothing uses the block that it is in")?;
         let by_start: HashMap<TextSize, usize> = facts
             .blocks()
             .enumerate()
             .map(|(number, block)| (block.range().start(), number))
             .collect();
-        let element = |rung: &mut Rung, block: usize, power| {
+        let element = |rung: &mut Rung<'_>, block: usize, power| {
             let block = &network.blocks[block];
             let number = by_start.get(&block.location.range.start());
             let writer = Writer {
                 unit: self.unit,
-                program: self.program,
                 faces: self.project.faces,
                 block,
                 facts: facts.block(*number.ok_or("a block of it is not known")?),
             };
             writer.write(rung, power)
         };
-        let rung = Rung::of(at, self.graph.nodes.len(), &self.names, network, &element)?;
-        if rung.goes_on_after_jump() {
-            return Err("something is done after a jump in it, whose order is not settled there".to_owned());
-        }
-        Ok(rung)
+        rung::drawn(at, self.graph.nodes.len(), &self.made.names, network, &element)
     }
 }

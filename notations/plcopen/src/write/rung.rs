@@ -2,12 +2,12 @@
 //! to that coil, and again for the next; here each contact is read once, where it stands. Where that would make a difference
 //! power goes into a tag, and on from a contact on it.
 
+use super::added::Added;
 use super::declare::named;
 use super::names::Names;
 use super::touched::Touched;
 use crate::graph::{Edge, End, Kind, Modifier, Node, Output, Pin, Storage};
-use crate::model::{Type, Variable};
-use crate::own;
+use crate::model::Type;
 use ladder_analysis::program::{Network, Step};
 use ladder_notation::LineColumn;
 use std::collections::{BTreeSet, HashSet};
@@ -24,20 +24,19 @@ pub(super) struct Note {
 }
 
 /// A network on its way.
-pub(super) struct Rung {
+pub(super) struct Rung<'r> {
     pub(super) place: LineColumn,
     /// How many elements the drawing had before.
     base: usize,
     pub(super) nodes: Vec<Node>,
     pub(super) notes: Vec<Note>,
-    pub(super) names: Names,
-    /// Variables that the ladder text does not have.
-    pub(super) made: Vec<Variable>,
-    /// Tags that coils make retentive, as they are called in the project.
-    pub(super) retentive: Vec<String>,
-    /// What does not mean quite the same: the element, and why.
-    pub(super) remarks: Vec<(String, String)>,
-    pub(super) step: usize,
+    pub(super) made: Added,
+    step: usize,
+    plan: &'r Plan,
+}
+
+/// What is known of a network before it is drawn. What a drawing shows to be missing here is there in the next one.
+struct Plan {
     /// The steps whose power goes on.
     needed: Vec<bool>,
     /// The steps whose power goes into a tag.
@@ -47,57 +46,57 @@ pub(super) struct Rung {
 }
 
 /// Writes a block of a network, with the power that enters it; comes back the power that leaves it.
-type Element<'e> = dyn Fn(&mut Rung, usize, Vec<End>) -> Result<Vec<End>, String> + 'e;
+type Element<'e> = dyn Fn(&mut Rung<'_>, usize, Vec<End>) -> Result<Vec<End>, String> + 'e;
 
 /// Networks with more elements are not written.
 const MOST_NODES: usize = 2_000;
 
-impl Rung {
-    /// Writes a network: `element` writes one block of it, with the power that enters it, and comes back with the power that
-    /// leaves it.
-    ///
-    /// # Errors
-    ///
-    /// Why it has no counterpart.
-    pub(super) fn of(
-        place: LineColumn,
-        base: usize,
-        names: &Rc<Names>,
-        network: &Network,
-        element: &Element<'_>,
-    ) -> Result<Rung, String> {
-        let (mut held, mut asked) = (BTreeSet::new(), BTreeSet::new());
-        loop {
-            let mut rung = Rung {
-                place,
-                base,
-                nodes: Vec::new(),
-                notes: Vec::new(),
-                names: Names::added_to(names),
-                made: Vec::new(),
-                retentive: Vec::new(),
-                remarks: Vec::new(),
-                step: 0,
-                needed: needed(network),
-                held: held.clone(),
-                asked: asked.clone(),
-            };
-            rung.draw(network, element)?;
-            let more: Vec<usize> = rung.read_too_late().collect();
-            let late: Vec<usize> = rung.asked_too_late().collect();
-            let is_done =
-                more.iter().all(|step| held.contains(step)) && late.iter().all(|step| asked.contains(step));
-            if is_done {
-                return match more.first() {
-                    Some(_) => Err("its order of evaluation cannot be kept there".to_owned()),
-                    None => Ok(rung),
-                };
-            }
-            held.extend(more);
-            asked.extend(late);
+/// The elements of a network, with what a unit gets beside them: `element` writes one block of it, with the power that enters it,
+/// and comes back with the power that leaves it.
+///
+/// # Errors
+///
+/// Why it has no counterpart.
+pub(super) fn drawn(
+    place: LineColumn,
+    base: usize,
+    names: &Rc<Names>,
+    network: &Network,
+    element: &Element<'_>,
+) -> Result<(Vec<Node>, Added), String> {
+    let mut plan = Plan {
+        needed: needed(network),
+        held: BTreeSet::new(),
+        asked: BTreeSet::new(),
+    };
+    loop {
+        let mut rung = Rung {
+            place,
+            base,
+            nodes: Vec::new(),
+            notes: Vec::new(),
+            made: Added::of(Names::added_to(names)),
+            step: 0,
+            plan: &plan,
+        };
+        rung.draw(network, element)?;
+        let (more, late) = (rung.read_too_late(), rung.asked_too_late());
+        if !more.is_subset(&plan.held) || !late.is_subset(&plan.asked) {
+            plan.held.extend(more);
+            plan.asked.extend(late);
+            continue;
         }
+        if !more.is_empty() {
+            return Err("its order of evaluation cannot be kept there".to_owned());
+        }
+        if rung.goes_on_after_jump() {
+            return Err("something is done after a jump in it, whose order is not settled there".to_owned());
+        }
+        return Ok((rung.nodes, rung.made));
     }
+}
 
+impl Rung<'_> {
     fn draw(&mut self, network: &Network, element: &Element<'_>) -> Result<(), String> {
         let rail = self.push(Kind::LeftRail, Vec::new(), Touched::default(), false);
         let mut powers: Vec<Vec<End>> = Vec::with_capacity(network.steps.len());
@@ -115,7 +114,7 @@ impl Rung {
             if self.nodes.len() > MOST_NODES {
                 return Err(format!("it has more than {MOST_NODES} elements"));
             }
-            if self.held.contains(&step) && power != [rail] {
+            if self.plan.held.contains(&step) && power != [rail] {
                 let tag = self.made("power", named("BOOL"), "power at a point of the drawing");
                 let touched = Touched::default();
                 let coil = Kind::Coil(tag.clone(), Modifier::default(), Storage::None);
@@ -151,12 +150,12 @@ impl Rung {
 
     /// Whether anything takes the power that leaves the block.
     pub(super) fn is_needed(&self) -> bool {
-        self.needed[self.step]
+        self.plan.needed[self.step]
     }
 
     /// Whether something must ask for the block at once.
     pub(super) fn is_asked(&self) -> bool {
-        self.asked.contains(&self.step)
+        self.plan.asked.contains(&self.step)
     }
 
     /// An element; comes back its first output.
@@ -240,30 +239,14 @@ impl Rung {
 
     /// A variable that the ladder text does not have; comes back its name.
     pub(super) fn made(&mut self, like: &str, ty: Type, comment: &str) -> String {
-        let name = self.names.fresh(like);
-        let mut variable = Variable::local(self.place, name.clone(), ty);
-        variable.comment = Some(comment.to_owned());
-        self.made.push(variable);
-        name
+        self.made.variable(self.place, like, ty, comment)
     }
 
     /// Lets something take the power that leaves a block.
     pub(super) fn ask(&mut self, from: End) {
-        let tag = match self.names.get(own::SINK) {
-            Some(tag) => tag.to_owned(),
-            None => {
-                let tag = self.made("unused", named("BOOL"), own::SINK);
-                self.names.alias(own::SINK, &tag);
-                tag
-            }
-        };
-        self.coil(
-            &tag,
-            Modifier::default(),
-            Storage::None,
-            vec![from],
-            Touched::default(),
-        );
+        let tag = self.made.sink(self.place);
+        let none = Modifier::default();
+        self.coil(&tag, none, Storage::None, vec![from], Touched::default());
     }
 
     /// What feeds an element. Coils pass on what comes to them.
@@ -299,7 +282,7 @@ impl Rung {
     }
 
     /// The steps whose power is read again after something that it was made from has changed.
-    fn read_too_late(&self) -> impl Iterator<Item = usize> {
+    fn read_too_late(&self) -> BTreeSet<usize> {
         let mut late = BTreeSet::new();
         let writers: Vec<usize> = (0..self.nodes.len())
             .filter(|node| {
@@ -330,7 +313,7 @@ impl Rung {
             };
             late.extend(self.cut(node, &cone, writer, &changed));
         }
-        late.into_iter()
+        late
     }
 
     /// The steps where what feeds an element is cut before a writer, so that nothing which that changes is read after it.
@@ -363,7 +346,7 @@ impl Rung {
     }
 
     /// The steps of function blocks that the next thing which is done does not ask for: a generator would run them later.
-    fn asked_too_late(&self) -> impl Iterator<Item = usize> {
+    fn asked_too_late(&self) -> BTreeSet<usize> {
         let mut late = BTreeSet::new();
         for (node, note) in self.notes.iter().enumerate() {
             if !matches!(
@@ -381,7 +364,7 @@ impl Rung {
                 late.insert(note.step);
             }
         }
-        late.into_iter()
+        late
     }
 
     /// Whether anything that leaves an element arrives at a later one.
@@ -396,7 +379,7 @@ impl Rung {
     }
 
     /// Whether a jump is followed by something that is done.
-    pub(super) fn goes_on_after_jump(&self) -> bool {
+    fn goes_on_after_jump(&self) -> bool {
         let is_jump = |node: &Node| matches!(node.kind, Kind::Jump(..) | Kind::Return(_));
         match self.nodes.iter().position(is_jump) {
             Some(jump) => self.notes[jump + 1..].iter().any(|note| note.acts),

@@ -4,6 +4,7 @@ use super::compiler::Compiler;
 use super::names::{Names, identifier};
 use super::system;
 use crate::own;
+use crate::standard::function_of;
 use ladder_analysis::program::{BinaryOperator, Expr, ExprKind, Member, Place, SystemTag, UnaryOperator};
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::{Value, real_text};
@@ -55,9 +56,9 @@ impl Words<'_> {
                     return self.system(&word.text);
                 }
                 // A value of an enumeration, after the name of its type.
-                NodeKind::Name(name) if self.names.get(name).is_none() => {
-                    self.compiler.enumerator(&identifier(name), &identifier(&word.text))
-                }
+                NodeKind::Name(name) if self.names.get(name).is_none() => self
+                    .compiler
+                    .enumerator(&identifier(name), &identifier(&word.text)),
                 _ => format!("{}.{}", self.node(base)?, member(&word.text)),
             },
             NodeKind::Index(..) => self.element(node)?,
@@ -225,11 +226,7 @@ impl Words<'_> {
                         return Err("shifts are no operators there".to_owned());
                     }
                 };
-                let (left, right) = (
-                    self.inside(left, node, rank)?,
-                    self.inside(right, node, rank + 1)?,
-                );
-                Ok((format!("{left} {sign} {right}"), rank))
+                self.pair((left, right), node, (sign, rank))
             }
             ExprKind::Compare(op, left, right) => {
                 let (sign, rank) = match op {
@@ -240,16 +237,10 @@ impl Words<'_> {
                     Op::Gt => (">", 5),
                     _ => (">=", 5),
                 };
-                let (left, right) = (
-                    self.inside(left, node, rank)?,
-                    self.inside(right, node, rank + 1)?,
-                );
-                Ok((format!("{left} {sign} {right}"), rank))
+                self.pair((left, right), node, (sign, rank))
             }
             ExprKind::Call(op, arguments) => {
-                let name = super::functions::of(*op)
-                    .ok_or("a function in it has no counterpart")?
-                    .name;
+                let (name, _) = function_of(*op).ok_or("a function in it has no counterpart")?;
                 let arguments: Result<Vec<String>, String> = arguments
                     .iter()
                     .map(|argument| self.value(argument, node))
@@ -259,6 +250,13 @@ impl Words<'_> {
             ExprKind::Sum(_) => Err("the standard has no SUM".to_owned()),
             ExprKind::Offset(_) => Err("such an expression has no counterpart".to_owned()),
         }
+    }
+
+    /// Two parts of an expression with a sign between them.
+    fn pair(&self, (left, right): (&Expr, &Expr), node: &Node, (sign, rank): (&str, u8)) -> Piece {
+        let left = self.inside(left, node, rank)?;
+        let right = self.inside(right, node, rank + 1)?;
+        Ok((format!("{left} {sign} {right}"), rank))
     }
 
     /// A part of an expression, in parentheses where it holds together less than what is around it.
@@ -284,7 +282,9 @@ impl Words<'_> {
                 };
                 Ok(format!("{}.{name}", self.node(base)?))
             }
-            (Place::Bit(..), _) if self.compiler == Compiler::Matiec => Err("a bit of a number cannot be written there: use a BOOL".to_owned()),
+            (Place::Bit(..), _) if self.compiler == Compiler::Matiec => {
+                Err("a bit of a number cannot be written there: use a BOOL".to_owned())
+            }
             (Place::Member(..) | Place::ChosenMember(..), _) => {
                 Err("a timer or counter is no value there".to_owned())
             }

@@ -1,5 +1,6 @@
 //! One unit: the program of a file, or a block of one's own.
 
+use super::added::Added;
 use super::compiler::Compiler;
 use super::declare::{self, Source, place};
 use super::faces::Faces;
@@ -18,7 +19,6 @@ use ladder_format::program::Qualifier;
 use ladder_notation::guard::is_guarded;
 use ladder_notation::{LineColumn, Report, foreign_text_of, is_function};
 use ladder_syntax::{Name, TextSize};
-use std::rc::Rc;
 
 /// What all units of a project share.
 #[derive(Clone)]
@@ -276,72 +276,61 @@ impl<'u> Unit<'u> {
         let scope = block.map_or(0, |block| block + 1);
         let mut own = self.scope(project, scope);
         let mut variables = self.variables(project, scope, &mut own, report);
-        if let Some(text) = block.and_then(|block| self.unread_text(block)) {
-            return Made {
-                place: self.place(TextSize::default()),
-                name,
-                kind: UnitKind::FunctionBlock,
-                returns: None,
-                variables,
-                comment: None,
-                body: Body::Text("ST", text),
-                parts: Vec::new(),
-            };
+        let (body, comment) = match block.and_then(|block| self.unread_text(block)) {
+            Some(text) => (Body::Text("ST", text), None),
+            None => self.networks((project, block), own, &mut variables, report),
+        };
+        Made {
+            place: self.place(TextSize::default()),
+            name,
+            kind: match block {
+                Some(_) => UnitKind::FunctionBlock,
+                None => UnitKind::Program,
+            },
+            returns: None,
+            variables,
+            comment,
+            body,
+            parts: Vec::new(),
         }
+    }
+
+    /// The networks of a unit, and what is said of it as a whole. What they need is added to its variables.
+    fn networks(
+        &self,
+        (project, block): (&Project<'_>, Option<usize>),
+        own: Scope,
+        variables: &mut Vec<Variable>,
+        report: &mut Report,
+    ) -> (Body, Option<String>) {
         let mut body = Networks {
             unit: self,
             project,
-            program: self.program,
             graph: Graph::default(),
             report,
-            names: Rc::new(own.names),
-            made: Vec::new(),
-            retentive: Vec::new(),
+            made: Added::of(own.names),
         };
         if let Some((enters, leaves)) = &own.power
             && !body.begins_with_power(block)
         {
             body.power(enters, leaves);
         }
-        if block.is_none()
-            && let Some(name) = &project.sets_system
-        {
+        if let (None, Some(name)) = (block, &project.sets_system) {
             body.calls_system(name);
         }
         let comment = body.draw(block);
         if self.compiler == Compiler::Matiec {
             body.does_something();
         }
-        let Networks {
-            graph,
-            made,
-            retentive,
-            ..
-        } = body;
-        variables.extend(made);
-        for variable in &mut variables {
-            if retentive
-                .iter()
-                .any(|name| name.eq_ignore_ascii_case(&variable.name))
-                && variable.role != Role::External
-            {
+        let Networks { graph, made, .. } = body;
+        variables.extend(made.variables);
+        let is_retentive = |name: &str| made.retentive.iter().any(|it| it.eq_ignore_ascii_case(name));
+        for variable in variables {
+            if variable.role != Role::External && is_retentive(&variable.name) {
                 variable.qualifier = Some(Qualifier::Retain);
             }
         }
-        Made {
-            place: self.place(TextSize::default()),
-            name,
-            kind: if block.is_some() {
-                UnitKind::FunctionBlock
-            } else {
-                UnitKind::Program
-            },
-            returns: None,
-            variables,
-            comment,
-            body: Body::Graph(graph),
-            parts: Vec::new(),
-        }
+        (Body::Graph(graph), comment)
     }
 }
 

@@ -16,10 +16,7 @@ const TYPES: [(&str, &str); 16] = [
     ("Int32", "System.Int32"),
     ("Int64", "System.Int64"),
     ("Network", "{d9a99d73-b633-47db-b876-a752acb25871}"),
-    (
-        "NWLImplementationObject",
-        "{25e509de-33d4-4447-93f8-c9e4ea381c8b}",
-    ),
+    (WHOLE, "{25e509de-33d4-4447-93f8-c9e4ea381c8b}"),
     ("Operand", "{c9b2f165-48a2-4a45-8326-3952d8a3d708}"),
     ("Operator", "{bffb3c53-f105-4e85-aba2-e30df579d75f}"),
     ("OutputItemList", "{f40d3e09-c02c-4522-a88c-dac23558cfc4}"),
@@ -28,13 +25,14 @@ const TYPES: [(&str, &str); 16] = [
 ];
 
 /// Those that stand in every archive.
-const ALWAYS: [&str; 5] = ["Boolean", "Int32", "Int64", "NWLImplementationObject", "String"];
+const ALWAYS: [&str; 5] = ["Boolean", "Int32", "Int64", WHOLE, "String"];
 
-/// What the compiler has as operators: their inputs have no names.
-const OPERATORS: [&str; 38] = [
-    "ABS", "ACOS", "ADD", "AND", "ASIN", "ATAN", "COS", "DIV", "EQ", "EXP", "EXPT", "GE", "GT", "LE",
-    "LIMIT", "LN", "LOG", "LT", "MAX", "MIN", "MOD", "MOVE", "MUL", "MUX", "NE", "NOT", "OR", "ROL", "ROR",
-    "SEL", "SHL", "SHR", "SIN", "SQRT", "SUB", "TAN", "TRUNC", "XOR",
+/// What holds all networks.
+const WHOLE: &str = "NWLImplementationObject";
+
+/// The functions of a library: the inputs of all others, which are operators, have no names.
+const FUNCTIONS: [&str; 9] = [
+    "LEN", "LEFT", "RIGHT", "MID", "CONCAT", "INSERT", "DELETE", "REPLACE", "FIND",
 ];
 
 /// The element `NWL` of a unit; `wire` is a number that no wire has.
@@ -55,7 +53,11 @@ pub(super) fn body(networks: &[Network], wire: usize) -> String {
         let used: Vec<String> = used
             .map(|(name, what)| format!("<Type n=\"{name}\">{what}</Type>"))
             .collect();
-        archive.inside(|archive| used.iter().for_each(|line| archive.line(line)));
+        archive.inside(|archive| {
+            for line in &used {
+                archive.line(line);
+            }
+        });
         archive.line("</TypeList>");
     });
     archive.line("</XmlArchive>");
@@ -154,7 +156,7 @@ impl Archive {
     }
 
     fn whole(&mut self, networks: &[Network], wire: usize) {
-        self.line("<o xml:space=\"preserve\" t=\"NWLImplementationObject\">");
+        self.line(&format!("<o xml:space=\"preserve\" t=\"{WHOLE}\">"));
         self.inside(|archive| {
             archive.text("NetworkListComment", "");
             archive.text("DefaultViewMode", "Ld");
@@ -280,7 +282,7 @@ impl Archive {
         self.list("InputItems", &call.inputs, of_input, |archive, (_, tree), ty| {
             archive.tree(tree, None, ty);
         });
-        let is_operator = OPERATORS.contains(&call.name.as_str()) || call.name.contains("_TO_");
+        let is_operator = call.instance.is_none() && !FUNCTIONS.contains(&call.name.as_str());
         let given = call.inputs.iter().map(|(name, _)| name.as_str());
         let given: Vec<&str> = given.filter(|name| !is_operator || *name == "EN").collect();
         self.parameters("InputParam", &given);
@@ -288,17 +290,17 @@ impl Archive {
         self.parameters("OutputParam", &outputs);
         let kind = match &call.instance {
             Some(_) => Some("FunctionBlock".to_owned()),
-            None if OPERATORS.contains(&call.name.as_str()) => Some(capitalised(&call.name)),
-            None => None,
+            None => Some(capitalised(&call.name)).filter(|name| is_operator && !name.contains('_')),
         };
         if let Some(kind) = kind {
             self.types.insert("Operator");
             self.line(&format!("<v n=\"CallType\" t=\"Operator\">{kind}</v>"));
         }
         for name in ["EN", "ENO"] {
-            match call.is_gate() {
-                true => self.nothing(name),
-                false => self.value(name, call.has_enable()),
+            if call.is_gate() {
+                self.nothing(name);
+            } else {
+                self.value(name, call.has_enable());
             }
         }
         self.nothing("STSnippet");

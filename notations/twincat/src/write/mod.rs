@@ -1,18 +1,18 @@
 //! A program as files of TwinCAT: its unit, and next to it the units, types and globals that it uses.
 //!
 //! ```text
-//! analysis --ladder-notation-plcopen--> Project --declaration--> texts
-//!                                               --networks-----> trees --archive--> XML
+//! analysis --ladder-notation-plcopen--> Project --> declarations as texts
+//!                                               --networks--> trees --archive--> XML
 //! ```
 
 mod archive;
-mod declaration;
 mod networks;
 mod tree;
 
 use ladder_analysis::Analysis;
 use ladder_notation::xml::{escape, section};
 use ladder_notation::{Companion, LineColumn, Target, WriteError, Writing};
+use ladder_notation_plcopen::declarations::text;
 use ladder_notation_plcopen::model::{Body, Unit};
 use ladder_notation_plcopen::{Compiler, project};
 
@@ -34,25 +34,24 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
         let mut refused = Vec::new();
         let mut units: Vec<Companion> = Vec::new();
         for unit in &project.units {
-            units.push(file(&unit.name, "POU", &declaration::unit(unit), &body(unit, &mut refused)));
+            units.push(file(
+                &unit.name,
+                "POU",
+                &text::unit(unit),
+                &body(unit, &mut refused),
+            ));
         }
         for (place, why) in refused {
             report.refused(place, "network", why);
         }
         // The program is the last one.
         let bytes = units.pop().map(|file| file.bytes).unwrap_or_default();
+        let program = project.units.last().map_or("", |unit| &unit.name);
         let types = project.types.iter();
-        units.extend(types.map(|ty| file(&ty.name, "DUT", &declaration::data_type(ty), "")));
+        units.extend(types.map(|ty| file(&ty.name, "DUT", &text::data_type(ty), "")));
         if !project.globals.is_empty() {
-            let is_taken = |name: &str| {
-                let stem = |file: &Companion| file.name.split('.').next().unwrap_or_default().to_owned();
-                units.iter().any(|file| stem(file).eq_ignore_ascii_case(name))
-            };
-            let mut name = "GVL".to_owned();
-            while is_taken(&name) {
-                name.push_str("_1");
-            }
-            units.push(file(&name, "GVL", &declaration::globals(&project.globals), ""));
+            let name = free(format!("GVL_{program}"), &units);
+            units.push(file(&name, "GVL", &text::globals(&project.globals), ""));
         }
         report.entries.sort_by_key(|entry| entry.place);
         Ok(Writing {
@@ -61,6 +60,15 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
             companions: units,
         })
     })
+}
+
+/// A name like this one that no file has.
+fn free(mut name: String, files: &[Companion]) -> String {
+    let stem = |file: &Companion| file.name.split('.').next().unwrap_or_default().to_owned();
+    while files.iter().any(|file| stem(file).eq_ignore_ascii_case(&name)) {
+        name.push_str("_1");
+    }
+    name
 }
 
 /// What a unit does.
@@ -86,7 +94,11 @@ fn file(name: &str, what: &str, declaration: &str, body: &str) -> Companion {
     escape(&mut escaped, name);
     let mut held = String::new();
     section(&mut held, declaration);
-    let special = if what == "POU" { " SpecialFunc=\"None\"" } else { "" };
+    let special = if what == "POU" {
+        " SpecialFunc=\"None\""
+    } else {
+        ""
+    };
     let id = id(name, what);
     let text = format!(
         "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<TcPlcObject Version=\"1.1.0.1\" ProductVersion=\"3.1.4024.16\">\n  \

@@ -23,61 +23,52 @@ pub(super) type Refused = (LineColumn, String);
 /// All networks of a body. Wires have numbers of their own in it; comes back the next one, too.
 pub(super) fn networks(graph: &Graph, refused: &mut Vec<Refused>) -> (Vec<Network>, usize) {
     let mut out: Vec<Network> = Vec::new();
-    let mut wire = 1;
-    let mut comment: Option<String> = None;
-    let mut at = 0;
+    let mut next = Network::default();
+    let (mut at, mut wire) = (0, 1);
+    let is_begin = |node: &Node| matches!(node.kind, Kind::Comment(_) | Kind::LeftRail);
     while at < graph.nodes.len() {
-        match &graph.nodes[at].kind {
-            Kind::Comment(said) => {
-                out.extend(comment.replace(said.clone()).map(alone));
-                at += 1;
+        let rest = graph.nodes[at + 1..].iter().position(is_begin);
+        let nodes = at..rest.map_or(graph.nodes.len(), |rest| at + 1 + rest);
+        let said = match &graph.nodes[at].kind {
+            Kind::Comment(said) => Some(said),
+            _ => None,
+        };
+        if let Some(said) = said {
+            // A network has one comment.
+            if !next.comment.is_empty() {
+                out.push(std::mem::take(&mut next));
             }
-            // Of a network that is not written.
-            Kind::Label(label) => {
-                let label = label.clone();
-                out.push(Network {
-                    label,
-                    ..alone(comment.take().unwrap_or_default())
-                });
-                at += 1;
-            }
-            _ => {
-                let is_end = |node: &Node| matches!(node.kind, Kind::Comment(_) | Kind::LeftRail);
-                let rest = graph.nodes[at + 1..].iter().position(is_end);
-                let nodes = at..rest.map_or(graph.nodes.len(), |rest| at + 1 + rest);
-                let mut trees = Trees::of(graph, nodes.clone(), wire);
-                let made = trees.items().map(|()| trees.items);
-                wire = trees.wire;
-                let items = made.unwrap_or_else(|why| {
-                    let said = format!("A network is not written: {why}");
-                    comment = Some(comment.take().map_or(said.clone(), |above| format!("{above}\n{said}")));
-                    refused.push((graph.nodes[at].place, why));
-                    Vec::new()
-                });
-                let mut labels = graph.nodes[nodes.clone()].iter().filter_map(|node| match &node.kind {
-                    Kind::Label(label) => Some(label.clone()),
-                    _ => None,
-                });
-                let mut network = alone(comment.take().unwrap_or_default());
-                network.label = labels.next().unwrap_or_default();
-                for label in labels {
-                    let next = alone(String::new());
-                    out.push(std::mem::replace(&mut network, Network { label, ..next }));
-                }
-                out.push(Network { items, ..network });
-                at = nodes.end;
-            }
+            next.comment.clone_from(said);
         }
+        for node in &graph.nodes[nodes.clone()] {
+            let Kind::Label(label) = &node.kind else { continue };
+            // And one label.
+            if !next.label.is_empty() {
+                out.push(std::mem::take(&mut next));
+            }
+            next.label.clone_from(label);
+        }
+        if said.is_none() {
+            let mut trees = Trees::of(graph, nodes.clone(), wire);
+            match trees.items() {
+                Ok(()) => next.items = trees.items,
+                Err(why) => {
+                    let said = format!("{}\nA network is not written: {why}", next.comment);
+                    said.trim_start().clone_into(&mut next.comment);
+                    refused.push((graph.nodes[at].place, why));
+                }
+            }
+            wire = trees.wire;
+        }
+        if said.is_none() || !next.label.is_empty() {
+            out.push(std::mem::take(&mut next));
+        }
+        at = nodes.end;
     }
-    out.extend(comment.map(alone));
+    if !next.comment.is_empty() {
+        out.push(next);
+    }
     (out, wire)
-}
-
-fn alone(comment: String) -> Network {
-    Network {
-        comment,
-        ..Network::default()
-    }
 }
 
 /// Coils, or one other element that takes power; the power that they take.
@@ -121,7 +112,9 @@ impl<'g> Trees<'g> {
             trees.count(from);
         }
         for node in trees.waiting.clone() {
-            trees.inputs(node).into_iter().for_each(|from| trees.count(from));
+            for from in trees.inputs(node) {
+                trees.count(from);
+            }
         }
         trees
     }
@@ -130,26 +123,18 @@ impl<'g> Trees<'g> {
     fn root(&mut self, node: usize) {
         let drawn = &self.graph.nodes[node];
         let is_coil = |node: usize| matches!(self.graph.nodes[node].kind, Kind::Coil(..));
+        if let Some(end) = of_box(drawn).filter(|end| !self.taken.contains_key(end)) {
+            self.taken.insert(end, node);
+            return;
+        }
         match &drawn.kind {
-            Kind::Variable(..)
-                if self
-                    .of_box(drawn)
-                    .is_some_and(|end| !self.taken.contains_key(&end)) =>
-            {
-                self.taken.extend(self.of_box(drawn).map(|end| (end, node)));
-            }
             Kind::Coil(..) | Kind::Variable(..) | Kind::Jump(..) | Kind::Return(_) => {
                 let from = self.resolved(drawn.inputs.first());
-                let is_next = |box_at: Option<&usize>, last: usize| box_at.is_none_or(|at| *at < last);
-                match self.roots.last_mut() {
-                    Some(last)
-                        if is_coil(node)
-                            && last.from == from
-                            && is_coil(last.nodes[0])
-                            && is_next(self.waiting.last(), last.nodes[0]) =>
-                    {
-                        last.nodes.push(node);
-                    }
+                let boxes = self.waiting.last().copied().unwrap_or(0);
+                let is_next_to =
+                    |root: &&mut Root| is_coil(node) && is_coil(root.nodes[0]) && boxes < root.nodes[0];
+                match self.roots.last_mut().filter(is_next_to) {
+                    Some(root) if root.from == from => root.nodes.push(node),
                     _ => self.roots.push(Root {
                         nodes: vec![node],
                         from,
@@ -161,28 +146,20 @@ impl<'g> Trees<'g> {
         }
     }
 
-    /// The output of a box that a variable takes, if its power goes on from another one.
-    fn of_box(&self, variable: &Node) -> Option<End> {
-        let [end] = variable.inputs.first()?.from[..] else {
-            return None;
-        };
-        (end.output > 0).then_some(end)
-    }
-
     /// Where what enters a pin comes from: coils pass on what they have, and the rail has power whatever else there is.
     fn resolved(&self, pin: Option<&Pin>) -> Vec<End> {
-        let mut ends = Vec::new();
+        let (mut ends, mut seen) = (Vec::new(), HashSet::new());
         let mut open: Vec<End> = pin.iter().flat_map(|pin| pin.from.iter().copied()).collect();
         while let Some(end) = open.pop() {
             let node = &self.graph.nodes[end.node];
             match node.kind {
+                _ if !seen.insert(end) => {}
                 Kind::Coil(..) => open.extend(node.inputs.iter().flat_map(|pin| &pin.from)),
                 Kind::LeftRail => return vec![end],
                 _ => ends.push(end),
             }
         }
         ends.sort_unstable();
-        ends.dedup();
         ends
     }
 
@@ -211,26 +188,17 @@ impl<'g> Trees<'g> {
     fn items(&mut self) -> Result<(), String> {
         for Root { nodes, from } in std::mem::take(&mut self.roots) {
             self.before(nodes[0], &from)?;
-            let tree = self.power(&from)?;
+            let tree = self.power(&from, 0)?;
             let targets = nodes.iter().map(|node| self.target(*node)).collect();
-            self.push(Item::Assign(targets, tree))?;
+            self.items.push(Item::Assign(targets, tree));
         }
         self.all_before(usize::MAX)
-    }
-
-    fn push(&mut self, item: Item) -> Result<(), String> {
-        let (Item::Assign(_, tree) | Item::Tree(tree)) = &item;
-        if tree.depth() > DEEPEST {
-            return Err(format!("more than {DEEPEST} boxes are one in the other"));
-        }
-        self.items.push(item);
-        Ok(())
     }
 
     /// Lets those boxes stand by themselves that must run before an element, unless its tree runs them in their turn.
     fn before(&mut self, node: usize, from: &[End]) -> Result<(), String> {
         let waiting = self.waiting.partition_point(|at| *at < node);
-        if self.is_in_turn(from, &self.waiting[..waiting]) {
+        if waiting <= MOST_IN_A_TREE && self.is_in_turn(from, &self.waiting[..waiting]) {
             return Ok(());
         }
         self.all_before(node)
@@ -239,7 +207,7 @@ impl<'g> Trees<'g> {
     /// Whether a tree runs these boxes, no other ones, and all of its elements where they stand among them.
     fn is_in_turn(&self, from: &[End], boxes: &[usize]) -> bool {
         let mut order = Vec::new();
-        self.order(from, &mut order, &mut HashSet::new());
+        self.order(from, &mut order, &mut HashSet::new(), 0);
         let mut last = 0;
         let mut run = Vec::new();
         for at in order {
@@ -267,30 +235,32 @@ impl<'g> Trees<'g> {
             let is_in_turn = |number: &usize| self.is_in_turn(&[end(*number)], &self.waiting[..=*number]);
             let next = (1..waiting.min(MOST_IN_A_TREE)).rev().find(is_in_turn);
             let end = end(next.unwrap_or(0));
-            let tree = self.element(end)?;
+            let tree = self.element(end, 0)?;
             let item = match self.uses.get(&vec![end]) {
                 Some(_) => self.begun(vec![end], tree),
                 None => tree,
             };
-            self.push(Item::Tree(item))?;
+            self.items.push(Item::Tree(item));
         }
     }
 
     /// The elements of a tree in the order in which it runs them.
-    fn order(&self, from: &[End], out: &mut Vec<usize>, seen: &mut HashSet<Vec<End>>) {
-        if self.wires.contains_key(from) || !seen.insert(from.to_vec()) {
+    fn order(&self, from: &[End], out: &mut Vec<usize>, seen: &mut HashSet<Vec<End>>, depth: usize) {
+        if depth > DEEPEST || self.wires.contains_key(from) || !seen.insert(from.to_vec()) {
             return;
         }
         match from {
             [end] => {
                 for from in self.inputs(end.node) {
-                    self.order(&from, out, seen);
+                    self.order(&from, out, seen, depth + 1);
                 }
                 if !matches!(self.graph.nodes[end.node].kind, Kind::LeftRail) {
                     out.push(end.node);
                 }
             }
-            all => all.iter().for_each(|end| self.order(&[*end], out, seen)),
+            all => all
+                .iter()
+                .for_each(|end| self.order(&[*end], out, seen, depth + 1)),
         }
     }
 
@@ -302,16 +272,19 @@ impl<'g> Trees<'g> {
         Tree::Wire(number, Some(Box::new(tree)))
     }
 
-    fn power(&mut self, from: &[End]) -> Result<Tree, String> {
+    fn power(&mut self, from: &[End], depth: usize) -> Result<Tree, String> {
+        if depth > DEEPEST {
+            return Err(format!("more than {DEEPEST} boxes are one in the other"));
+        }
         if let Some(number) = self.wires.get(from) {
             return Ok(Tree::Wire(*number, None));
         }
         let tree = match from {
             [] => return Err("something in it has no power".to_owned()),
-            [end] => self.element(*end)?,
+            [end] => self.element(*end, depth)?,
             all => {
-                let parts: Result<Vec<Tree>, String> = all.iter().map(|end| self.power(&[*end])).collect();
-                Tree::gate("OR", parts?)
+                let parts = all.iter().map(|end| self.power(&[*end], depth + 1));
+                Tree::gate("OR", parts.collect::<Result<Vec<Tree>, String>>()?)
             }
         };
         let is_shared = self.uses.get(from).is_some_and(|uses| *uses > 1);
@@ -322,49 +295,70 @@ impl<'g> Trees<'g> {
         })
     }
 
-    fn element(&mut self, end: End) -> Result<Tree, String> {
+    fn element(&mut self, end: End, depth: usize) -> Result<Tree, String> {
         let node = &self.graph.nodes[end.node];
         if end.output > 0 {
             return Err("something takes an output of a box that is not its power".to_owned());
         }
         match &node.kind {
             Kind::LeftRail => Ok(Tree::Rail),
-            Kind::Contact(tag, modifier) => {
-                let contact = Tree::Operand(Target {
-                    text: tag.clone(),
-                    flags: flags(*modifier),
-                    is_boolean: true,
-                });
-                let from = self.resolved(node.inputs.first());
-                Ok(match self.power(&from)? {
-                    Tree::Rail => contact,
-                    before => Tree::gate("AND", [before, contact]),
-                })
+            Kind::Contact(..) => {
+                let mut parts = vec![contact(node)];
+                let mut from = self.resolved(node.inputs.first());
+                // One after the other, as long as nothing else takes the power between them.
+                while let [end] = from[..]
+                    && let before = &self.graph.nodes[end.node]
+                    && matches!(before.kind, Kind::Contact(..))
+                    && self.uses.get(&from) == Some(&1)
+                {
+                    parts.push(contact(before));
+                    from = self.resolved(before.inputs.first());
+                }
+                match self.power(&from, depth + 1)? {
+                    Tree::Rail => {}
+                    before => parts.push(before),
+                }
+                parts.reverse();
+                Ok(Tree::gate("AND", parts))
             }
             Kind::Value(text, is_negated) => Ok(Tree::Operand(Target {
                 flags: if *is_negated { flag::NEGATED } else { 0 },
                 ..Target::variable(text.clone())
             })),
-            Kind::Block { name, instance, .. } => self.call(end.node, node, name, instance.clone()),
+            Kind::Block { name, instance, .. } => {
+                self.call(end.node, node, (name, instance.as_deref()), depth + 1)
+            }
             _ => Err("an element in it has no counterpart".to_owned()),
         }
     }
 
-    fn call(&mut self, at: usize, node: &Node, name: &str, instance: Option<String>) -> Result<Tree, String> {
+    fn call(
+        &mut self,
+        at: usize,
+        node: &Node,
+        (name, instance): (&str, Option<&str>),
+        depth: usize,
+    ) -> Result<Tree, String> {
         self.waiting.retain(|waiting| *waiting != at);
         let mut inputs = Vec::new();
         for pin in node.inputs.iter().filter(|pin| !pin.from.is_empty()) {
             let from = self.resolved(Some(pin));
-            inputs.push((pin_name(name, &pin.name).to_owned(), self.power(&from)?));
+            inputs.push((pin_name(name, &pin.name).to_owned(), self.power(&from, depth)?));
         }
-        if let ("AND", None, Some(_)) = (name, &instance, inputs.first())
+        if let ("AND", None, Some(_)) = (name, instance, inputs.first())
             && inputs[0].0 != "EN"
         {
-            return Ok(Tree::gate(name, inputs.into_iter().map(|(_, tree)| tree)));
+            let parts = inputs.into_iter().map(|(_, tree)| tree);
+            return Ok(Tree::gate(name, parts.collect()));
         }
         let is_in_out = |name: &str| node.inputs.iter().any(|pin| pin.in_out && pin.name == name);
         let mut outputs = Vec::new();
-        for (output, it) in node.outputs.iter().enumerate().filter(|(_, it)| !is_in_out(&it.name)) {
+        for (output, it) in node
+            .outputs
+            .iter()
+            .enumerate()
+            .filter(|(_, it)| !is_in_out(&it.name))
+        {
             let taker = self.taken.get(&End { node: at, output });
             let taker = taker.and_then(|taker| match &self.graph.nodes[*taker].kind {
                 Kind::Variable(text, _) => Some(text.clone()),
@@ -375,8 +369,8 @@ impl<'g> Trees<'g> {
             outputs.push((name.to_owned(), taker));
         }
         let mut call = Call {
-            name: function_name(name).to_owned(),
-            instance,
+            name: name.to_owned(),
+            instance: instance.map(str::to_owned),
             inputs,
             outputs,
         };
@@ -408,6 +402,18 @@ impl<'g> Trees<'g> {
     }
 }
 
+fn contact(node: &Node) -> Tree {
+    let (text, flags) = match &node.kind {
+        Kind::Contact(tag, modifier) => (tag.as_str(), flags(*modifier)),
+        _ => ("", 0),
+    };
+    Tree::Operand(Target {
+        text: text.to_owned(),
+        flags,
+        is_boolean: true,
+    })
+}
+
 fn flags(modifier: Modifier) -> u32 {
     let edge = match modifier.edge {
         Edge::None => 0,
@@ -415,6 +421,14 @@ fn flags(modifier: Modifier) -> u32 {
         Edge::Falling => flag::FALLING,
     };
     edge | if modifier.negated { flag::NEGATED } else { 0 }
+}
+
+/// The output of a box that a variable takes, if its power is another one.
+fn of_box(node: &Node) -> Option<End> {
+    let (Kind::Variable(..), [pin]) = (&node.kind, &node.inputs[..]) else {
+        return None;
+    };
+    matches!(pin.from[..], [end] if end.output > 0).then(|| pin.from[0])
 }
 
 /// Whether a block does something; else it only decides.
@@ -433,16 +447,5 @@ fn pin_name<'p>(block: &str, pin: &'p str) -> &'p str {
         ("RS", "S") => "SET",
         ("RS", "R1") => "RESET1",
         _ => pin,
-    }
-}
-
-/// What a function is called there.
-fn function_name(name: &str) -> &str {
-    match name {
-        "ADD_TIME" => "ADD",
-        "SUB_TIME" => "SUB",
-        "MULTIME" => "MUL",
-        "DIVTIME" => "DIV",
-        name => name,
     }
 }

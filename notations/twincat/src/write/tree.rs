@@ -74,8 +74,11 @@ impl Call {
 }
 
 impl Tree {
-    /// `AND` or `OR` of these: one box, where there are boxes of that name among them.
-    pub(super) fn gate(name: &str, parts: impl IntoIterator<Item = Tree>) -> Tree {
+    /// `AND` or `OR` of these: one box, where there are boxes of that name among them; of one, that.
+    pub(super) fn gate(name: &str, mut parts: Vec<Tree>) -> Tree {
+        if parts.len() == 1 {
+            return parts.remove(0);
+        }
         let mut inputs = Vec::new();
         for part in parts {
             match part {
@@ -89,14 +92,5 @@ impl Tree {
             inputs,
             outputs: Vec::new(),
         }))
-    }
-
-    /// How many boxes are one in the other.
-    pub(super) fn depth(&self) -> usize {
-        match self {
-            Tree::Rail | Tree::Operand(_) | Tree::Wire(_, None) => 1,
-            Tree::Wire(_, Some(inner)) => 1 + inner.depth(),
-            Tree::Box(call) => 1 + call.inputs.iter().map(|(_, tree)| tree.depth()).max().unwrap_or(0),
-        }
     }
 }

@@ -1,4 +1,6 @@
-//! What a unit declares, as texts of IEC 61131-3 have it: `PROGRAM main`, and the sections of variables.
+//! What units, types and globals declare, as texts of IEC 61131-3 have it: `PROGRAM main`, and the sections of variables.
+
+pub mod text;
 
 use super::model::{Body, Initial, Role, Type, TypeDeclaration, Unit, UnitKind, Variable};
 use ladder_format::program::Qualifier;
@@ -70,7 +72,9 @@ impl Declared<'_> {
     /// The globals that are declared.
     pub fn globals(&self, report: &mut Report) -> Vec<Variable> {
         let mut globals = self.variables(report, |_| false);
-        globals.iter_mut().for_each(|global| global.role = Role::Global);
+        for global in &mut globals {
+            global.role = Role::Global;
+        }
         globals
     }
 
@@ -173,7 +177,10 @@ impl Declared<'_> {
 
     /// What is said on the lines above.
     fn comment_above(&self, at: usize) -> Option<String> {
-        let lines: Vec<String> = self.text[..at].lines().filter_map(|line| said(line.trim())).collect();
+        let lines: Vec<String> = self.text[..at]
+            .lines()
+            .filter_map(|line| said(line.trim()))
+            .collect();
         (!lines.is_empty()).then(|| lines.join("\n"))
     }
 }
@@ -355,7 +362,8 @@ fn initial_in(text: &str, depth: usize) -> Initial {
         Some((times.trim().parse().ok()?, value))
     };
     if let Some(values) = inside('[', ']').filter(|_| depth < DEEPEST) {
-        let values = parts(values).map(|part| repeated(part).unwrap_or_else(|| (1, initial_in(part, depth + 1))));
+        let values =
+            parts(values).map(|part| repeated(part).unwrap_or_else(|| (1, initial_in(part, depth + 1))));
         return Initial::Array(values.collect());
     }
     let members = inside('(', ')').filter(|_| depth < DEEPEST);

@@ -1,11 +1,11 @@
-//! Declarations as texts of IEC 61131-3.
+//! Declarations as texts, as systems of IEC 61131-3 have them.
 
+use crate::model::{Initial, Role, Type, TypeDeclaration, Unit, UnitKind, Variable};
 use ladder_format::program::Qualifier;
-use ladder_notation_plcopen::model::{Initial, Role, Type, TypeDeclaration, Unit, UnitKind, Variable};
 use std::fmt::Write as _;
 
 /// The declaration of a unit.
-pub(super) fn unit(unit: &Unit) -> String {
+pub fn unit(unit: &Unit) -> String {
     let mut out = String::new();
     said_above(&mut out, unit.comment.as_deref());
     let kind = match unit.kind {
@@ -23,21 +23,23 @@ pub(super) fn unit(unit: &Unit) -> String {
 }
 
 /// The declaration of globals.
-pub(super) fn globals(variables: &[Variable]) -> String {
+pub fn globals(variables: &[Variable]) -> String {
     let mut out = String::new();
     sections(&mut out, variables);
     out
 }
 
 /// The declaration of a type.
-pub(super) fn data_type(declared: &TypeDeclaration) -> String {
+pub fn data_type(declared: &TypeDeclaration) -> String {
     let mut out = String::new();
     said_above(&mut out, declared.comment.as_deref());
     out.push_str(&format!("TYPE {} :", declared.name));
     match &declared.ty {
         Type::Structure(members) => {
             out.push_str("\nSTRUCT\n");
-            members.iter().for_each(|member| variable(&mut out, member));
+            for member in members {
+                variable(&mut out, member);
+            }
             out.push_str("END_STRUCT");
         }
         Type::Enumeration(values) => {
@@ -54,7 +56,11 @@ pub(super) fn data_type(declared: &TypeDeclaration) -> String {
     if let Some(value) = declared.initial.as_ref().filter(|_| !is_structure) {
         out.push_str(&format!(" := {}", initial(value)));
     }
-    out.push_str(if is_structure { "\nEND_TYPE\n" } else { ";\nEND_TYPE\n" });
+    out.push_str(if is_structure {
+        "\nEND_TYPE\n"
+    } else {
+        ";\nEND_TYPE\n"
+    });
     out
 }
 
@@ -75,7 +81,9 @@ fn sections(out: &mut String, variables: &[Variable]) {
             Some(Qualifier::Constant) => " CONSTANT\n",
             Some(Qualifier::Retain) => " RETAIN\n",
         });
-        list.iter().for_each(|it| variable(out, it));
+        for it in list {
+            variable(out, it);
+        }
         out.push_str("END_VAR\n");
     }
 }
@@ -109,7 +117,10 @@ fn ty(of: &Type) -> String {
         Type::Text(None) => "STRING".to_owned(),
         Type::Text(Some(length)) => format!("STRING({length})"),
         Type::Array(bounds, element) => {
-            let bounds: Vec<String> = bounds.iter().map(|(low, high)| format!("{low}..{high}")).collect();
+            let bounds: Vec<String> = bounds
+                .iter()
+                .map(|(low, high)| format!("{low}..{high}"))
+                .collect();
             format!("ARRAY[{}] OF {}", bounds.join(", "), ty(element))
         }
         Type::Range(base, low, high) => format!("{base}({low}..{high})"),
