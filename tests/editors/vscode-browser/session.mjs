@@ -274,6 +274,7 @@ async function traceTags(page) {
         assert.ok(await line.evaluate((path) => path.isKept === true), 'it was drawn again');
     });
     await step('a tag is added from the Tags view, and drawn over a scale', async () => {
+        await row(page, 'warmupQ=').click();
         await row(page, 'warmup.ET').hover();
         await row(page, 'warmup.ET').locator('.codicon-pulse').click();
         await traceRow('warmup.ET').locator('.line').waitFor({ state: 'attached' });
