@@ -155,8 +155,8 @@ fn comments(context: &Context) -> HashMap<usize, String> {
             let tree = line.tree();
             let found = NodeView::root(&tree).tokens();
             let found = found.filter(|token| token.kind() == SyntaxKind::COMMENT);
-            let said: Vec<String> = found.map(|token| words(token.text())).collect();
-            comments.insert(index, said.join(" "));
+            let told: Vec<String> = found.map(|token| words(token.text())).collect();
+            comments.insert(index, told.join(" "));
         }
     }
     comments

@@ -8,12 +8,12 @@ use ladder_syntax::{LineKind, NodeOrToken, Parse};
 
 /// The profile of a file: what the first such comment before its first network selects, else `iec`.
 pub(crate) fn profile(parse: &Parse) -> Profile {
-    said(parse, "profile", Profile::from_name).unwrap_or_default()
+    told(parse, "profile", Profile::from_name).unwrap_or_default()
 }
 
 /// The time from one scan to the next that a file is made for, in nanoseconds, where it says so.
 pub(crate) fn cycle(parse: &Parse) -> Option<i64> {
-    said(parse, "cycle", cycle_time)
+    told(parse, "cycle", cycle_time)
 }
 
 /// A time that scans can follow each other in: more than nothing, and a day at most.
@@ -26,7 +26,7 @@ pub(crate) fn cycle_time(text: &str) -> Option<i64> {
 }
 
 /// The first answer to a word that a comment before the first network gives.
-fn said<T>(parse: &Parse, word: &str, answer: impl Fn(&str) -> Option<T>) -> Option<T> {
+fn told<T>(parse: &Parse, word: &str, answer: impl Fn(&str) -> Option<T>) -> Option<T> {
     let lines = parse.lines();
     let end = lines.first_network().unwrap_or(lines.len());
     let mut sections = parse.frame().sections.iter().map(|section| section.lines.clone());

@@ -4,7 +4,7 @@ use crate::outcome::Failure;
 use crate::terminal;
 use std::path::{Path, PathBuf};
 
-/// The only one of which there are runs. None: there are none at all, which is said.
+/// The only one of which there are runs. None: there are none at all, which is reported.
 ///
 /// # Errors
 /// There are runs of several: what to do.

@@ -126,9 +126,9 @@ impl Drop for Progress {
 /// How wide lines may be: what the environment says, else what the terminal has, else 100.
 pub(crate) fn width() -> usize {
     let columns = std::env::var("COLUMNS").ok();
-    let said = columns.and_then(|columns| columns.parse().ok());
+    let told = columns.and_then(|columns| columns.parse().ok());
     let terminal = || terminal_size::terminal_size_of(io::stdout()).map(|(columns, _)| columns.0.into());
-    said.or_else(terminal).unwrap_or(100).max(40)
+    told.or_else(terminal).unwrap_or(100).max(40)
 }
 
 /// Standard output, buffered. A reader that goes away (`ladder check . | head`) is not an error: what follows is

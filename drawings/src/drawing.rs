@@ -56,7 +56,7 @@ impl Read {
 /// A drawing is no higher: what takes time grows with the lines of one part.
 const HIGHEST: usize = 2_000;
 
-/// Reads a text. What is no drawing becomes comments.
+/// Reads a text. What is not a drawing becomes comments.
 pub fn read(text: &str) -> Read {
     let mut reader = Reader::default();
     let lines: Vec<&str> = text.trim_start_matches('\u{feff}').lines().collect();
@@ -153,7 +153,7 @@ impl Reader {
         if !self.read.program.items.is_empty() {
             self.read.program.items.push(Item::Blank);
         }
-        for text in said(&part.texts) {
+        for text in told(&part.texts) {
             self.read.program.items.push(Item::Comment(text));
         }
         let mut top = 0;
@@ -232,7 +232,7 @@ impl Reader {
             rungs.push(pieces.collect());
         }
         self.read.program.items.push(Item::Network(program::Network {
-            comments: said(&drawn.texts),
+            comments: told(&drawn.texts),
             drawing: program::Drawing::Rungs(rungs),
         }));
     }
@@ -248,7 +248,7 @@ fn without_hashes(line: &str) -> &str {
 }
 
 /// What is written, line by line, without the signs of comments in other languages.
-fn said(texts: &[Phrase]) -> Vec<String> {
+fn told(texts: &[Phrase]) -> Vec<String> {
     let without_signs = |text: &str| {
         let text = text.trim();
         let text = COMMENTS

@@ -70,7 +70,7 @@ pub(crate) fn contact(inside: &str, labels: Labels<'_>, operands: &mut Operands)
     named(Op::Contact, prefixed(says, &["XIC "]).unwrap_or(says), operands)
 }
 
-/// A word of the program flow is no name: what it does elsewhere is not what `<END>` or `<RET>` does here.
+/// A word of the program flow is not a name: what it does elsewhere is not what `<END>` or `<RET>` does here.
 fn no_flow(says: &str) -> Result<(), String> {
     match lookup(Shape::Function, says).next() {
         Some(row) => Err(format!(

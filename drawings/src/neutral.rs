@@ -42,7 +42,7 @@ const MOST_LEGS: usize = 200;
 ///
 /// # Errors
 ///
-/// If brackets do not pair, or something is there that is no instruction.
+/// If brackets do not pair, or something is there that is not an instruction.
 pub fn parse<'t>(text: &'t str, operands: &dyn Fn(&str) -> Option<usize>) -> Result<Vec<Part<'t>>, Wrong> {
     let mut reader = Reader {
         text,

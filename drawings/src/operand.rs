@@ -14,7 +14,7 @@ pub(crate) struct Operands {
 }
 
 impl Operands {
-    /// A tag, as it is written: `Start`, `%I0.3`, `T4:0/DN`, `Stop button`. None: it is no name.
+    /// A tag, as it is written: `Start`, `%I0.3`, `T4:0/DN`, `Stop button`. None: it is not a name.
     pub(crate) fn tag(&mut self, written: &str) -> Option<Path> {
         let written = written.trim();
         if let Some(address) = written.strip_prefix('%') {
@@ -39,7 +39,7 @@ impl Operands {
         let written = written.trim();
         match Expression::read(written) {
             Ok(value) if is_literal(&value) => Some(value),
-            // `5 s` is no name.
+            // `5 s` is not a name.
             _ if duration(written).is_some() => None,
             _ => self.tag(written).map(Expression::from),
         }

@@ -145,7 +145,7 @@ pub fn read_rung_text(text: &str) -> Option<RungText> {
     (count > 0).then_some(RungText { program, problems })
 }
 
-/// How many contacts and coils there are by the names that only such text has. None if something is no instruction.
+/// How many contacts and coils there are by the names that only such text has. None if something is not an instruction.
 fn count_known(parts: &[Part<'_>]) -> Option<usize> {
     let counts = parts.iter().map(|part| match part {
         Part::Instruction(it)

@@ -215,7 +215,7 @@ fn declaration<S: Sink>(source: Source<'_>, line: usize, columns: Columns, pen: 
             NAME_LIST => columns.indent,
             AT_CLAUSE => columns.at,
             COLON => columns.colon,
-            // `STRUCT` stands in the place of a type.
+            // `STRUCT` is in the place of a type.
             TYPE_REF | KEYWORD => columns.colon + 2,
             INITIAL_VALUE => columns.assign,
             SEMICOLON => column,

@@ -91,8 +91,8 @@ pub(crate) fn above(context: &Context, line: usize) -> Option<(usize, usize)> {
 pub(crate) fn title(context: &Context, line: usize) -> Option<String> {
     let parse = &context.parse;
     let mut lines = above(context, line).map_or(line..line, |(first, last)| first..last + 1);
-    let said = lines.find_map(|line| first_words(&of_line(parse, line)));
-    said.or_else(|| {
+    let told = lines.find_map(|line| first_words(&of_line(parse, line)));
+    told.or_else(|| {
         let text = parse.lines()[line].text();
         let drawn = text.trim_start_matches('\u{feff}').trim_start();
         // Comments further on are about what is next to them.
@@ -103,8 +103,8 @@ pub(crate) fn title(context: &Context, line: usize) -> Option<String> {
 }
 
 fn first_words(comments: &[(TextRange, String)]) -> Option<String> {
-    let mut said = comments.iter().filter_map(|(_, text)| words(text));
-    said.next().map(str::to_owned)
+    let mut told = comments.iter().filter_map(|(_, text)| words(text));
+    told.next().map(str::to_owned)
 }
 
 #[cfg(test)]
@@ -113,7 +113,7 @@ mod tests {
 
     #[test]
     fn what_a_comment_says() {
-        for (comment, said) in [
+        for (comment, told) in [
             ("# start #", Some("start")),
             ("# ====\n  = Motor 1 =\n ==== #", Some("Motor 1")),
             ("# ladder: allow(double-coil) #", None),
@@ -121,7 +121,7 @@ mod tests {
             ("##", None),
             ("# open", Some("open")),
         ] {
-            assert_eq!(words(comment), said, "{comment}");
+            assert_eq!(words(comment), told, "{comment}");
         }
     }
 }

@@ -5,7 +5,7 @@
 
 use crate::profile::Profile;
 
-/// The differences of a profile. [`Semantics::IEC`] is what the language says where nothing else is said.
+/// The differences of a profile. [`Semantics::IEC`] is what the language says where nothing else is reported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Semantics {
     /// What timers count.
@@ -216,7 +216,7 @@ pub enum Relay {
 pub enum Tables {
     /// `[LUT]` a fault, `[PWL]` the value at its end.
     Bounded,
-    /// Nothing is written and nothing is said; below its first point `[PWL]` goes on with its first line. It
+    /// Nothing is written and nothing is reported; below its first point `[PWL]` goes on with its first line. It
     /// computes in 16 bits.
     Open,
 }

@@ -57,7 +57,7 @@ pub(super) fn draw(context: &Context, options: &Options<'_>) -> Scene {
 }
 
 impl PageItem {
-    /// Draws it below `top`, a network up to the right rail in this column if it is no wider. Gives its lower end.
+    /// Draws it below `top`, a network up to the right rail in this column if it is no wider. Returns its lower end.
     pub(super) fn draw(
         &mut self,
         paper: &mut Paper,

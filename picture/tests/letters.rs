@@ -250,12 +250,12 @@ fn a_network_that_is_too_large_says_so() {
     assert!(small[0].lines.len() > 20);
     let large = drawn(&staircase(3000), 70, None);
     let lines: Vec<&str> = large[0].lines.iter().map(|line| line.text.as_str()).collect();
-    let [said] = lines[..] else {
+    let [told] = lines[..] else {
         panic!("{} lines", lines.len())
     };
     assert!(
-        said.ends_with("is too large to be drawn with characters"),
-        "{said}"
+        told.ends_with("is too large to be drawn with characters"),
+        "{told}"
     );
 }
 

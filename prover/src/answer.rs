@@ -58,7 +58,7 @@ pub enum Verdict {
     Impossible(Times),
     /// Neither was found: there is no such run in so many scans.
     Unknown(usize),
-    /// What is assumed cannot hold at the start: nothing is said.
+    /// What is assumed cannot hold at the start: nothing is reported.
     Vacuous,
 }
 

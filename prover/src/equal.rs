@@ -338,7 +338,7 @@ pub(crate) fn another_part([mut old, mut new]: [Vec<&UnreadPlace>; 2]) -> Option
     Some(&first.name)
 }
 
-/// Why nothing is said of two programs with different unread parts.
+/// Why nothing is reported of two programs with different unread parts.
 pub(crate) fn is_another(name: &str) -> String {
     format!("the unread part `{name}` is another one")
 }

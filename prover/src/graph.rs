@@ -165,7 +165,7 @@ impl Graph {
         if b == y {
             return Some(self.and(b, !x));
         }
-        // What b implies of the two is no condition any more: a choice under its own guard.
+        // What b implies of the two is not a condition any more: a choice under its own guard.
         for (one, two) in [(x, y), (y, x)] {
             if one.is_negated() && self.parts(one).is_some_and(|(u, v)| u == !b || v == !b) {
                 return Some(self.and(b, !two));

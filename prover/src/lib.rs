@@ -29,12 +29,12 @@ mod number;
 mod programs;
 mod replay;
 mod resting;
-mod said;
 mod scenario_text;
 mod shown;
 mod shown_tags;
 mod sure;
 mod system;
+mod told;
 mod unrolled;
 mod wanted;
 
@@ -47,6 +47,6 @@ pub use programs::{
     compare_programs_assuming, outputs_of_one,
 };
 pub use resting::resting_on_unread;
-pub use said::drawn;
 pub use scenario_text::{found_scenario, rows_of, scenario_file, scenario_of_difference};
+pub use told::drawn;
 pub use wanted::{Progress, is_wanted, telling, while_wanted};

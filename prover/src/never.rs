@@ -5,7 +5,7 @@ use crate::limits::{End, Limits};
 use batsat::{Solver, SolverInterface, SolverOpts, lbool};
 use rustc_hash::FxHashMap;
 
-/// Of a function of more nodes nothing is said.
+/// Of a function of more nodes nothing is reported.
 const MOST_NODES: usize = 4_000;
 const CONFLICTS: u64 = 500;
 

@@ -130,7 +130,7 @@ pub(crate) fn shown(
     let given = given.iter().map(|(tag, number, _)| named(tag, *number));
     Difference {
         given: given.collect(),
-        effect: said(effect, was, is),
+        effect: told(effect, was, is),
     }
 }
 
@@ -209,7 +209,7 @@ fn text(ty: Scalar, number: i64) -> String {
     value_text::display(&value, ty)
 }
 
-fn said(effect: &Effect, was: i64, is: i64) -> String {
+fn told(effect: &Effect, was: i64, is: i64) -> String {
     let does = |what: &str| {
         let (side, other) = if was & 1 != 0 {
             ("old", "new")

@@ -46,14 +46,14 @@ pub(crate) fn by_networks(comparison: &Comparison<'_>) -> Result<(), Vec<String>
             open.push(change.entry().title.clone());
             continue;
         }
-        let mut said = heading(comparison, change);
+        let mut told = heading(comparison, change);
         if let Some(reason) = reason(change) {
-            said.push_str(&format!(": {reason}"));
+            told.push_str(&format!(": {reason}"));
         }
         if change.moved && says_the_same(change) {
-            said.push_str(": it has passed others, and the order may matter");
+            told.push_str(": it has passed others, and the order may matter");
         }
-        open.push(said);
+        open.push(told);
     }
     if programs[0].profiles.first() != programs[1].profiles.first() || programs[0].cycle != programs[1].cycle
     {
@@ -80,7 +80,7 @@ fn directs(change: &Change<'_>) -> bool {
     let mut forms = [change.old, change.new].into_iter().flatten();
     forms.any(|entry| {
         entry.comments.contains(DIRECTIVE)
-            || (entry.kind == Kind::Comment && entry.said.key.contains(DIRECTIVE))
+            || (entry.kind == Kind::Comment && entry.told.key.contains(DIRECTIVE))
     })
 }
 

@@ -24,25 +24,25 @@ pub(crate) fn network(parse: &Parse, network: NetworkAt<'_>) -> Canonical {
     if network.broken || network.blocks().any(|block| block.faulty) {
         return lines(parse, network.lines());
     }
-    let mut said = Canonical::default();
+    let mut told = Canonical::default();
     for step in &network.order.steps {
         // Writing to a String does not fail.
         let _ = match *step {
-            Step::Start { rail } => write!(said.key, "{} ", if rail { '+' } else { '~' }),
-            Step::Block { block, en } => write!(said.key, "{block}<{en} "),
-            Step::Join { upper, lower } => write!(said.key, "{upper}|{lower} "),
+            Step::Start { rail } => write!(told.key, "{} ", if rail { '+' } else { '~' }),
+            Step::Block { block, en } => write!(told.key, "{block}<{en} "),
+            Step::Join { upper, lower } => write!(told.key, "{upper}|{lower} "),
         };
     }
     for block in network.blocks() {
-        let from = said.words.len();
-        add_block(&block, &mut said.words);
-        for word in &said.words[from..] {
-            said.key.push_str(word);
-            said.key.push(' ');
+        let from = told.words.len();
+        add_block(&block, &mut told.words);
+        for word in &told.words[from..] {
+            told.key.push_str(word);
+            told.key.push(' ');
         }
-        said.key.push(';');
+        told.key.push(';');
     }
-    said
+    told
 }
 
 /// What a block says.
@@ -152,7 +152,7 @@ fn expression(node: &Node, out: &mut String) {
 /// What some lines say: their words, without blanks, comments, rails, the length of wires and the
 /// case of letters outside of strings.
 pub(crate) fn lines(parse: &Parse, lines: Range<usize>) -> Canonical {
-    let mut said = Canonical::default();
+    let mut told = Canonical::default();
     for line in parse.lines().range(lines) {
         let tokens = line.syntax();
         let tokens = tokens.descendants_with_tokens();
@@ -163,17 +163,17 @@ pub(crate) fn lines(parse: &Parse, lines: Range<usize>) -> Canonical {
                 WIRE => "-".to_owned(),
                 _ => Name::new(token.text()).as_str().to_owned(),
             };
-            said.key.push_str(&word);
-            said.key.push(' ');
-            said.words.push(word);
+            told.key.push_str(&word);
+            told.key.push(' ');
+            told.words.push(word);
         }
     }
-    said
+    told
 }
 
 /// The comments on some lines, one after the other, without the blanks around and in them.
 pub(crate) fn comments(parse: &Parse, lines: Range<usize>) -> String {
-    let mut said = String::new();
+    let mut told = String::new();
     for line in parse.lines().range(lines) {
         if !line.text().contains('#') {
             continue;
@@ -183,10 +183,10 @@ pub(crate) fn comments(parse: &Parse, lines: Range<usize>) -> String {
         let tokens = tokens.filter_map(ladder_syntax::NodeOrToken::into_token);
         for token in tokens.filter(|token| token.kind() == COMMENT) {
             for word in token.text().split_whitespace() {
-                said.push_str(word);
-                said.push(' ');
+                told.push_str(word);
+                told.push(' ');
             }
         }
     }
-    said
+    told
 }

@@ -125,7 +125,7 @@ pub fn compare_renamed<'o>(old: &'o Outline, new: &'o Outline, renames: Vec<Rena
         let entry = change.entry();
         // Declarations next to it have its columns.
         let is_near = entry.kind == Kind::Declaration && !names.is_empty();
-        if is_near || names.iter().any(|name| entry.said.key.contains(name.as_str())) {
+        if is_near || names.iter().any(|name| entry.told.key.contains(name.as_str())) {
             change.verdict = Verdict::Same;
         }
     }
@@ -186,7 +186,7 @@ impl<'o> Comparison<'o> {
 
 /// What became of an entry that is another one.
 pub(crate) fn verdict(before: &Outline, old: &Entry, after: &Outline, new: &Entry) -> Verdict {
-    if old.said.key != new.said.key {
+    if old.told.key != new.told.key {
         return Verdict::Edited;
     }
     if old.comments != new.comments {

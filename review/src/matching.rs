@@ -55,7 +55,7 @@ pub(crate) fn pairs(old: &[&Entry], new: &[&Entry]) -> Vec<Pair> {
 fn keys<'e>(entries: &[&'e Entry]) -> Vec<Key<'e>> {
     let mut sections: HashMap<&str, usize> = HashMap::new();
     let keys = entries.iter().map(|entry| {
-        let key = entry.said.key.as_str();
+        let key = entry.told.key.as_str();
         let number = match entry.kind {
             Kind::Section => {
                 let count = sections.entry(key).or_default();
@@ -150,11 +150,11 @@ fn likeness(old: &Entry, new: &Entry) -> f64 {
     }
     // A short one is never like a long one, and need not be compared with it word by word.
     let most = most_common(old.names.len(), new.names.len())
-        + most_common(old.said.words.len(), new.said.words.len());
+        + most_common(old.told.words.len(), new.told.words.len());
     if most <= ALIKE {
         return 0.0;
     }
-    common(&old.names, &new.names) + common(&old.said.words, &new.said.words)
+    common(&old.names, &new.names) + common(&old.told.words, &new.told.words)
 }
 
 /// How much two lists of these lengths can have in common.

@@ -1,5 +1,5 @@
 //! A program as its entries: networks, declarations, types, block definitions, settings and comments. Together they are the
-//! whole text, so that what becomes of every line can be said of one of them.
+//! whole text, so that what becomes of every line can be expressed of one of them.
 
 use crate::canonical::Canonical;
 use crate::reader::entries;
@@ -122,7 +122,7 @@ pub struct Entry {
     /// Of one that holds others its last line, with the blank lines above it.
     pub end: TextRange,
     /// What it says.
-    pub(crate) said: Canonical,
+    pub(crate) told: Canonical,
     /// The comments in it and right above it.
     pub(crate) comments: String,
 }
@@ -131,7 +131,7 @@ pub struct Entry {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct UnreadPart {
     pub(crate) name: String,
-    /// What is said of it.
+    /// What is reported of it.
     pub(crate) about: String,
     /// What it may write, and what the other system has there.
     pub(crate) text: String,
@@ -224,7 +224,7 @@ fn unread(entries: &[Entry], found: &mut Vec<UnreadPart>) {
             found.push(UnreadPart {
                 name: unread_name(block).to_owned(),
                 about: entry.title.clone(),
-                text: entry.said.key.clone(),
+                text: entry.told.key.clone(),
             });
         }
         unread(&entry.inside, found);

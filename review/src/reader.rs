@@ -101,7 +101,7 @@ impl Reader<'_> {
         let context = self.context;
         let network = context.networks.at(index);
         let mut entry = self.entry(Kind::Network, network.lines());
-        entry.said = canonical::network(&context.parse, network);
+        entry.told = canonical::network(&context.parse, network);
         entry.network = Some(index);
         let written = &self.written[index];
         entry.names = written.iter().map(|name| Name::new(name)).collect();
@@ -223,7 +223,7 @@ impl Reader<'_> {
             Kind::Comment | Kind::Setting | Kind::Unread => String::new(),
             _ => canonical::comments(parse, first..lines.end),
         };
-        let said = match kind {
+        let told = match kind {
             Kind::Network => Canonical::default(),
             Kind::Comment | Kind::Setting | Kind::Unread => Canonical {
                 key: canonical::comments(parse, first..lines.end),
@@ -253,7 +253,7 @@ impl Reader<'_> {
             title: String::new(),
             inside: Vec::new(),
             end: TextRange::empty(end),
-            said,
+            told,
             comments,
         }
     }

@@ -71,7 +71,7 @@ impl Comparison<'_> {
 fn differs_in_value(old: &Entry, new: &Entry) -> bool {
     let declaration = |entry: &Entry| -> Vec<String> {
         let words = entry
-            .said
+            .told
             .words
             .iter()
             .take_while(|word| *word != ":=" && *word != ";");

@@ -2,7 +2,7 @@
 
 /// What became of an entry from the old text to the new one.
 ///
-/// Whether an edited network does the same as before is said by the [`Meaning`](ladder_prover::Meaning) of its change.
+/// Whether an edited network does the same as before is reported by the [`Meaning`](ladder_prover::Meaning) of its change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Verdict {
     /// The same, to the letter but for blanks at its ends.

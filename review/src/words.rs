@@ -1,4 +1,4 @@
-//! What is said of a change, in words.
+//! What is reported of a change, in words.
 
 use crate::comparison::{Change, Comparison};
 use crate::outline::{Entry, Kind};

@@ -178,13 +178,13 @@ mod tests {
 
     #[test]
     fn what_is_no_recording() {
-        let said = |text: &str| pieces(&mut text.as_bytes()).map_err(|error| error.to_string());
-        assert!(said("hello\n").unwrap_err().contains("--mirror"));
+        let told = |text: &str| pieces(&mut text.as_bytes()).map_err(|error| error.to_string());
+        assert!(told("hello\n").unwrap_err().contains("--mirror"));
         assert_eq!(
-            said("ladder lsp recording 1\n7 1\na\nnow\n").unwrap_err(),
+            told("ladder lsp recording 1\n7 1\na\nnow\n").unwrap_err(),
             "a time and a length are expected where \"now\" is, after 1 pieces"
         );
-        let cut = said("ladder lsp recording 1\n7 1\na\n9000 5\nbc").unwrap();
+        let cut = told("ladder lsp recording 1\n7 1\na\n9000 5\nbc").unwrap();
         assert_eq!(
             cut,
             [(7, "a"), (9000, "bc")].map(|(at, bytes)| Piece {

@@ -11,7 +11,7 @@ pub(crate) struct Run {
     pub(crate) count: u32,
 }
 
-/// The first and last index of each dimension of a tag; none of one that is no array.
+/// The first and last index of each dimension of a tag; none of one that is not an array.
 pub(crate) fn dimensions(tag: &Tag) -> Vec<(i64, i64)> {
     match (&tag.column, tag.ty) {
         (Some(column), Type::Array { .. }) if column.dimensions.len() > 1 => column.dimensions.to_vec(),

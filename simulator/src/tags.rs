@@ -330,7 +330,7 @@ impl Names {
     }
 }
 
-/// A path without its indices, and these: `lines[2].running` is `lines[].running` at 2. None: an index is no number.
+/// A path without its indices, and these: `lines[2].running` is `lines[].running` at 2. None: an index is not a number.
 fn without_indices(text: &str) -> Option<(String, Vec<i64>)> {
     let (mut column, mut indices) = (String::new(), Vec::new());
     let mut rest = text;

@@ -16,7 +16,7 @@ use memchr::memchr2;
 use rowan::{TextRange, TextSize};
 use std::ops::Range;
 
-/// How many times a sign stands on its line.
+/// How many times a sign is on its line.
 const SIGNS: usize = 7;
 
 /// What a line of signs begins, or ends.

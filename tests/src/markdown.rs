@@ -20,7 +20,7 @@ pub struct Markdown {
 /// A fenced block.
 #[derive(Debug)]
 pub struct Fence {
-    /// The words after the opening fence, which commas separate: the language, then what is said about it.
+    /// The words after the opening fence, which commas separate: the language, then what is reported about it.
     pub words: Vec<String>,
     /// Its content.
     pub text: String,

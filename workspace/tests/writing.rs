@@ -164,12 +164,12 @@ fn a_process_that_is_killed_leaves_nothing_after() {
         .stdout(std::process::Stdio::piped())
         .spawn()
         .unwrap();
-    let mut said = std::io::BufReader::new(child.stdout.take().unwrap());
+    let mut told = std::io::BufReader::new(child.stdout.take().unwrap());
     let mut line = String::new();
     while !line.contains("half") {
         line.clear();
         assert!(
-            std::io::BufRead::read_line(&mut said, &mut line).unwrap() > 0,
+            std::io::BufRead::read_line(&mut told, &mut line).unwrap() > 0,
             "it does not begin"
         );
     }

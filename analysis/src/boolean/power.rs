@@ -188,9 +188,9 @@ impl<'c> NetworkPower<'c> {
         let matter = variables.filter(|&(index, _)| {
             (0..self.space.size(index)).any(|value| !interesting.holds(self.space.with(point, index, value)))
         });
-        let said: Vec<String> = matter
+        let told: Vec<String> = matter
             .filter_map(|(index, variable)| variable.says(values[index]))
             .collect();
-        said.join(", ")
+        told.join(", ")
     }
 }

@@ -46,7 +46,7 @@ fn put_in_order(all: &mut Vec<Finding>) {
     all.dedup_by(|later, first| later.rule == first.rule && later.range == first.range);
 }
 
-/// After an open comment, and in a text that is in another notation, only that is said.
+/// After an open comment, and in a text that is in another notation, only that is reported.
 fn hide_what_is_doubtful(context: &Context, all: &mut Vec<Finding>) {
     let parse = &context.parse;
     if !rules::cplc_draft::is_it(parse) {

@@ -74,7 +74,7 @@ fn asked(context: &Context, bound: BlockAt<'_>, formal: Formal) -> Option<Type> 
     }
 }
 
-/// Rule 1. Only the places of tags without a type count. Gives the tags that have none after it; nothing if that is not
+/// Rule 1. Only the places of tags without a type count. Returns the tags that have none after it; nothing if that is not
 /// wanted any longer.
 fn by_place(context: &mut Context, wanted: &StillWanted<'_>) -> Option<Vec<Entry>> {
     let mut answers: Vec<(Entry, Type)> = Vec::new();

@@ -21,19 +21,19 @@ pub(super) type Said<'t> = (&'t TypeSpec, Option<&'t Arc<str>>);
 const MOST_NAMES: usize = 50;
 
 /// The declaration after all names that only stand for another one.
-pub(super) fn resolved<'t>(types: &'t NamedTypes, mut said: Said<'t>) -> Option<Said<'t>> {
+pub(super) fn resolved<'t>(types: &'t NamedTypes, mut told: Said<'t>) -> Option<Said<'t>> {
     for _ in 0..MOST_NAMES {
-        match &said.0.kind {
-            SpecKind::Named(name) => said = types.declaration(name, said.1)?,
-            _ => return Some(said),
+        match &told.0.kind {
+            SpecKind::Named(name) => told = types.declaration(name, told.1)?,
+            _ => return Some(told),
         }
     }
     None
 }
 
-/// What is said of a member.
-pub(super) fn member<'t>(types: &'t NamedTypes, said: Said<'t>, name: &str) -> Option<Said<'t>> {
-    let (spec, file) = resolved(types, said)?;
+/// What is reported of a member.
+pub(super) fn member<'t>(types: &'t NamedTypes, told: Said<'t>, name: &str) -> Option<Said<'t>> {
+    let (spec, file) = resolved(types, told)?;
     let SpecKind::Structure(members) = &spec.kind else {
         return None;
     };
@@ -42,17 +42,17 @@ pub(super) fn member<'t>(types: &'t NamedTypes, said: Said<'t>, name: &str) -> O
     Some((&found.declared.spec, file))
 }
 
-/// What is said of the elements.
-pub(super) fn element<'t>(types: &'t NamedTypes, said: Said<'t>) -> Option<Said<'t>> {
-    let (spec, file) = resolved(types, said)?;
+/// What is reported of the elements.
+pub(super) fn element<'t>(types: &'t NamedTypes, told: Said<'t>) -> Option<Said<'t>> {
+    let (spec, file) = resolved(types, told)?;
     match &spec.kind {
         SpecKind::Array(_, element) => Some((element, file)),
         _ => None,
     }
 }
 
-pub(super) fn limits(types: &NamedTypes, said: Said<'_>) -> Option<Limited> {
-    match resolved(types, said)?.0.kind {
+pub(super) fn limits(types: &NamedTypes, told: Said<'_>) -> Option<Limited> {
+    match resolved(types, told)?.0.kind {
         SpecKind::Subrange(scalar, limits) => Some((scalar, limits)),
         _ => None,
     }
@@ -80,23 +80,23 @@ pub(super) fn check_initial(
     check_value(types, (spec, None), node, out);
 }
 
-fn check_value(types: &NamedTypes, said: Said<'_>, node: &Node, out: &mut impl FnMut(ConstantProblem)) {
+fn check_value(types: &NamedTypes, told: Said<'_>, node: &Node, out: &mut impl FnMut(ConstantProblem)) {
     match &node.kind {
         NodeKind::Members(given) => {
             for (word, node) in given {
-                if let Some(said) = member(types, said, &word.text) {
-                    check_value(types, said, node, out);
+                if let Some(told) = member(types, told, &word.text) {
+                    check_value(types, told, node, out);
                 }
             }
         }
         NodeKind::Array(nodes) => {
-            if let Some(said) = element(types, said) {
-                nodes.iter().for_each(|node| check_value(types, said, node, out));
+            if let Some(told) = element(types, told) {
+                nodes.iter().for_each(|node| check_value(types, told, node, out));
             }
         }
-        NodeKind::Repeat(_, nodes) => nodes.iter().for_each(|node| check_value(types, said, node, out)),
+        NodeKind::Repeat(_, nodes) => nodes.iter().for_each(|node| check_value(types, told, node, out)),
         _ => {
-            if let (Some(number), Some(limited)) = (number(node), limits(types, said))
+            if let (Some(number), Some(limited)) = (number(node), limits(types, told))
                 && let Some(message) = message(number, limited)
             {
                 out(ConstantProblem::out_of_range(node.range, message));

@@ -134,7 +134,7 @@ impl NamedTypes {
         }
     }
 
-    /// Reads what a name means that nothing but an operand may mention. What is wrong with it is said where it is declared.
+    /// Reads what a name means that nothing but an operand may mention. What is wrong with it is reported where it is declared.
     pub(crate) fn read(&mut self, name: &str) {
         self.load(&Name::new(name));
         if let Some(index) = self.position(name, None) {
@@ -238,7 +238,7 @@ impl NamedTypes {
         }
     }
 
-    /// What a declaration of another file means; what is wrong with it is said there.
+    /// What a declaration of another file means; what is wrong with it is reported there.
     pub(crate) fn meaning_in(&mut self, declared: &Declared, file: &Arc<str>) -> Option<Meaning> {
         let mut unsaid = Vec::new();
         Reading::of_known(self, &mut unsaid).declared(self, declared, Some(file))

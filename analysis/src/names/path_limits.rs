@@ -10,7 +10,7 @@ use std::sync::Arc;
 impl Context {
     /// The limits of what a path of a scope means.
     pub(crate) fn limits(&self, scope: usize, path: &Node) -> Option<Limited> {
-        limits(&self.types, self.said(scope, path)?.0)
+        limits(&self.types, self.told(scope, path)?.0)
     }
 
     /// The limits that the declaration of a parameter says.
@@ -18,8 +18,8 @@ impl Context {
         limits(&self.types, (spec, file))
     }
 
-    /// What is said of a path, and how many dimensions of an array are open in it.
-    fn said<'c>(&'c self, scope: usize, path: &Node) -> Option<(Said<'c>, usize)> {
+    /// What is reported of a path, and how many dimensions of an array are open in it.
+    fn told<'c>(&'c self, scope: usize, path: &Node) -> Option<(Said<'c>, usize)> {
         let types = &self.types;
         match &path.kind {
             NodeKind::Name(name) => {
@@ -27,22 +27,22 @@ impl Context {
                 let declared = facts.cold.declared.as_deref()?;
                 Some(((&declared.spec, facts.cold.foreign.as_ref()), 0))
             }
-            NodeKind::Paren(inner) => self.said(scope, inner),
+            NodeKind::Paren(inner) => self.told(scope, inner),
             NodeKind::Member(base, word) => {
-                let (said, open) = self.said(scope, base)?;
-                (open == 0).then_some((member(types, said, &word.text)?, 0))
+                let (told, open) = self.told(scope, base)?;
+                (open == 0).then_some((member(types, told, &word.text)?, 0))
             }
             NodeKind::Index(base, _) => {
-                let (said, open) = self.said(scope, base)?;
-                let SpecKind::Array(dimensions, _) = &resolved(types, said)?.0.kind else {
+                let (told, open) = self.told(scope, base)?;
+                let SpecKind::Array(dimensions, _) = &resolved(types, told)?.0.kind else {
                     return None;
                 };
                 if open + 1 < dimensions.len() {
-                    return Some((said, open + 1));
+                    return Some((told, open + 1));
                 }
-                Some((element(types, said)?, 0))
+                Some((element(types, told)?, 0))
             }
-            NodeKind::Range(base, ..) => Some((element(types, self.said(scope, base)?.0)?, 0)),
+            NodeKind::Range(base, ..) => Some((element(types, self.told(scope, base)?.0)?, 0)),
             _ => None,
         }
     }

@@ -193,13 +193,13 @@ fn unknown_blocks(
     let tags = scopes.iter().flat_map(|scope| &scope.tags);
     let declared = tags.filter_map(|tag| tag.cold.declared.as_deref());
     let types = types.own().iter().map(|ty| &*ty.declaration.declared);
-    let mut said = Vec::new();
+    let mut told = Vec::new();
     for declared in declared.chain(types) {
         declared.spec.each_block(&mut |name, at| {
             let key = Name::new(name);
             let is_known = own.iter().any(|block| block.key == key) || others.blocks(&key).next().is_some();
-            if !is_known && !said.contains(&at) {
-                said.push(at);
+            if !is_known && !told.contains(&at) {
+                told.push(at);
                 problems.push(NameProblem::UnknownType {
                     name: name.clone(),
                     at,

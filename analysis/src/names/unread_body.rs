@@ -47,7 +47,7 @@ fn directive_on(line: &Line) -> Option<UnreadDirective> {
         NodeOrToken::Node(_) => None,
     });
     comments.find_map(|comment| {
-        let said = asked(comment).filter(|said| said.word == "unread")?;
-        UnreadDirective::read(said.after)
+        let told = asked(comment).filter(|told| told.word == "unread")?;
+        UnreadDirective::read(told.after)
     })
 }

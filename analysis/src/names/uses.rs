@@ -98,7 +98,7 @@ pub(crate) fn undeclared(name: &str, semantics: &Semantics) -> TagFacts {
 /// A declared tag is an input, too, where other devices write tags.
 fn roles(scope: &mut Scope, unread: &UnreadUses, writers: Writers) {
     for tag in &mut scope.tags[scope.declared..] {
-        // What an unread part says that it writes is no input.
+        // What an unread part says that it writes is not an input.
         if tag.origin == Origin::Undeclared && !unread.names(0, tag) {
             tag.role = role(&tag.uses);
         }

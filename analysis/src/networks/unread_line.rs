@@ -1,4 +1,4 @@
-//! What can be said of text that could not be read.
+//! What can be expressed of text that could not be read.
 
 use ladder_syntax::{Line, LineKind, is_identifier};
 

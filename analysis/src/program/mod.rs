@@ -169,7 +169,7 @@ pub struct Tag {
     pub retain: bool,
     /// Never written by the program.
     pub constant: bool,
-    /// It is no tag of its file alone: VAR_GLOBAL, a direct address, or not declared.
+    /// It is not a tag of its file alone: VAR_GLOBAL, a direct address, or not declared.
     pub shared: bool,
     /// Its value at a cold start, one for each element; empty for zero, FALSE, the empty text.
     pub initial: Vec<Value>,
@@ -248,12 +248,12 @@ pub struct OtherName {
     pub block: Option<usize>,
 }
 
-/// What is said of a direct address in one place, and otherwise in another.
+/// What is reported of a direct address in one place, and otherwise in another.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Disagreement {
     /// What is wrong and what to do.
     pub message: String,
-    /// Where it is said otherwise.
+    /// Where it is reported otherwise.
     pub location: Location,
 }
 

@@ -30,7 +30,7 @@ impl UnreadDirective {
     /// Reads what is after the word `unread`. None: it is none of the forms.
     pub fn read(after: &str) -> Option<UnreadDirective> {
         let mut rest = after.trim();
-        let mut said = UnreadDirective::default();
+        let mut told = UnreadDirective::default();
         let next = |rest: &'_ str| -> Option<Option<String>> {
             match rest.trim() {
                 "" => Some(None),
@@ -38,12 +38,12 @@ impl UnreadDirective {
             }
         };
         let Some(mut form) = next(rest)? else {
-            return Some(said);
+            return Some(told);
         };
         if let Some(after) = form.strip_prefix("at any time") {
-            said.at_any_time = true;
+            told.at_any_time = true;
             let Some(after) = next(after)? else {
-                return Some(said);
+                return Some(told);
             };
             form = after;
         }
@@ -60,8 +60,8 @@ impl UnreadDirective {
         if !names.iter().all(|name| is_path(name)) {
             return None;
         }
-        said.writes = Some(names);
-        Some(said)
+        told.writes = Some(names);
+        Some(told)
     }
 }
 
@@ -181,7 +181,7 @@ impl Program {
         !facts.constant && !is_input && !is_en
     }
 
-    /// Which of some tags a path of a list means: the part that it names, or where that is no tag of its own, what it is in.
+    /// Which of some tags a path of a list means: the part that it names, or where that is not a tag of its own, what it is in.
     pub fn named_by(&self, path: &str, among: &[TagId]) -> Vec<TagId> {
         let whole = path.to_ascii_lowercase();
         // An index says which element: the whole array counts.

@@ -13,9 +13,9 @@ use ladder_syntax::{Name, TextRange};
 
 /// What a name says where a value may be meant.
 pub(super) enum NamedValue {
-    /// It is no value of an enumeration.
+    /// It is not a value of an enumeration.
     No,
-    /// It should be one, and is none; that is said.
+    /// It should be one, and is none; that is reported.
     Wrong,
     Is(Expr),
 }

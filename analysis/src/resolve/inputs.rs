@@ -30,16 +30,16 @@ pub(super) fn mark(units: &[Unit<'_>], ids: &[Vec<Ids>], program: &mut Program) 
     for (unit, ids) in units.iter().zip(ids) {
         for (scope, ids) in unit.context.scopes.iter().zip(ids) {
             for (number, (tag, id)) in scope.tags.iter().zip(&ids.of_tags).enumerate() {
-                let said = of_tag(unit, tag, &elsewhere);
+                let told = of_tag(unit, tag, &elsewhere);
                 let columns = ids.columns.get(&number);
                 for &TagId(id) in columns.map_or(std::slice::from_ref(id), |columns| &**columns) {
                     if TagId(id) == NOWHERE {
                         continue;
                     }
                     let known = known[id as usize].get_or_insert_default();
-                    known.is_declared |= said.is_declared;
-                    known.is_written |= said.is_written;
-                    known.is_written_elsewhere |= said.is_written_elsewhere;
+                    known.is_declared |= told.is_declared;
+                    known.is_written |= told.is_written;
+                    known.is_written_elsewhere |= told.is_written_elsewhere;
                 }
             }
         }

@@ -92,7 +92,7 @@ pub(crate) struct Resolved {
     pub(crate) linked: bool,
 }
 
-/// Resolves a network for the sake of its errors, which go to `out`. Gives the first block that could not be
+/// Resolves a network for the sake of its errors, which go to `out`. Returns the first block that could not be
 /// resolved whole.
 pub(crate) fn check(context: &Context, network: usize, out: &mut Vec<Diagnostic>) -> Option<TextRange> {
     let facts = context.networks.at(network);
@@ -141,7 +141,7 @@ pub(crate) fn program(units: &[Unit<'_>]) -> Resolved {
     }
 }
 
-/// Adds a unit's networks. Gives the first block that is not resolved whole.
+/// Adds a unit's networks. Returns the first block that is not resolved whole.
 fn networks(
     unit: &Unit<'_>,
     index: usize,

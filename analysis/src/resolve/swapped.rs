@@ -149,7 +149,7 @@ impl Resolver<'_, '_> {
         )
     }
 
-    /// Whether an operand passes to a parameter; none if that cannot be said.
+    /// Whether an operand passes to a parameter; none if that cannot be expressed.
     fn fits(&self, node: &Node, parameter: &Parameter) -> Option<bool> {
         let Some(Type::Scalar(wanted)) = parameter.ty else {
             return None;

@@ -23,7 +23,7 @@ pub(super) struct Ids {
     pub(super) stored: FxHashMap<usize, Scalar>,
 }
 
-/// Adds the units' tags to the program. Gives the ids of each scope of each unit.
+/// Adds the units' tags to the program. Returns the ids of each scope of each unit.
 pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program) -> Vec<Vec<Ids>> {
     let mut common = Common::default();
     let prefixes = prefixes(units);

@@ -269,7 +269,7 @@ pub(crate) fn missing(place: OperandPlace, range: TextRange) -> Diagnostic {
     }
 }
 
-/// What other systems write as `Phase#RUN`: the type and the value, if that is what stands around the `#` before an operand.
+/// What other systems write as `Phase#RUN`: the type and the value, if that is what is around the `#` before an operand.
 fn typed_value<'t>(before: &'t str, text: &'t str) -> Option<(&'t str, &'t str)> {
     let before = before.strip_suffix('#')?;
     let ty = &before[before
@@ -340,7 +340,7 @@ pub(crate) fn too_complex(range: TextRange) -> Diagnostic {
     wrong(range, "this expression is too long or nested too deeply").help("compute it in several steps")
 }
 
-/// A name that is no value of the enumeration that is asked for.
+/// A name that is not a value of the enumeration that is asked for.
 pub(crate) fn no_value(enumeration: &Enumeration, name: &str, range: TextRange) -> Diagnostic {
     let values = || enumeration.values.iter().map(|(name, _)| name.as_str());
     let found = wrong(range, format!("{} has no value `{name}`", enumeration.name));

@@ -32,7 +32,7 @@ pub(super) fn check(block: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The first index of a path that is no number and no constant.
+/// The first index of a path that is not a number and no constant.
 fn varying<'n>(block: &SurveyedBlock<'_>, node: &'n Node) -> Option<&'n Node> {
     match &node.kind {
         NodeKind::Member(base, _) | NodeKind::Paren(base) => varying(block, base),

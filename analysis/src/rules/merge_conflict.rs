@@ -21,7 +21,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Of the lines of a conflict nothing else is said.
+/// Of the lines of a conflict nothing else is reported.
 pub(crate) fn hide_all_else(parse: &Parse, all: &mut Vec<Finding>) {
     let conflicts: Vec<TextRange> = parse
         .conflicts()

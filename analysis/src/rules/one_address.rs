@@ -45,12 +45,12 @@ struct Names<'c> {
 }
 
 fn otherwise(context: &Context, first: &TagFacts, second: &TagFacts, address: &str) -> Option<Diagnostic> {
-    let mut said = Said::from(second);
+    let mut told = Said::from(second);
     if !second.is_declared() && second.uses.writers().next().is_none() {
         // It is only read: what is CONSTANT may be.
-        said.constant = first.constant;
+        told.constant = first.constant;
     }
-    let message = disagreement(first.into(), said, address)?;
+    let message = disagreement(first.into(), told, address)?;
     let found = Diagnostic::new(
         super::duplicate_declaration::RULE,
         context.place_of(second),

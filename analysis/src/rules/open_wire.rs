@@ -189,8 +189,8 @@ impl<'c> Reach<'c> {
         let before = self.segments(rung)[segment - 1].parts.end - 1;
         let first = self.segments(rung)[segment].parts.start;
         let between = &self.network.wiring.rungs[rung].parts[before + 1..first];
-        let said = between.iter().any(|part| part.kind == PartKind::StrayBar);
-        if !self.live[rung][before] || said {
+        let told = between.iter().any(|part| part.kind == PartKind::StrayBar);
+        if !self.live[rung][before] || told {
             return None;
         }
         let start = self.parse.line_start(self.network.line(rung));

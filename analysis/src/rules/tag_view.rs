@@ -113,7 +113,7 @@ impl<'c> TagView<'c> {
         self.tag.origin == Origin::Declared(SectionKind::Global)
     }
 
-    /// Whether what this file does with it is all that is done: no other file uses it, it is no alias of another tag, and its
+    /// Whether what this file does with it is all that is done: no other file uses it, it is not an alias of another tag, and its
     /// declaration can be read.
     pub(super) fn is_all_known(&self) -> bool {
         let is_shared = matches!(

@@ -38,7 +38,7 @@ pub(crate) fn unclosed(parse: &Parse, range: TextRange) -> Diagnostic {
     }
 }
 
-/// What other systems write as `Phase#IDLE`: the type and the value, if that is what stands around a `#`.
+/// What other systems write as `Phase#IDLE`: the type and the value, if that is what is around a `#`.
 fn typed_value(text: &str, mark: TextRange) -> Option<(&str, &str)> {
     let is_name = |c: char| c.is_alphanumeric() || c == '_';
     let (before, after) = (&text[..mark.start().into()], &text[mark.start().into()..]);

@@ -30,7 +30,7 @@ pub(crate) const RULE: Rule =
 /// For how many tags of a file a near name is looked for among all declared ones.
 const MOST_SUGGESTIONS: usize = 20;
 
-/// What the rest of the file adds to what is said about an undeclared tag.
+/// What the rest of the file adds to what is reported about an undeclared tag.
 pub(super) struct Undeclaring<'c> {
     context: &'c Context,
     /// Of a file that declares no tags all names.

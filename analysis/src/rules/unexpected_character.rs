@@ -60,7 +60,7 @@ pub(crate) fn unexpected(
     }
     match place {
         Surroundings::Rung if is_identifier(text) => found.help(match instruction(text) {
-            // A word for an instruction is no tag.
+            // A word for an instruction is not a tag.
             Some(row) => format!("the {} is written {}", in_sentence(row.title), row.signature()),
             None => format!("a contact is written [ ]( {shown} ), a coil ( )( {shown} )"),
         }),

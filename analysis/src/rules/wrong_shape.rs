@@ -26,7 +26,7 @@ pub(crate) fn taking_operands(bound: BlockAt<'_>) -> Option<&'static Instruction
 }
 
 /// Only a word that is one instruction and no other can mean nothing else: one or two letters are one slip away from
-/// others. None where the drawing says something else than the instruction: what is drawn as a coil is no condition, an
+/// others. None where the drawing says something else than the instruction: what is drawn as a coil is not a condition, an
 /// operand must be one that it takes, and elsewhere the END of a program ends the scan, not all of them.
 fn applicability(bound: BlockAt<'_>, row: &Instruction) -> Option<Applicability> {
     let name = bound.facts.head.text();

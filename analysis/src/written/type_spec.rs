@@ -56,7 +56,7 @@ pub enum SpecKind {
     Enumeration(Vec<(SmolStr, TextRange, i32)>),
     /// `STRUCT`
     Structure(Vec<MemberSpec>),
-    /// A member's type that means nothing: something was said about that.
+    /// A member's type that means nothing: something was reported about that.
     Unread,
 }
 

@@ -45,7 +45,7 @@ fn a_finding_names_a_bounded_number_of_places() {
             }
             all.sum::<usize>()
         };
-        // At most as much more is said as there is more to be said about.
+        // At most as much more is reported as there is more to be reported about.
         let (small, large) = (size(50), size(500));
         assert!(large <= 11 * small, "{rung}: {small}, then {large}");
     }
@@ -114,7 +114,7 @@ fn circles_of_calls() {
         assert!(circles.clone().count() > 0);
         circles.map(|found| found.message.len()).max().unwrap()
     };
-    // However long a circle is, a few names of it are said.
+    // However long a circle is, a few names of it are reported.
     assert!(size(4000) < 2 * size(40), "{} {}", size(40), size(4000));
 }
 

@@ -1,4 +1,4 @@
-//! What can be said of a network's power for all values of its contacts.
+//! What can be expressed of a network's power for all values of its contacts.
 
 use crate::check::{check, check_program, clean};
 use expect_test::expect;

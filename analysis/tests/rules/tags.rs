@@ -258,7 +258,7 @@ fn addresses() {
 
 #[test]
 fn names_of_one_address_are_one_tag() {
-    // Nothing is said that another name makes untrue.
+    // Nothing is reported that another name makes untrue.
     clean_program(
         "VAR_INPUT\n    go, seen AT %IX0.0 : BOOL;\nEND_VAR\nVAR_OUTPUT\n    run AT %QX0.0 : BOOL;\n    shown AT %QX00.0 : BOOL;\n    level AT %QW2 : INT;\n    bits AT %QW2 : WORD;\nEND_VAR\n\
          +--[ ]( go )--[MOV]( level, 5 )--(S)( run )--+\n\n+--[/]( seen )--[MOV]( bits, 16#FFFF )--(R)( shown )--+\n",

@@ -54,12 +54,12 @@ pub(crate) fn not_started(error: &std::io::Error) -> Failure {
 }
 
 /// What git says of an error, on one line.
-pub(crate) fn said(output: &Output) -> String {
-    let said = String::from_utf8_lossy(&output.stderr);
-    let said = said.trim().trim_start_matches("fatal: ");
-    if said.is_empty() {
+pub(crate) fn told(output: &Output) -> String {
+    let told = String::from_utf8_lossy(&output.stderr);
+    let told = told.trim().trim_start_matches("fatal: ");
+    if told.is_empty() {
         "git could not do it".to_owned()
     } else {
-        said.to_owned()
+        told.to_owned()
     }
 }

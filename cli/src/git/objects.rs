@@ -1,6 +1,6 @@
 //! Files as git has them in a revision: `HEAD~2:plant/motor.clad`.
 
-use super::{command, not_started, output, said};
+use super::{command, not_started, output, told};
 use crate::outcome::Failure;
 use ladder_workspace::MAX_FILE_BYTES;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -137,7 +137,7 @@ pub(crate) fn staged() -> Result<Vec<Listed>, Failure> {
 fn listed(arguments: &[&str], id: usize) -> Result<Vec<Listed>, Failure> {
     let output = output(command(Path::new(".")).args(arguments))?;
     if !output.status.success() {
-        return Err(Failure::new(said(&output)));
+        return Err(Failure::new(told(&output)));
     }
     let text = String::from_utf8_lossy(&output.stdout);
     let files = text.split('\0').filter_map(|line| {

@@ -1,7 +1,7 @@
 //! The programs of a revision, as a disk of their own.
 
 use super::objects::{Listed, Object, Objects, list, staged};
-use super::{command, output, said};
+use super::{command, output, told};
 use crate::outcome::Failure;
 use ladder_workspace::{Disk, MAX_FILE_BYTES, MemoryDisk, Root, SETTINGS_FILE, Workspace, is_program};
 use std::path::{Path, PathBuf};
@@ -55,7 +55,7 @@ impl Revision {
         files.retain(|file| is_program(Path::new(&file.path)) || is_settings(&file.path));
         let git = output(command(Path::new(".")).args(["rev-parse", "--show-prefix"]))?;
         if !git.status.success() {
-            return Err(Failure::new(said(&git)));
+            return Err(Failure::new(told(&git)));
         }
         let here = String::from_utf8_lossy(&git.stdout)
             .trim_end_matches('\n')

@@ -33,7 +33,7 @@ pub(crate) fn may_write(file: &Path, existing: Existing) -> Result<(), Failure> 
     let metadata = match file.metadata() {
         Ok(metadata) => metadata,
         Err(_) if is_link && existing == Existing::Kept => return failure(link),
-        // There is none; or it is said when it is written.
+        // There is none; or it is reported when it is written.
         Err(_) => return Ok(()),
     };
     // What is not a file (a device, a pipe) is written to as it is, and an empty one holds nothing to lose.

@@ -211,7 +211,7 @@ impl<'r> App<'r> {
         self.stamp = stamp;
         self.view.take_over(&self.plant);
         let file = &self.plant.sheet.file;
-        let said = match changed {
+        let told = match changed {
             Changeover::None => format!("{file} was loaded again: the program does what it did"),
             Changeover::Carried { lost } => match lost.as_slice() {
                 [] => format!("{file} was loaded again: the program goes on with all that it held"),
@@ -225,7 +225,7 @@ impl<'r> App<'r> {
                 }
             },
         };
-        self.view.say(said);
+        self.view.say(told);
     }
 
     /// Draws the screen.

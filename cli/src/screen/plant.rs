@@ -143,7 +143,7 @@ impl Plant {
         self.recorded(Session::scan);
     }
 
-    /// Runs a part of a scan. Gives what runs next in it.
+    /// Runs a part of a scan. Returns what runs next in it.
     pub(super) fn step(&mut self, part: StepUnit) -> Stepped {
         self.recorded(match part {
             StepUnit::Block => Session::step_block,

@@ -23,8 +23,8 @@ impl App<'_> {
             "and fails: `ladder test` shows where"
         };
         let written = format!("{file} was written {verdict}");
-        let said: Vec<String> = std::iter::once(written).chain(recorded.notes).collect();
-        self.view.say(said.join("; "));
+        let told: Vec<String> = std::iter::once(written).chain(recorded.notes).collect();
+        self.view.say(told.join("; "));
         Ok(())
     }
 }

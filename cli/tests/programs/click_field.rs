@@ -12,7 +12,7 @@ fn field(name: &str) -> PathBuf {
         .join(name)
 }
 
-/// The Python files of the field whose names begin so, and what is said of each.
+/// The Python files of the field whose names begin so, and what is reported of each.
 #[track_caller]
 fn check(expected: Expect) {
     let entries = fs::read_dir(field("")).expect("the folder can be read");
@@ -27,12 +27,12 @@ fn check(expected: Expect) {
         .filter(|name| name.starts_with("click_") && Path::new(name).extension().is_some_and(|it| it == "py"))
         .collect();
     names.sort_unstable();
-    let mut said = String::new();
+    let mut told = String::new();
     for name in names {
         let text = fs::read_to_string(field(&name)).expect("the file can be read");
         let folder = Folder::with(&[(&name, &text)]);
         let run = folder.ladder(&["convert", &name, "-o", "out.clad"]);
-        said.push_str(&format!("{} {}", run.status.unwrap_or(-1), run.stderr));
+        told.push_str(&format!("{} {}", run.status.unwrap_or(-1), run.stderr));
         if run.status == Some(2) {
             continue;
         }
@@ -47,7 +47,7 @@ fn check(expected: Expect) {
             assert!(!checked.stdout.contains("suppression-unused"), "{checked}");
         }
     }
-    expected.assert_eq(&said);
+    expected.assert_eq(&told);
 }
 
 #[test]

@@ -338,8 +338,8 @@ fn a_program_and_what_is_made_of_it_do_the_same() {
     let folder = Folder::with(&[("motor.clad", motor)]);
     for file in ["motor.xml", "motor.s7dcl"] {
         folder.ladder(&["convert", "motor.clad", "-o", file]);
-        let said = folder.ladder(&["diff", "--same", "motor.clad", file]).to_string();
-        assert_eq!(said, "exit status 0\n-- stdout\nthe same\n", "{file}");
+        let told = folder.ladder(&["diff", "--same", "motor.clad", file]).to_string();
+        assert_eq!(told, "exit status 0\n-- stdout\nthe same\n", "{file}");
     }
 }
 
@@ -354,13 +354,13 @@ fn programs_that_do_the_same() {
         ("more.clad", &format!("{}\n+--[ ]( a )--( )( b )--+\n", SAFE[0])),
         ("broken.clad", &SAFE[0].replace("( lamp )", "( 5 )")),
     ]);
-    let said = |old: &str, new: &str| folder.ladder(&["diff", "--same", old, new]).to_string();
+    let told = |old: &str, new: &str| folder.ladder(&["diff", "--same", old, new]).to_string();
     let all = [
-        said("old.clad", "new.clad"),
-        said("old.clad", "other.clad"),
-        said("order.clad", "moved.clad"),
-        said("old.clad", "more.clad"),
-        said("old.clad", "broken.clad"),
+        told("old.clad", "new.clad"),
+        told("old.clad", "other.clad"),
+        told("order.clad", "moved.clad"),
+        told("old.clad", "more.clad"),
+        told("old.clad", "broken.clad"),
     ];
     expect![[r#"
         exit status 0
@@ -415,7 +415,7 @@ fn whole_programs_are_compared_by_their_runs() {
         ("late.clad", &GATE.replace("[/]( up )", "[TON]( t, 30ms )")),
         ("seal.clad", &GATE.replace("( )( lamp )", "(S)( lamp )")),
     ]);
-    let said = |new: &str| {
+    let told = |new: &str| {
         let same = folder.ladder(&["diff", "--same", "gate.clad", new]).to_string();
         let shown = folder.ladder(&["diff", "gate.clad", new]).to_string();
         let last = shown.rsplit("\n\n").next().unwrap_or_default().to_owned();
@@ -428,7 +428,7 @@ fn whole_programs_are_compared_by_their_runs() {
         --
         the programs do the same in every run
     "#]]
-    .assert_eq(&said("careful.clad"));
+    .assert_eq(&told("careful.clad"));
     expect![[r#"
         exit status 1
         -- stdout
@@ -443,7 +443,7 @@ fn whole_programs_are_compared_by_their_runs() {
             down     => -  (old)
             down     => _  (new)
     "#]]
-    .assert_eq(&said("late.clad"));
+    .assert_eq(&told("late.clad"));
     expect![[r#"
         exit status 1
         -- stdout
@@ -458,7 +458,7 @@ fn whole_programs_are_compared_by_their_runs() {
             lamp    => -_  (old)
             lamp    => --  (new)
     "#]]
-    .assert_eq(&said("seal.clad"));
+    .assert_eq(&told("seal.clad"));
     let shown = folder.ladder(&["diff", "gate.clad", "seal.clad", "--format", "json"]);
     let whole = shown.stdout.split("\"whole\"").nth(1).unwrap_or_default();
     expect![[r#"
@@ -546,11 +546,11 @@ fn a_program_is_compared_with_the_files_that_it_uses() {
         ("new/main.clad", USES_LIFT),
         ("new/other.clad", MOTOR),
         (
-            "said/blocks.clad",
-            &format!("# said otherwise #\n{}", lift("T#20ms")),
+            "told/blocks.clad",
+            &format!("# told otherwise #\n{}", lift("T#20ms")),
         ),
-        ("said/main.clad", USES_LIFT),
-        ("said/other.clad", MOTOR),
+        ("told/main.clad", USES_LIFT),
+        ("told/other.clad", MOTOR),
     ]);
     expect![[r#"
         exit status 1
@@ -576,8 +576,8 @@ fn a_program_is_compared_with_the_files_that_it_uses() {
         both.contains("not the same") && both.contains("main.clad: the programs differ"),
         "{both}"
     );
-    let said = folder.ladder(&["diff", "--same", "old/main.clad", "said/main.clad"]);
-    assert_eq!(said.to_string(), "exit status 0\n-- stdout\nthe same\n");
+    let told = folder.ladder(&["diff", "--same", "old/main.clad", "told/main.clad"]);
+    assert_eq!(told.to_string(), "exit status 0\n-- stdout\nthe same\n");
     let json = folder
         .ladder(&["diff", "--format", "json", "old", "new"])
         .to_string();
@@ -590,12 +590,12 @@ fn a_program_is_compared_with_the_files_that_it_uses() {
     folder.write("old/global.clad", global("").as_bytes());
     folder.write("new/user.clad", user.as_bytes());
     folder.write("new/global.clad", global(" := 5").as_bytes());
-    let said = folder
+    let told = folder
         .ladder(&["diff", "old/user.clad", "new/user.clad"])
         .to_string();
     assert!(
-        said.contains("it uses limit, which another file declares differently"),
-        "{said}"
+        told.contains("it uses limit, which another file declares differently"),
+        "{told}"
     );
 }
 
@@ -613,8 +613,8 @@ fn networks_below_a_block_are_compared_with_themselves() {
         ("old.clad", &text("[ ]( a )--[ ]( b )", "[ ]( b )")),
         ("new.clad", &text("[ ]( b )--[ ]( a )", "[/]( b )")),
     ]);
-    let said = folder.ladder(&["diff", "old.clad", "new.clad"]).to_string();
-    let headings: Vec<&str> = said.lines().filter(|line| line.starts_with("edited")).collect();
+    let told = folder.ladder(&["diff", "old.clad", "new.clad"]).to_string();
+    let headings: Vec<&str> = told.lines().filter(|line| line.starts_with("edited")).collect();
     expect![[r#"
         edited, does the same: network, line 19, writes x
         edited, does another thing: network, line 21, writes y"#]]
@@ -629,7 +629,7 @@ fn a_file_with_another_name_is_known_by_what_it_holds() {
         ("new/lines/motor.clad", &edited()),
         ("new/lift.clad", &lift("20ms")),
     ]);
-    let said = folder.ladder(&["diff", "old", "new"]).to_string();
+    let told = folder.ladder(&["diff", "old", "new"]).to_string();
     expect![[r#"
         exit status 1
         -- stdout
@@ -637,7 +637,7 @@ fn a_file_with_another_name_is_known_by_what_it_holds() {
         +++ new/lines/motor.clad
             renamed, 1 edited
     "#]]
-    .assert_eq(&(said.lines().take(5).collect::<Vec<_>>().join("\n") + "\n"));
+    .assert_eq(&(told.lines().take(5).collect::<Vec<_>>().join("\n") + "\n"));
     folder.write("new/lines/motor.clad", MOTOR.as_bytes());
     expect![[r#"
         exit status 1
@@ -664,8 +664,8 @@ fn the_run_that_shows_a_difference_is_a_scenario() {
         "--write",
         "found.ladder-test",
     ];
-    let said = folder.ladder(&write).to_string();
-    assert!(said.contains("not the same"), "{said}");
+    let told = folder.ladder(&write).to_string();
+    assert!(told.contains("not the same"), "{told}");
     expect![[r#"
         program b.clad
         interval 10ms

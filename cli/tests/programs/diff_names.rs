@@ -27,20 +27,20 @@ fn a_rename_is_said_in_every_form() {
         ("inside.clad", &PUMP.replace("seal", "runs")),
         ("outside.clad", &PUMP.replace("pump", "pump_1")),
     ]);
-    let said = |arguments: &[&str]| folder.ladder(arguments).to_string();
+    let told = |arguments: &[&str]| folder.ladder(arguments).to_string();
     expect![[r#"
         exit status 0
         -- stdout
         the same
     "#]]
-    .assert_eq(&said(&["diff", "--same", "old.clad", "inside.clad"]));
+    .assert_eq(&told(&["diff", "--same", "old.clad", "inside.clad"]));
     expect![[r#"
         exit status 1
         -- stdout
         the same but for the names
           outside.clad: renamed: output pump -> pump_1 (2 places)
     "#]]
-    .assert_eq(&said(&["diff", "--same", "old.clad", "outside.clad"]));
+    .assert_eq(&told(&["diff", "--same", "old.clad", "outside.clad"]));
     expect![[r#"
         exit status 1
         -- stdout
@@ -54,7 +54,7 @@ fn a_rename_is_said_in_every_form() {
 
         the programs do the same in every run
     "#]]
-    .assert_eq(&said(&["diff", "old.clad", "inside.clad"]));
+    .assert_eq(&told(&["diff", "old.clad", "inside.clad"]));
     expect![[r#"
         exit status 1
         -- stdout
@@ -79,7 +79,7 @@ fn a_rename_is_said_in_every_form() {
           }
         ]
     "#]]
-    .assert_eq(&said(&["diff", "old.clad", "outside.clad", "--format", "json"]));
+    .assert_eq(&told(&["diff", "old.clad", "outside.clad", "--format", "json"]));
     expect![[r#"
         exit status 1
         -- stdout
@@ -92,14 +92,14 @@ fn a_rename_is_said_in_every_form() {
         the programs do the same in every run, but for the names
 
     "#]]
-    .assert_eq(&said(&[
+    .assert_eq(&told(&[
         "diff",
         "old.clad",
         "outside.clad",
         "--format",
         "markdown",
     ]));
-    let html = said(&["diff", "old.clad", "outside.clad", "--format", "html"]);
+    let html = told(&["diff", "old.clad", "outside.clad", "--format", "html"]);
     assert!(
         html.contains("<p>renamed: output pump -&gt; pump_1 (2 places)</p>"),
         "{html}"
@@ -115,13 +115,13 @@ fn another_order_is_the_same_only_where_it_does_not_matter() {
         ("moved.clad", &format!("{apart}{one}{other}")),
         ("swapped.clad", &format!("{other}{one}{apart}")),
     ]);
-    let said = |new: &str| folder.ladder(&["diff", "--same", "old.clad", new]).to_string();
+    let told = |new: &str| folder.ladder(&["diff", "--same", "old.clad", new]).to_string();
     expect![[r#"
         exit status 0
         -- stdout
         the same
     "#]]
-    .assert_eq(&said("moved.clad"));
+    .assert_eq(&told("moved.clad"));
     expect![[r#"
         exit status 1
         -- stdout
@@ -131,7 +131,7 @@ fn another_order_is_the_same_only_where_it_does_not_matter() {
             y => _  (old)
             y => -  (new)
     "#]]
-    .assert_eq(&said("swapped.clad"));
+    .assert_eq(&told("swapped.clad"));
 }
 
 #[test]
@@ -157,7 +157,7 @@ fn values_of_a_controller_are_one_line() {
         ("tuesday.L5X", &project(41, 80)),
         ("edited.L5X", &project(41, 90)),
     ]);
-    let said = |arguments: &[&str]| folder.ladder(arguments).to_string();
+    let told = |arguments: &[&str]| folder.ladder(arguments).to_string();
     expect![[r#"
         exit status 1
         -- stdout
@@ -169,7 +169,7 @@ fn values_of_a_controller_are_one_line() {
 
             ... 5 the same
     "#]]
-    .assert_eq(&said(&["diff", "monday.L5X", "tuesday.L5X"]));
+    .assert_eq(&told(&["diff", "monday.L5X", "tuesday.L5X"]));
     expect![[r#"
         exit status 1
         -- stdout
@@ -191,7 +191,7 @@ fn values_of_a_controller_are_one_line() {
             count => 4  (old)
             count => 42  (new)
     "#]]
-    .assert_eq(&said(&["diff", "--values", "monday.L5X", "tuesday.L5X"]));
+    .assert_eq(&told(&["diff", "--values", "monday.L5X", "tuesday.L5X"]));
     expect![[r#"
         exit status 1
         -- stdout
@@ -215,7 +215,7 @@ fn values_of_a_controller_are_one_line() {
             limit => 80  (old)
             limit => 90  (new)
     "#]]
-    .assert_eq(&said(&["diff", "monday.L5X", "edited.L5X"]));
+    .assert_eq(&told(&["diff", "monday.L5X", "edited.L5X"]));
 }
 
 #[test]

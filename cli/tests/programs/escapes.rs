@@ -159,8 +159,8 @@ fn json_means_what_it_meant() {
     let folder = Folder::with(&[("h.clad", HOSTILE)]);
     let run = folder.ladder(&["check", "--format", "json", "h.clad"]);
     let findings: serde_json::Value = serde_json::from_str(&run.stdout).expect("JSON");
-    let said = findings.to_string();
-    assert!(said.contains('\u{9b}') || said.contains('\u{202e}'), "{said}");
+    let told = findings.to_string();
+    assert!(told.contains('\u{9b}') || told.contains('\u{202e}'), "{told}");
 }
 
 #[test]

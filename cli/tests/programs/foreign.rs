@@ -569,17 +569,17 @@ NO I04 ; CTU C1 4 ; OUT Q04
     // In ladder text that is read from them, too.
     for file in ["two.ld", "two.iot"] {
         folder.ladder(&["convert", file, "-o", "two.clad", "--force"]);
-        let said = folder
+        let told = folder
             .ladder(&["check", "two.clad", "--format", "concise"])
             .stdout;
-        let found = |rule: &str| said.lines().filter(|line| line.contains(rule)).count();
+        let found = |rule: &str| told.lines().filter(|line| line.contains(rule)).count();
         assert_eq!(
             [
                 found("warning[duplicate-timer]"),
                 found("warning[duplicate-counter]")
             ],
             [1, 1],
-            "{said}"
+            "{told}"
         );
     }
 }

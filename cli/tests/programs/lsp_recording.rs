@@ -55,7 +55,7 @@ fn a_recorded_session_says_the_same_each_time() {
         folder.ladder(&["lsp", "--replay", "session.rec"]).stdout
     );
 
-    let said: Vec<Value> = played
+    let told: Vec<Value> = played
         .stdout
         .lines()
         .map(|line| serde_json::from_str(line).unwrap())
@@ -63,12 +63,12 @@ fn a_recorded_session_says_the_same_each_time() {
     // Every request has its answer, and in steps every version has its diagnostics.
     for id in (1..40).chain([90, 91]) {
         assert_eq!(
-            said.iter().filter(|it| it["id"] == id).count(),
+            told.iter().filter(|it| it["id"] == id).count(),
             1,
             "answers to {id}"
         );
     }
-    let published = said
+    let published = told
         .iter()
         .filter(|it| it["method"] == "textDocument/publishDiagnostics");
     let versions: Vec<&Value> = published.map(|it| &it["params"]["version"]).collect();

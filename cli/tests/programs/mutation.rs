@@ -158,11 +158,11 @@ fn generated_scenarios_are_added_and_notice_what_they_claim() {
     let generated = folder
         .ladder(&["test", "--generate", "gate.ladder-test"])
         .to_string();
-    let (_, said) = generated.split_once("-- stderr").expect("it says so");
+    let (_, told) = generated.split_once("-- stderr").expect("it says so");
     expect![[r#"
 
         note: gate.ladder-test: 1 scenario added for 1 change that no scenario noticed; what is expected there is what the program does today, so check it
-    "#]].assert_eq(said);
+    "#]].assert_eq(told);
     let file = folder.read("gate.ladder-test");
     expect![[r#"
 

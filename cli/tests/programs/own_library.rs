@@ -99,7 +99,7 @@ fn its_blocks_are_there_in_every_program() {
     );
 }
 
-/// It is what others use that must be right, and not the rest of its file; that is said where the file itself is checked.
+/// It is what others use that must be right, and not the rest of its file; that is reported where the file itself is checked.
 #[test]
 fn what_is_wrong_in_it_is_said_where_it_is_checked() {
     let folder = Folder::with(&[
@@ -151,10 +151,10 @@ fn it_lies_inside_of_the_workspace() {
             std::os::unix::fs::symlink("../blocks", folder.path("plant/link")).unwrap();
             std::os::unix::fs::symlink("shared/blocks", folder.path("plant/inner")).unwrap();
         }
-        let said = folder
+        let told = folder
             .ladder(&["check", "plant/main.clad", "--format", "concise"])
             .to_string();
-        shown.push_str(&format!("{library}: {said}"));
+        shown.push_str(&format!("{library}: {told}"));
     }
     expect![[r#"
         ../blocks: exit status 2

@@ -192,24 +192,24 @@ fn a_fault_that_stops_the_run_is_a_finding() {
 #[test]
 fn what_cannot_be_done_is_said_and_nothing_is_written() {
     let folder = Folder::with(&[("motor.clad", MOTOR), ("there/x", "")]);
-    let said = |arguments: &[&str]| {
+    let told = |arguments: &[&str]| {
         let run = folder.ladder(&[&["render"], arguments].concat());
         assert_eq!((run.status, run.stdout.as_str()), (Some(2), ""), "{run}");
         format!("{}\n", run.stderr.trim_end())
     };
     let all = [
-        said(&["missing.clad"]),
-        said(&["there"]),
-        said(&["motor.clad", "-o", "there", "--format", "svg"]),
-        said(&["motor.clad", "-o", "motor"]),
-        said(&["motor.clad", "-o", "motor.svg", "--scale", "3"]),
-        said(&["motor.clad", "-o", "motor.svg", "--paper", "a4"]),
-        said(&["motor.clad", "-o", "motor.png", "--landscape"]),
-        said(&["motor.clad", "-o", "motor.pdf", "--scale", "3"]),
-        said(&["motor.clad", "--set", "start=1"]),
-        said(&["motor.clad", "--scans", "1", "--set", "begin=1"]),
-        said(&["motor.clad", "--scans", "1", "--set", "start=maybe"]),
-        said(&["motor.clad", "--scans", "1", "--inputs", "missing.csv"]),
+        told(&["missing.clad"]),
+        told(&["there"]),
+        told(&["motor.clad", "-o", "there", "--format", "svg"]),
+        told(&["motor.clad", "-o", "motor"]),
+        told(&["motor.clad", "-o", "motor.svg", "--scale", "3"]),
+        told(&["motor.clad", "-o", "motor.svg", "--paper", "a4"]),
+        told(&["motor.clad", "-o", "motor.png", "--landscape"]),
+        told(&["motor.clad", "-o", "motor.pdf", "--scale", "3"]),
+        told(&["motor.clad", "--set", "start=1"]),
+        told(&["motor.clad", "--scans", "1", "--set", "begin=1"]),
+        told(&["motor.clad", "--scans", "1", "--set", "start=maybe"]),
+        told(&["motor.clad", "--scans", "1", "--inputs", "missing.csv"]),
     ];
     expect![[r#"
         error: missing.clad: no such file or folder
@@ -226,7 +226,7 @@ fn what_cannot_be_done_is_said_and_nothing_is_written() {
         error: missing.csv: no such file or folder
     "#]]
     .assert_eq(&all.concat());
-    let nowhere = said(&["motor.clad", "-o", "missing/motor.svg"]);
+    let nowhere = told(&["motor.clad", "-o", "missing/motor.svg"]);
     assert!(
         nowhere.starts_with("error: missing/motor.svg: cannot be written"),
         "{nowhere}"

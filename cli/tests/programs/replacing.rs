@@ -227,11 +227,11 @@ fn a_recording_replaces_recordings_only() {
         let run = folder.run(env!("CARGO_BIN_EXE_ladder"), &["lsp", "--mirror", name], b"", &[]);
         (run.status, run.stderr)
     };
-    let (status, said) = mirror("motor.clad");
+    let (status, told) = mirror("motor.clad");
     assert_eq!(status, Some(2));
     assert!(
-        said.contains("it holds something else, and stays as it is"),
-        "{said}"
+        told.contains("it holds something else, and stays as it is"),
+        "{told}"
     );
     assert_eq!(folder.read("motor.clad"), MOTOR);
     for _ in 0..2 {
@@ -242,11 +242,11 @@ fn a_recording_replaces_recordings_only() {
     for target in ["nowhere.rec", "session.rec"] {
         let before = folder.path("session.rec").metadata().unwrap().modified().unwrap();
         std::os::unix::fs::symlink(target, folder.path(&format!("to-{target}"))).unwrap();
-        let (status, said) = mirror(&format!("to-{target}"));
-        assert_eq!(status, Some(2), "{said}");
+        let (status, told) = mirror(&format!("to-{target}"));
+        assert_eq!(status, Some(2), "{told}");
         assert!(
-            said.contains("it is a link, and nothing is written through it"),
-            "{said}"
+            told.contains("it is a link, and nothing is written through it"),
+            "{told}"
         );
         assert!(!folder.path("nowhere.rec").exists());
         assert_eq!(

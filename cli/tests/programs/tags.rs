@@ -73,8 +73,8 @@ fn for_a_spreadsheet() {
 
 #[test]
 fn for_other_programs() {
-    let said = tags(&["--format", "json"]);
-    let json = &said[said.find('[').unwrap()..];
+    let told = tags(&["--format", "json"]);
+    let json = &told[told.find('[').unwrap()..];
     let tags: serde_json::Value = serde_json::from_str(json).unwrap();
     expect![[r#"{"comment":"","declared":6,"kind":"output","places":[{"does":"set","line":12,"network":1},{"does":"reset","line":13,"network":2},{"does":"read","line":14,"network":3}],"tag":"lamp","type":"BOOL"}"#]].assert_eq(&tags[0].to_string());
 }

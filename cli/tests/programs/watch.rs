@@ -72,7 +72,7 @@ fn every_change_is_checked() {
     assert_eq!(watch.line(), "Checked 2 files: 1 error.");
     assert_eq!(watch.waits(), "note: watching 2 programs; Ctrl-C ends this");
 
-    // An error in the settings is said, and the watch goes on.
+    // An error in the settings is reported, and the watch goes on.
     folder.write("ladder.toml", b"[lint]\nunknown-label = 3\n");
     assert!(watch.waits().starts_with("error"), "the settings are refused");
     while !watch.waits().starts_with("note: watching") {}

@@ -17,8 +17,8 @@ fn rendered_in(folder: &Path, program: &str, arguments: &[&str]) -> String {
         .args(arguments)
         .output()
         .expect("the program starts");
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success() && said.is_empty(), "{program}: {said}");
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success() && told.is_empty(), "{program}: {told}");
     String::from_utf8(output.stdout).expect("a picture is UTF-8")
 }
 

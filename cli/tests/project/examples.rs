@@ -58,10 +58,10 @@ fn run(example: &Path) -> String {
         .args(arguments.split_whitespace())
         .output()
         .expect("the program starts");
-    let said = String::from_utf8_lossy(&output.stderr);
+    let told = String::from_utf8_lossy(&output.stderr);
     assert!(
-        output.status.success() && said.is_empty(),
-        "{}: {said}",
+        output.status.success() && told.is_empty(),
+        "{}: {told}",
         example.display()
     );
     String::from_utf8(output.stdout).expect("a table is UTF-8")

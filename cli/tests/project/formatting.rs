@@ -13,7 +13,7 @@ use std::process::Command;
 use std::sync::Arc;
 
 /// The findings of a text, without those that formatting takes away. Their places move. Where a `|` cuts a wire,
-/// formatting gives each half at least some of it, and what is said about the dead half depends on that.
+/// formatting gives each half at least some of it, and what is reported about the dead half depends on that.
 fn findings(text: &str) -> Vec<(Rule, String)> {
     let analysis = analyze(&Arc::new(parse(text)), "main");
     let cut = analysis

@@ -67,18 +67,18 @@ impl Repository {
             .env("GIT_CONFIG_SYSTEM", "/dev/null")
             .output()
             .expect("sh runs");
-        let said = [output.stdout, output.stderr].concat();
+        let told = [output.stdout, output.stderr].concat();
         (
-            String::from_utf8_lossy(&said).into_owned(),
+            String::from_utf8_lossy(&told).into_owned(),
             output.status.success(),
         )
     }
 
     #[track_caller]
     fn shell(&self, commands: &str) -> String {
-        let (said, success) = self.run(commands);
-        assert!(success, "{commands}\n{said}");
-        said
+        let (told, success) = self.run(commands);
+        assert!(success, "{commands}\n{told}");
+        told
     }
 
     /// Writes the program, aligned, and commits it.
@@ -142,8 +142,8 @@ fn the_same_network_is_a_conflict() {
     repository.commit(&BASE.replace("( )( fan )", "(S)( fan )"));
     repository.shell("git checkout -q main");
     repository.commit(&with_long_fan());
-    let (said, merged) = repository.run("git merge -q -m merged other");
-    assert!(!merged, "{said}");
+    let (told, merged) = repository.run("git merge -q -m merged other");
+    assert!(!merged, "{told}");
     let text = repository.read("p.clad");
     assert_eq!(text.matches("<<<<<<<").count(), 1, "{text}");
     assert!(
@@ -193,9 +193,9 @@ fn the_hook_of_the_page_refuses_what_is_not_aligned() {
     std::fs::write(place, &hook.text).expect("the hook is written");
     repository.shell("chmod +x .git/hooks/pre-commit");
     repository.write("p.clad", "+-[ ](a)-( )(y)-+\n");
-    let (said, committed) = repository.run("git add -A && git commit -qm x");
-    assert!(!committed, "{said}");
-    assert!(said.contains("would change: p.clad"), "{said}");
+    let (told, committed) = repository.run("git add -A && git commit -qm x");
+    assert!(!committed, "{told}");
+    assert!(told.contains("would change: p.clad"), "{told}");
     repository.shell("ldfmt p.clad && git add -A && git commit -qm x");
     repository.write("ladder.toml", "[workspace]\nexclude = [\"q.clad\"]\n");
     repository.write("q.clad", "+-[ ](a)-( )(y)-+\n");
@@ -220,8 +220,8 @@ fn a_file_that_is_named_like_an_option() {
     let fences = markdown::read(&page).fences;
     let hook = fences.iter().find(|fence| fence.text.starts_with("#!/bin/sh"));
     repository.write("-p.clad", "+-[ ](a)-( )(y)-+\n");
-    let (said, success) = repository.run(&format!("git add -A && {}", hook.expect("a hook").text));
-    assert!(!success && said.contains("would change: -p.clad"), "{said}");
+    let (told, success) = repository.run(&format!("git add -A && {}", hook.expect("a hook").text));
+    assert!(!success && told.contains("would change: -p.clad"), "{told}");
 
     // pre-commit puts the arguments of a hook between its entry and the names.
     let hooks = project::read(&project::root().join(".pre-commit-hooks.yaml"));
@@ -262,11 +262,11 @@ fn the_hooks_check_and_test() {
     repository.shell(&hook("ladder-check-installed"));
     repository.shell(&hook("ladder-test-installed"));
     repository.write("p.clad", "+--[/]( start )--( )( run )--+\n");
-    let (said, success) = repository.run(&hook("ladder-test-installed"));
-    assert!(!success && said.contains("1 failed"), "{said}");
+    let (told, success) = repository.run(&hook("ladder-test-installed"));
+    assert!(!success && told.contains("1 failed"), "{told}");
     repository.write("q.clad", "+--<JMP>( nowhere )--+\n");
-    let (said, success) = repository.run(&hook("ladder-check-installed"));
-    assert!(!success && said.contains("error[unknown-label]"), "{said}");
+    let (told, success) = repository.run(&hook("ladder-check-installed"));
+    assert!(!success && told.contains("error[unknown-label]"), "{told}");
     // The hooks that install the program run the same.
     for id in ["ldfmt", "ladder-check", "ladder-test"] {
         assert_eq!(hook(id), hook(&format!("{id}-installed")));
@@ -294,13 +294,13 @@ fn the_action_hands_on_its_arguments_as_they_are() {
             .env("LADDER_ARGS", arguments)
             .output()
             .expect("bash runs");
-        let said = String::from_utf8_lossy(&output.stdout).into_owned();
-        (said, output.status.code())
+        let told = String::from_utf8_lossy(&output.stdout).into_owned();
+        (told, output.status.code())
     };
     let hands_on = |command: &str, arguments: &str| {
-        let (said, status) = run(command, arguments);
-        assert_eq!(status, Some(0), "{said}");
-        said
+        let (told, status) = run(command, arguments);
+        assert_eq!(status, Some(0), "{told}");
+        told
     };
     assert_eq!(
         hands_on("fmt", "--check\n--\n.\n"),

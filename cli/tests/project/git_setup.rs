@@ -42,15 +42,15 @@ impl Repository {
             .stdin(Stdio::null())
             .output()
             .expect("sh runs");
-        let said = [output.stdout, output.stderr].concat();
-        (String::from_utf8_lossy(&said).into_owned(), output.status.code())
+        let told = [output.stdout, output.stderr].concat();
+        (String::from_utf8_lossy(&told).into_owned(), output.status.code())
     }
 
     #[track_caller]
     fn shell(&self, commands: &str) -> String {
-        let (said, status) = self.run(commands);
-        assert_eq!(status, Some(0), "{commands}\n{said}");
-        said
+        let (told, status) = self.run(commands);
+        assert_eq!(status, Some(0), "{commands}\n{told}");
+        told
     }
 
     fn write(&self, name: &str, text: &str) {
@@ -93,7 +93,7 @@ const BASE: &str = "\
 fn nothing_is_written_that_nobody_said_yes_to() {
     let repository = Repository::new();
     let before = repository.read(".git/config");
-    let (said, status) = repository.run("ladder git install");
+    let (told, status) = repository.run("ladder git install");
     assert_eq!(status, Some(1));
     expect![[r#"
         .git/info/attributes:
@@ -116,7 +116,7 @@ fn nothing_is_written_that_nobody_said_yes_to() {
           + merge.ladder.driver = ladder merge --path=%P %O %A %B
         note: nothing is written; `--yes` writes it
     "#]]
-    .assert_eq(&said);
+    .assert_eq(&told);
     assert_eq!(repository.read(".git/config"), before);
     assert!(!repository.read(".git/info/attributes").contains("clad"));
 }
@@ -156,8 +156,8 @@ fn a_repository_is_as_it_was_after_uninstall() {
     repository.shell("git config merge.ladder.driver false");
     repository.shell("ladder git uninstall --yes");
     assert_eq!(repository.shell("git config merge.ladder.driver"), "false\n");
-    let (said, _) = repository.run("ladder git install");
-    assert!(said.contains("  - merge.ladder.driver = false\n"), "{said}");
+    let (told, _) = repository.run("ladder git install");
+    assert!(told.contains("  - merge.ladder.driver = false\n"), "{told}");
     assert_eq!(text(&repository.home.path().join("gitconfig")), "");
 }
 
@@ -179,9 +179,9 @@ fn for_all_repositories_of_a_user() {
 fn outside_of_a_repository() {
     let repository = Repository::new();
     repository.shell("rm -rf .git");
-    let (said, status) = repository.run("ladder git install --yes");
-    assert_eq!(status, Some(2), "{said}");
-    assert!(said.contains("not a git repository"), "{said}");
+    let (told, status) = repository.run("ladder git install --yes");
+    assert_eq!(status, Some(2), "{told}");
+    assert!(told.contains("not a git repository"), "{told}");
 }
 
 #[test]
@@ -215,11 +215,11 @@ fn git_knows_of_a_conflict() {
     repository.commit("p.clad", &BASE.replace("[ ]( a )", "[/]( a )"));
     repository.shell("git checkout -q main");
     repository.commit("p.clad", &BASE.replace("[ ]( a )", "[P]( a )"));
-    let (said, status) = repository.run("git merge -m merged other");
-    assert_eq!(status, Some(1), "{said}");
+    let (told, status) = repository.run("git merge -m merged other");
+    assert_eq!(status, Some(1), "{told}");
     assert!(
-        said.contains("p.clad: both sides edited the network that writes x"),
-        "{said}"
+        told.contains("p.clad: both sides edited the network that writes x"),
+        "{told}"
     );
     assert_eq!(repository.shell("git status --short"), "UU p.clad\n");
     let text = repository.read("p.clad");
@@ -287,21 +287,21 @@ fn revisions_are_compared_from_any_folder() {
         "ladder diff HEAD~1: HEAD:",
         "cd plant && ladder diff HEAD~1:./p.clad :plant/p.clad",
     ] {
-        let (said, status) = repository.run(command);
-        assert_eq!(status, Some(1), "{command}\n{said}");
+        let (told, status) = repository.run(command);
+        assert_eq!(status, Some(1), "{command}\n{told}");
         assert_eq!(
-            said.matches("edited, does another thing: network, line 1")
+            told.matches("edited, does another thing: network, line 1")
                 .count(),
             1,
-            "{command}\n{said}"
+            "{command}\n{told}"
         );
-        assert!(!said.contains("q.clad"), "{said}");
+        assert!(!told.contains("q.clad"), "{told}");
     }
-    let (said, status) = repository.run("ladder diff HEAD: .");
-    assert_eq!(status, Some(1), "{said}");
+    let (told, status) = repository.run("ladder diff HEAD: .");
+    assert_eq!(status, Some(1), "{told}");
     assert!(
-        said.contains("+++ plant/q.clad") && !said.contains("p.clad"),
-        "{said}"
+        told.contains("+++ plant/q.clad") && !told.contains("p.clad"),
+        "{told}"
     );
     for (name, message) in [
         (
@@ -315,9 +315,9 @@ fn revisions_are_compared_from_any_folder() {
         ("--output=x:p", "is not the name of a revision"),
         ("'HEAD:a\nHEAD:b'", "is not the name of a revision"),
     ] {
-        let (said, status) = repository.run(&format!("ladder diff -- {name} plant/p.clad"));
-        assert_eq!(status, Some(2), "{said}");
-        assert!(said.contains(message), "{said}");
+        let (told, status) = repository.run(&format!("ladder diff -- {name} plant/p.clad"));
+        assert_eq!(status, Some(2), "{told}");
+        assert!(told.contains(message), "{told}");
     }
     assert!(!repository.folder.path().join("x").exists());
 }
@@ -333,8 +333,8 @@ fn no_program_of_the_repository_is_run() {
          git config diff.external 'touch ran' && git config filter.x.smudge 'touch ran' && \
          git config diff.x.textconv 'touch ran' && echo '*.clad filter=x diff=x' > .git/info/attributes",
     );
-    let (said, status) = repository.run("ladder diff HEAD~1: HEAD:");
-    assert_eq!(status, Some(1), "{said}");
+    let (told, status) = repository.run("ladder diff HEAD~1: HEAD:");
+    assert_eq!(status, Some(1), "{told}");
     assert!(!repository.folder.path().join("ran").exists());
 }
 
@@ -342,12 +342,12 @@ fn no_program_of_the_repository_is_run() {
 fn programs_of_other_systems_in_a_revision() {
     let repository = Repository::new();
     repository.commit("p.L5X", &logix("XIC(a)OTE(x);"));
-    let (said, status) = repository.run("ladder diff HEAD:p.L5X p.L5X");
-    assert_eq!((said.as_str(), status), ("", Some(0)));
+    let (told, status) = repository.run("ladder diff HEAD:p.L5X p.L5X");
+    assert_eq!((told.as_str(), status), ("", Some(0)));
     repository.write("p.L5X", &logix("XIO(a)OTE(x);"));
-    let (said, status) = repository.run("ladder diff HEAD:p.L5X p.L5X");
-    assert_eq!(status, Some(1), "{said}");
-    assert!(said.contains("edited, does another thing: network"), "{said}");
+    let (told, status) = repository.run("ladder diff HEAD:p.L5X p.L5X");
+    assert_eq!(status, Some(1), "{told}");
+    assert!(told.contains("edited, does another thing: network"), "{told}");
 }
 
 #[test]
@@ -367,8 +367,8 @@ fn a_program_of_a_revision_has_the_blocks_of_that_revision() {
     repository.commit("plant/lib/lift.clad", &block("40ms"));
     repository.write("plant/lib/lift.clad", &block("60ms"));
     let differs = |old: &str, new: &str| {
-        let (said, status) = repository.run(&format!("cd plant/lines && ladder diff {old} {new}"));
-        let found = said
+        let (told, status) = repository.run(&format!("cd plant/lines && ladder diff {old} {new}"));
+        let found = told
             .lines()
             .find(|line| line.starts_with("the programs"))
             .unwrap_or("-");

@@ -14,7 +14,7 @@ const GH: &str = "#!/bin/sh\necho \"$@\" | sed 's,@.*/,@,' >> \"$NOTED\"\ncase \
 
 struct Posted {
     status: Option<i32>,
-    said: String,
+    told: String,
     summary: String,
     asked: String,
     comment: String,
@@ -58,7 +58,7 @@ fn posted(new: &str, earlier: &str, may_write: bool) -> Posted {
     let read = |path: &Path| std::fs::read_to_string(path).unwrap_or_default();
     Posted {
         status: output.status.code(),
-        said: String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned(),
+        told: String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned(),
         summary: read(&folder.path().join("summary")),
         asked: read(&noted),
         comment: read(&folder.path().join("noted.body")),
@@ -72,7 +72,7 @@ fn edited() -> String {
 #[test]
 fn a_comment_and_the_summary() {
     let posted = posted(&edited(), "", true);
-    assert_eq!(posted.status, Some(0), "{}", posted.said);
+    assert_eq!(posted.status, Some(0), "{}", posted.told);
     assert!(
         posted.summary.starts_with("### `p.clad`\n\n1 edited\n"),
         "{}",
@@ -93,7 +93,7 @@ fn a_comment_and_the_summary() {
 fn a_comment_that_is_there_is_updated() {
     for new in [&edited(), BASE] {
         let posted = posted(new, "42", true);
-        assert_eq!(posted.status, Some(0), "{}", posted.said);
+        assert_eq!(posted.status, Some(0), "{}", posted.told);
         let last = posted.asked.lines().last();
         assert_eq!(
             last,
@@ -107,6 +107,6 @@ fn nothing_is_said_of_nothing_and_a_fork_has_the_summary() {
     let same = posted(BASE, "", true);
     assert_eq!((same.status, same.comment.as_str()), (Some(0), ""));
     let fork = posted(&edited(), "", false);
-    assert_eq!(fork.status, Some(0), "{}", fork.said);
-    assert!(fork.summary.contains("1 edited") && fork.said.contains("pull-requests: write"));
+    assert_eq!(fork.status, Some(0), "{}", fork.told);
+    assert!(fork.summary.contains("1 edited") && fork.told.contains("pull-requests: write"));
 }

@@ -40,15 +40,15 @@ pub fn used_in_other_files(context: &Context, offset: TextSize, workspace: &dyn 
         .into_iter()
         .take(MOST)
         .map(|(file, counts)| {
-            let said = counts.into_iter().zip(["written", "read", "used"]);
-            let said: Vec<String> = said
+            let told = counts.into_iter().zip(["written", "read", "used"]);
+            let told: Vec<String> = told
                 .filter(|(count, _)| *count > 0)
                 .map(|(count, verb)| match count {
                     1 => format!("{verb} once"),
                     count => format!("{verb} {count} times"),
                 })
                 .collect();
-            format!("In {}: {}", code(&file), said.join(", "))
+            format!("In {}: {}", code(&file), told.join(", "))
         })
         .collect();
     if more > 0 {

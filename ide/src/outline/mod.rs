@@ -368,12 +368,12 @@ fn written(context: &Context, network: usize) -> Vec<SmolStr> {
             if let (true, NodeKind::Name(name) | NodeKind::Address(name)) = (writes, &node.kind) {
                 let key = Name::new(name);
                 if names.iter().all(|(known, _)| *known != key) {
-                    let said = match block.coil() {
+                    let told = match block.coil() {
                         Some(Coil::Sets) => format_smolstr!("set {name}"),
                         Some(Coil::Resets) => format_smolstr!("reset {name}"),
                         _ => name.clone(),
                     };
-                    names.push((key, said));
+                    names.push((key, told));
                 }
             }
         }

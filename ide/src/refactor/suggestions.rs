@@ -62,7 +62,7 @@ impl<'a> Spot<'a> {
         })
     }
 
-    /// How a title calls it; none if it is no block.
+    /// How a title calls it; none if it is not a block.
     fn name(&self) -> Option<String> {
         let item = &self.on.drawing.rows[self.row].items[self.index];
         match item.kind {

@@ -165,9 +165,9 @@ fn of_value(scenarios: &Scenarios<'_>, name: &str, does: &str) -> Option<String>
 
 fn of_tag(scenarios: &Scenarios<'_>, name: &str, does: &str, named: &Named<'_>) -> String {
     let mut card = tag_card(&named.file, named.tag(), None);
-    if let Some(said) = comments::of_declaration(&named.file, named.file.shared(named.tag())) {
+    if let Some(told) = comments::of_declaration(&named.file, named.file.shared(named.tag())) {
         // A comment is not Markdown.
-        card = format!("{}\n\n{card}", escaped(&said));
+        card = format!("{}\n\n{card}", escaped(&told));
     }
     if let Some(ty) = value_type(scenarios, name).filter(|_| named.name.len() < name.len()) {
         card = format!("`{name}` : {}, of\n\n{card}", ty.name());
@@ -192,7 +192,7 @@ fn of_step(scenarios: &Scenarios<'_>, scenario: &Scenario, row: &Row, number: us
         .rev()
         .find(|(cell, _)| *cell != Cell::Same);
     let name = format!("`{}`", row.name);
-    let said = match (&row.cells[number].0, row.direction) {
+    let told = match (&row.cells[number].0, row.direction) {
         (Cell::Same, Direction::Expected) => format!("{name} is not checked"),
         (Cell::Same, Direction::Given) => match before {
             Some((cell, _)) => format!("{name} is not given again; last it was {}", shown(cell)),
@@ -201,5 +201,5 @@ fn of_step(scenarios: &Scenarios<'_>, scenario: &Scenario, row: &Row, number: us
         (cell, Direction::Given) => format!("{name} is given: {}", shown(cell)),
         (cell, Direction::Expected) => format!("{name} is expected to be {}", shown(cell)),
     };
-    format!("{said}  \n{}", when(scenarios, scenario, row.first + number))
+    format!("{told}  \n{}", when(scenarios, scenario, row.first + number))
 }

@@ -125,7 +125,7 @@ struct Inside {
     names: Names,
     /// Whether a tag that is here is written.
     written: bool,
-    /// Whether it is no rung.
+    /// Whether it is not a rung.
     declares: bool,
     /// Whether it is a block of program flow.
     flow: bool,

@@ -1,4 +1,4 @@
-//! What of a program stands in the structures of inputs and outputs.
+//! What of a program is in the structures of inputs and outputs.
 
 use crate::names::Names;
 use ladder_analysis::program::{Program, Role, Tag};

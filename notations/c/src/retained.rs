@@ -3,7 +3,7 @@
 use ladder_simulator::compiled::{Compiled, Home, state_size, timer};
 use std::fmt::Write;
 
-/// Before the values stands a number that other programs do not have.
+/// Before the values is a number that other programs do not have.
 const MARK: usize = 4;
 
 const PUT_WORD: &str = "static uint8_t *put_word(uint8_t *at, int64_t value)\n{\n    int n;\n    for (n = 0; n < 64; n += 8) *at++ = (uint8_t)((uint64_t)value >> n);\n    return at;\n}\n\n";

@@ -308,7 +308,7 @@ impl Bank {
         Some(row.bank)
     }
 
-    /// What its array is called in ladder text: as Click calls it, where that is no word of the language.
+    /// What its array is called in ladder text: as Click calls it, where that is not a word of the language.
     pub(super) fn array(self) -> &'static str {
         match self {
             Bank::Ctd => "CTD_values",

@@ -21,7 +21,7 @@ pub(super) enum Convert {
 }
 
 impl Convert {
-    /// A number as characters when nothing else is said.
+    /// A number as characters when nothing else is reported.
     pub(super) const TEXT: Convert = Convert::Text {
         suppress_zero: true,
         exponential: false,
@@ -123,7 +123,7 @@ impl Convert {
     }
 }
 
-/// `$0D`, `13`, or a character in itself. None: it is no character of ASCII.
+/// `$0D`, `13`, or a character in itself. None: it is not a character of ASCII.
 fn code(value: &str) -> Option<u8> {
     let code = match (
         value.strip_prefix('$').filter(|hex| !hex.is_empty()),

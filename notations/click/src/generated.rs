@@ -384,7 +384,7 @@ fn instruction() -> impl Strategy<Value = Instruction> {
 }
 
 fn action() -> impl Strategy<Value = Action> {
-    let comment = prop::option::of(select(&["said", "two words", "a # in it"][..]));
+    let comment = prop::option::of(select(&["told", "two words", "a # in it"][..]));
     (instruction(), any::<bool>(), comment).prop_map(|(what, oneshot, comment)| {
         let has = !matches!(
             what,

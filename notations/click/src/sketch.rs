@@ -129,7 +129,7 @@ impl Sketcher<'_> {
         for (nickname, why) in self.tags.unsaid() {
             report.approximated(LineColumn::START, nickname.address.to_string(), why);
         }
-        let mut said = HashSet::new();
+        let mut told = HashSet::new();
         for one in uses(program) {
             let (bank, number) = match one.what {
                 What::One(tag) => (tag.bank, self.tags.address(tag).map(|address| address.number)),
@@ -151,7 +151,7 @@ impl Sketcher<'_> {
                 What::Many(span) => span.dsl(),
                 _ => continue,
             };
-            if said.insert(what.clone()) {
+            if told.insert(what.clone()) {
                 report.approximated(one.place, what, why);
             }
         }
@@ -259,10 +259,10 @@ impl Sketcher<'_> {
                 .blocks
                 .iter()
                 .filter(|block| block.op() == Some(Op::ResetCoil));
-            let said = resets.filter_map(|reset| Some(format!("reset of {}", reset.only()?)));
-            let said: Vec<String> = said.collect();
+            let told = resets.filter_map(|reset| Some(format!("reset of {}", reset.only()?)));
+            let told: Vec<String> = told.collect();
             let condition = self.seen(&network.condition, rung.place);
-            self.own_network(said, condition, network.blocks, rung.place);
+            self.own_network(told, condition, network.blocks, rung.place);
         }
     }
 

@@ -544,7 +544,7 @@ fn a_file_is_recognised_by_its_first_rung() {
     let is = |text: &str| Click.recognises(text.as_bytes());
     assert!(is(BOTTLING));
     assert!(is(
-        "\u{feff}# said\r\ndef main():  # said\r\n    if x[1]:\r\n        out(y[1])\r\n"
+        "\u{feff}# told\r\ndef main():  # told\r\n    if x[1]:\r\n        out(y[1])\r\n"
     ));
     assert!(is(
         "def main():\n    if True:\n        for _ in range(3):\n            pass\n"

@@ -73,10 +73,10 @@ fn own(name: &str) -> PathBuf {
 }
 
 #[track_caller]
-fn check(name: &str, said: Expect) {
+fn check(name: &str, told: Expect) {
     let converted = converted(&own(name)).unwrap_or_else(|error| panic!("{error}"));
     expect_file![own(name).with_extension("clad")].assert_eq(&converted.written.text);
-    said.assert_eq(&remarks(&converted));
+    told.assert_eq(&remarks(&converted));
 }
 
 #[test]

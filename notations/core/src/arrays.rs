@@ -12,7 +12,7 @@ use ladder_instructions::Op;
 /// No instruction becomes more of them.
 const MOST: i64 = 64;
 
-/// A program without these instructions, which are among `[UNPACK]` and `[FILL]`, and without sums of arrays. What cannot be said by
+/// A program without these instructions, which are among `[UNPACK]` and `[FILL]`, and without sums of arrays. What cannot be expressed by
 /// elements stays. None: it has nothing of it.
 pub(crate) fn by_elements(analysis: &Analysis, instructions: &[Op]) -> Option<ProgramSketch> {
     let is_concerned = |block: &&Block| match block.kind {

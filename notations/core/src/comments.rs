@@ -13,7 +13,7 @@ pub fn on_line(parse: &Parse, line: usize) -> Vec<String> {
 }
 
 /// The lines of a comment that are for people: directives to the tools are not for another system.
-pub fn said(comment: &str) -> impl Iterator<Item = &str> {
+pub fn told(comment: &str) -> impl Iterator<Item = &str> {
     let lines = inside(comment).lines().map(str::trim);
     lines.filter(|line| !line.is_empty() && !line.starts_with("ladder:"))
 }

@@ -113,7 +113,7 @@ fn programs(files: &mut [ProjectFile]) -> impl Iterator<Item = &mut ProgramSketc
 /// The importer's comments that switch off what is not found: a finding about them would be one about a line that nobody
 /// wrote. Each as an item, and as a line of the text.
 fn idle_directives(program: &ProgramSketch, text: &str) -> Vec<(usize, Range<usize>)> {
-    let is_allow = |item: &Item| matches!(item, Item::Directive(said) if said.starts_with("allow"));
+    let is_allow = |item: &Item| matches!(item, Item::Directive(told) if told.starts_with("allow"));
     if !program.items.iter().any(is_allow) {
         return Vec::new();
     }
@@ -126,8 +126,8 @@ fn idle_directives(program: &ProgramSketch, text: &str) -> Vec<(usize, Range<usi
     let mut at = 0;
     let mut out = Vec::new();
     for (number, item) in program.items.iter().enumerate() {
-        let Item::Directive(said) = item else { continue };
-        let comment = format!("# ladder: {said} #");
+        let Item::Directive(told) = item else { continue };
+        let comment = format!("# ladder: {told} #");
         let Some(start) = text[at..].find(&comment).map(|start| at + start) else {
             continue;
         };
@@ -169,7 +169,7 @@ mod tests {
     #[test]
     fn without_a_line_the_text_is_as_if_it_had_not_been_written() {
         let program = |directives: &[&str]| {
-            let directives = directives.iter().map(|said| Item::Directive((*said).to_owned()));
+            let directives = directives.iter().map(|told| Item::Directive((*told).to_owned()));
             let coil = Circuit::Element(Element::of(Block::coil(Path::tag("y")), Some(3)));
             let network = Network {
                 comments: vec!["a lamp".to_owned()],

@@ -86,7 +86,7 @@ impl Foreign {
     pub fn report<'d>(&self, errors: impl IntoIterator<Item = &'d Diagnostic>) -> Report {
         let mut report = self.converted.report.clone();
         let found = self.converted.findings.iter();
-        let said: HashMap<LineColumn, &str> = found
+        let told: HashMap<LineColumn, &str> = found
             .filter(|found| found.severity == Severity::Error)
             .map(|found| (found.place, found.message.as_str()))
             .collect();
@@ -103,7 +103,7 @@ impl Foreign {
             if !refused.insert(place) {
                 continue;
             }
-            let why = said.get(&place).copied().unwrap_or(&error.message);
+            let why = told.get(&place).copied().unwrap_or(&error.message);
             match first.get(&place) {
                 Some(entry) => report.entries[*entry].outcome = Outcome::Refused(why.to_owned()),
                 None => report.refused(place, &self.ladder()[error.range], why),

@@ -208,7 +208,7 @@ fn enter_operands(context: &Context, functions: &mut Functions) -> Option<()> {
             };
             let ty = tag.ty?;
             let is_input = !place.access.writes() && matches!(ty, Type::Scalar(_));
-            // The tag itself must be retentive, and a constant is no in-out.
+            // The tag itself must be retentive, and a constant is not an in-out.
             let head = head(context.networks.at(place.network).block(place.block));
             if ["(M)", "(SM)", "(RM)", "[PERSIST]"].contains(&head.as_str()) || tag.constant && !is_input {
                 return None;

@@ -1,4 +1,4 @@
-//! The items of a program that was read: blocks with what is said above them, and the lines around them.
+//! The items of a program that was read: blocks with what is reported above them, and the lines around them.
 
 use ladder_format::program::Item;
 use ladder_syntax::Name;
@@ -13,7 +13,7 @@ pub(crate) fn above(items: &[Item], at: usize) -> impl Iterator<Item = &str> {
     let comment = |item: &&Item| matches!(item, Item::Comment(_));
     let count = items[..at].iter().rev().take_while(comment).count();
     items[at - count..at].iter().filter_map(|item| match item {
-        Item::Comment(said) => Some(said.as_str()),
+        Item::Comment(told) => Some(told.as_str()),
         _ => None,
     })
 }

@@ -35,7 +35,7 @@ pub trait Notation: Sync {
         false
     }
 
-    /// Whether [`write`](Notation::write) itself says which unread parts it does not write. Else it writes none, and that is said for it.
+    /// Whether [`write`](Notation::write) itself says which unread parts it does not write. Else it writes none, and that is reported for it.
     fn writes_unread(&self) -> bool {
         false
     }

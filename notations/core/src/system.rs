@@ -21,7 +21,7 @@ use std::collections::{HashMap, HashSet};
 const BLOCK: &str = "$LadderSys";
 /// Its instances.
 const INSTANCE: &str = "ladder_sys";
-/// What the outputs begin with: `TIME` alone is no name.
+/// What the outputs begin with: `TIME` alone is not a name.
 const OUTPUT: &str = "sys_";
 /// What the comment on it says.
 const ABOUT: &str = "What ladder text has in SYS, as far as it is used";

@@ -1,4 +1,4 @@
-//! What a system has of ladder text, and programs in which what it lacks is said by what it has.
+//! What a system has of ladder text, and programs in which what it lacks is reported by what it has.
 
 use crate::rewritten::Rewritten;
 use crate::whole::{Added, whole};
@@ -26,7 +26,7 @@ pub struct Stays {
     pub turns: HashSet<Name>,
 }
 
-/// What a system has. What it lacks is said by other means before its writer sees a program: each pass makes a sketch of the program
+/// What a system has. What it lacks is reported by other means before its writer sees a program: each pass makes a sketch of the program
 /// that the one before has made. Functions and blocks of other files are the program's own in what they make.
 #[derive(Clone, Copy)]
 pub struct Target {
@@ -72,7 +72,7 @@ impl Target {
         ..Target::BLOCKS_ALONE
     };
 
-    /// Writes a program in which what the system lacks is said by other means. If part of a block of another file has no form,
+    /// Writes a program in which what the system lacks is reported by other means. If part of a block of another file has no form,
     /// `write` is handed the same again, with that block among the [`Unwritable`]. The report is about the program itself.
     ///
     /// # Errors
@@ -128,7 +128,7 @@ impl Target {
 
 /// Says of each block at its first call what became of it, instead of each line of it at a place that the file does not have.
 fn tell(report: &mut Report, of_others: Vec<(usize, Entry)>, added: &[Added], unwritable: &Unwritable) {
-    let mut said = HashSet::new();
+    let mut told = HashSet::new();
     let (mut written, mut remarked) = (HashSet::new(), HashSet::new());
     let entries = &mut report.entries;
     for (number, entry) in of_others {
@@ -142,7 +142,7 @@ fn tell(report: &mut Report, of_others: Vec<(usize, Entry)>, added: &[Added], un
             entries.push(block.entry(Outcome::Refused(why)));
         } else if let Outcome::Approximated(why) = entry.outcome
             && !unwritable.contains_key(&Name::new(&block.name))
-            && said.insert((&block.name, why.clone()))
+            && told.insert((&block.name, why.clone()))
         {
             remarked.insert(&block.name);
             entries.push(block.entry(Outcome::Approximated(why)));

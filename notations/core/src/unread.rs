@@ -1,6 +1,6 @@
 //! Unread parts (LANGUAGE §5.9): what a reader does not understand becomes a block that names it and says what it may write.
 //!
-//! A reader collects them in [`UnreadParts`]: [`UnreadParts::block`] is what stands on the rung, [`UnreadParts::items`] are the
+//! A reader collects them in [`UnreadParts`]: [`UnreadParts::block`] is what is on the rung, [`UnreadParts::items`] are the
 //! definitions. A body of its own, whose declarations are read, is only marked as unread: [`unread_body`].
 
 use ladder_format::program::{Block, Declaration, Item, Section, SectionKind};

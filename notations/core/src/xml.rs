@@ -59,10 +59,10 @@ fn why(error: &Error) -> String {
             "the file ends too early, as one that was not saved or copied whole: export it again".to_owned()
         }
         other => {
-            let said = other.to_string();
+            let told = other.to_string();
             // The place is told apart from it.
-            let said = said.rsplit_once(" at ").map_or(said.as_str(), |(said, _)| said);
-            format!("this is not XML as it must be: {said}")
+            let told = told.rsplit_once(" at ").map_or(told.as_str(), |(told, _)| told);
+            format!("this is not XML as it must be: {told}")
         }
     }
 }
@@ -127,10 +127,10 @@ pub fn in_words(node: Node<'_, '_>) -> String {
             words.extend(text.split_whitespace().map(str::to_owned));
         } else if inner.is_element() && !is_place(&inner) {
             words.push(Element::name(&inner).to_owned());
-            let said = inner
+            let told = inner
                 .attributes()
                 .filter(|it| !matches!(it.name(), "width" | "height"));
-            words.extend(said.map(|it| format!("{}={}", it.name(), it.value())));
+            words.extend(told.map(|it| format!("{}={}", it.name(), it.value())));
         }
     }
     words.join(" ")

@@ -46,7 +46,7 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
             _ => continue,
         };
         for comment in lines_of.flat_map(|line| comments::on_line(parse, line)) {
-            above.extend(comments::said(&comment).map(str::to_owned));
+            above.extend(comments::told(&comment).map(str::to_owned));
         }
         let Item::Network(_) = item else { continue };
         let Some((network, facts)) = networks.next() else {

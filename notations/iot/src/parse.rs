@@ -68,17 +68,17 @@ pub(super) fn parse(source: &Source<'_>) -> Result<File, ReadError> {
         if line.len() > LONGEST_LINE {
             return Err(ReadError::at(LineColumn::line(number), long_line()));
         }
-        let said = line.trim();
-        file.parts.push(match said.chars().next() {
+        let told = line.trim();
+        file.parts.push(match told.chars().next() {
             None => continue,
-            Some('#') => IotLine::Comment(said[1..].trim().to_owned()),
+            Some('#') => IotLine::Comment(told[1..].trim().to_owned()),
             Some('=') => {
                 if let Some(first) = title.replace(number) {
                     return Err(ReadError::at(LineColumn::line(number), another(first)));
                 }
-                IotLine::Beside(said.to_owned())
+                IotLine::Beside(told.to_owned())
             }
-            Some('>') => IotLine::Beside(said.to_owned()),
+            Some('>') => IotLine::Beside(told.to_owned()),
             Some(_) => IotLine::Rung(rung(line, number)?),
         });
     }

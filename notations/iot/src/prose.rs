@@ -33,7 +33,7 @@ pub(super) fn parse(text: &str) -> Result<File, ReadError> {
     let mut numbers: Option<RangeInclusive<u32>> = None;
     let mut made = 0;
     for (number, line) in (1..).zip(text.lines()) {
-        let said = line.trim();
+        let told = line.trim();
         if line.len() > parse::LONGEST_LINE {
             return Err(ReadError::at(LineColumn::line(number), parse::long_line()));
         }
@@ -61,8 +61,8 @@ pub(super) fn parse(text: &str) -> Result<File, ReadError> {
             for n in each {
                 file.parts.push(IotLine::Rung(rung.circuit(number, n)?));
             }
-        } else if !said.is_empty() {
-            file.parts.push(IotLine::Comment(said.to_owned()));
+        } else if !told.is_empty() {
+            file.parts.push(IotLine::Comment(told.to_owned()));
         }
     }
     Ok(file)
@@ -228,10 +228,10 @@ fn words(text: &str) -> Option<String> {
 
 /// `T1 (PRE 3, B 50)`: what is not given has the editor's default.
 fn state(word: &str, text: &str, members: [&str; 2]) -> Option<String> {
-    let Some((name, said)) = text.split_once('(') else {
+    let Some((name, told)) = text.split_once('(') else {
         return Some(format!("{word} {}", text.trim()));
     };
-    let (said, after) = said.split_once(')')?;
+    let (told, after) = told.split_once(')')?;
     if !after.trim().is_empty() {
         return None;
     }
@@ -240,7 +240,7 @@ fn state(word: &str, text: &str, members: [&str; 2]) -> Option<String> {
     } else {
         ["0", "0"]
     };
-    for one in said.split(',') {
+    for one in told.split(',') {
         let (member, value) = one.trim().split_once(' ')?;
         let at = members.iter().position(|own| *own == member)?;
         values[at] = value.trim();

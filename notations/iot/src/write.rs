@@ -93,17 +93,17 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
 
 /// The element in `# iot: OUT T1:DN #`, as it was before it became a comment.
 fn kept(comment: &str) -> Option<String> {
-    let said = comments::inside(comment)
+    let told = comments::inside(comment)
         .trim()
         .strip_prefix("iot:")?
         .trim()
         .to_owned();
-    element(&said).is_some().then_some(said)
+    element(&told).is_some().then_some(told)
 }
 
 /// A comment, on lines of its own.
 fn comment(text: &str, out: &mut String) {
-    for line in comments::said(text) {
+    for line in comments::told(text) {
         match line.strip_prefix("iot:").map(str::trim) {
             Some(own) if own.starts_with(['=', '>']) => out.push_str(&format!("{own}\n")),
             Some(own) if own.starts_with(';') => out.push_str(&format!("#{}\n", &own[1..])),

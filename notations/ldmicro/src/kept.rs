@@ -70,42 +70,42 @@ impl Head {
         let mut list: Option<(String, Vec<String>)> = None;
         for line in text.lines() {
             let line = line.trim();
-            let Some(said) = kept(line).map(|said| said.replace("\\x5C", "\\")) else {
+            let Some(told) = kept(line).map(|told| told.replace("\\x5C", "\\")) else {
                 head.declaration(line);
                 continue;
             };
             if let Some((title, mut entries)) = list.take() {
-                if said == "END" {
+                if told == "END" {
                     head.file.lists.push((title, entries));
                 } else {
-                    entries.push(said);
+                    entries.push(told);
                     list = Some((title, entries));
                 }
                 continue;
             }
-            head.is_import |= said.starts_with("LDmicro0.");
-            match said.as_str() {
+            head.is_import |= told.starts_with("LDmicro0.");
+            match told.as_str() {
                 "LDmicro0.2" => head.file.version = Version::V02,
                 "lines end in CR LF" => head.file.encoding.crlf = true,
                 "Latin-1" => head.file.encoding.latin1 = true,
-                said if said.ends_with(" LIST") && !said.starts_with("SUBPROG ") => {
-                    list = Some((said.to_owned(), Vec::new()));
+                told if told.ends_with(" LIST") && !told.starts_with("SUBPROG ") => {
+                    list = Some((told.to_owned(), Vec::new()));
                 }
-                said => {
-                    if let Some(line) = said.strip_prefix("HEADER ") {
+                told => {
+                    if let Some(line) = told.strip_prefix("HEADER ") {
                         head.file.passed.push(line.to_owned());
-                    } else if let Some(entry) = said.strip_prefix("IO ") {
+                    } else if let Some(entry) = told.strip_prefix("IO ") {
                         head.file.io.push((0, entry.to_owned()));
                     } else if let Some((tag, name)) =
-                        said.strip_prefix("NAME ").and_then(|s| s.split_once(" = "))
+                        told.strip_prefix("NAME ").and_then(|s| s.split_once(" = "))
                     {
                         head.names.insert(tag.to_owned(), name.to_owned());
                     } else if let Some((number, name)) =
-                        said.strip_prefix("PULSES ").and_then(|s| s.split_once(" = "))
+                        told.strip_prefix("PULSES ").and_then(|s| s.split_once(" = "))
                     {
                         head.pulses.insert(number.to_owned(), name.to_owned());
-                    } else if !said.starts_with("COMMENT") && said.contains('=') {
-                        head.file.header.push(said.to_owned());
+                    } else if !told.starts_with("COMMENT") && told.contains('=') {
+                        head.file.header.push(told.to_owned());
                     }
                 }
             }
@@ -142,7 +142,7 @@ pub(super) fn comments(text: &str) -> Vec<Rung> {
     let mut rung = |parts| rungs.push(Rung { line: 0, parts });
     let mut in_definition = false;
     for line in text.lines().map(str::trim).chain([""]) {
-        // What is said of a block, in it or right above it, is not a rung.
+        // What is reported of a block, in it or right above it, is not a rung.
         if line.starts_with("FUNCTION_BLOCK") {
             in_definition = true;
             lines.clear();
@@ -157,8 +157,8 @@ pub(super) fn comments(text: &str) -> Vec<Rung> {
             && line.ends_with('#')
             && after(line, "ladder:").is_none();
         if is_said && kept.is_none() {
-            let said = line.trim_matches('#').trim();
-            lines.push(said.replace('\\', "\\\\"));
+            let told = line.trim_matches('#').trim();
+            lines.push(told.replace('\\', "\\\\"));
             continue;
         }
         if !lines.is_empty() {
@@ -167,12 +167,12 @@ pub(super) fn comments(text: &str) -> Vec<Rung> {
         }
         match kept.as_deref() {
             Some("RUNG") => rung(Vec::new()),
-            Some(said) if said.starts_with("SUBPROG ") => {
-                let text = format!("{UNSETTLED}{said}");
+            Some(told) if told.starts_with("SUBPROG ") => {
+                let text = format!("{UNSETTLED}{told}");
                 rung(vec![Node::Leaf(Leaf { line: 0, text })]);
             }
-            Some(said) if said.starts_with("COMMENT") => {
-                rung(vec![comment(said["COMMENT".len()..].trim_start())]);
+            Some(told) if told.starts_with("COMMENT") => {
+                rung(vec![comment(told["COMMENT".len()..].trim_start())]);
             }
             _ => {}
         }

@@ -52,8 +52,8 @@ impl Sketcher<'_> {
             }
         }
         let mut items = vec![Item::Blank];
-        let said = definition.comment.as_deref().unwrap_or_default();
-        let title = format!("Add-On Instruction {}\n{said}", definition.name);
+        let told = definition.comment.as_deref().unwrap_or_default();
+        let title = format!("Add-On Instruction {}\n{told}", definition.name);
         items.push(Item::Comment(title.trim().to_owned()));
         let mut inner = Vec::new();
         let sections = [

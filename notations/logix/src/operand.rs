@@ -180,7 +180,7 @@ impl<'t> Reader<'t> {
         name
     }
 
-    /// The operator of a level that stands here.
+    /// The operator of a level that is here.
     fn operator(&mut self, level: usize) -> Option<Operator> {
         self.blanks();
         let rest = self.rest();

@@ -216,8 +216,8 @@ impl<'p> Sketcher<'p> {
         rung: &Rung,
         parts: Result<&Vec<Part<'p>>, &ladder_drawings::neutral::Wrong>,
     ) -> Item {
-        let said = rung.comment.iter().map(|text| text.replace("\r\n", "\n"));
-        let mut comments: Vec<String> = said.collect();
+        let told = rung.comment.iter().map(|text| text.replace("\r\n", "\n"));
+        let mut comments: Vec<String> = told.collect();
         if let Some(edit) = &rung.edit {
             let why = format!(
                 "the rung is part of an edit that is not done (its mark is {edit}); it is read as if it stayed"
@@ -313,11 +313,11 @@ impl<'p> Sketcher<'p> {
             .iter()
             .map(|ty| (ty.at, format!("type {}", ty.name)));
         let entries: Vec<(usize, String)> = tags.into_iter().chain(types).collect();
-        let said = self.reading.report.entries.iter().map(|entry| entry.place);
-        let said: HashSet<LineColumn> = said.collect();
+        let told = self.reading.report.entries.iter().map(|entry| entry.place);
+        let told: HashSet<LineColumn> = told.collect();
         for (at, what) in entries {
             let place = self.place(at);
-            if !said.contains(&place) {
+            if !told.contains(&place) {
                 self.reading.report.translated(place, what);
             }
         }

@@ -47,8 +47,8 @@ pub(crate) fn read(text: &str) -> Result<Project, ReadError> {
             if trimmed.is_empty() {
                 continue;
             }
-            if let Some(said) = trimmed.strip_prefix(';') {
-                comment.push(said.trim());
+            if let Some(told) = trimmed.strip_prefix(';') {
+                comment.push(told.trim());
                 continue;
             }
         }
@@ -99,11 +99,11 @@ fn is_rung(rung: &Rung) -> bool {
 }
 
 fn rung(text: &str, first: usize, end: usize, comment: &mut Vec<&str>) -> Rung {
-    let said = std::mem::take(comment).join("\n");
+    let told = std::mem::take(comment).join("\n");
     Rung {
         at: first,
         text: text[first..end].to_owned(),
-        comment: (!said.is_empty()).then_some(said),
+        comment: (!told.is_empty()).then_some(told),
         ..Rung::default()
     }
 }

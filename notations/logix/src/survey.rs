@@ -2,7 +2,7 @@
 //! the program sets from outside, and what the controller does to its tags before the first scan.
 //!
 //! Before the first scan a controller runs every rung once with dead rails (the prescan): coils go off, the memories of
-//! edges are set such that what is on already is no edge, timers and counters are made ready. What it leaves is the
+//! edges are set such that what is on already is not an edge, timers and counters are made ready. What it leaves is the
 //! initial value of tags, so it is written there.
 
 use crate::mnemonic::{Op, Role, instruction, role};

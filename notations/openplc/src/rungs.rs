@@ -79,9 +79,9 @@ pub(super) fn read(text: &str, json: Range<usize>, report: &mut Report) -> Resul
                 column.max(1)
             },
         };
-        let said = error.to_string();
-        let said = said.split(" at line ").next().unwrap_or_default().to_owned();
-        ReadError::at(place, format!("these are no rungs in JSON: {said}"))
+        let told = error.to_string();
+        let told = told.split(" at line ").next().unwrap_or_default().to_owned();
+        ReadError::at(place, format!("these are no rungs in JSON: {told}"))
     })?;
     let mut reader = Reader {
         place: |raw: &RawValue| lines.place(text, raw.get().as_ptr() as usize - text.as_ptr() as usize),

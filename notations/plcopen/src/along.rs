@@ -1,6 +1,6 @@
 //! What ladder text has and the standard does not: a project that uses it has units of its own for it, in ST. Three instructions
 //! are function blocks; the tags of `SYS` are globals, which a function block sets: the program calls it before all else. Remarks say
-//! what they are. The reader takes out again what is as it was written: what was changed since stays, and is said like any other text
+//! what they are. The reader takes out again what is as it was written: what was changed since stays, and is reported like any other text
 //! in ST.
 
 use crate::arrays;
@@ -222,7 +222,7 @@ pub(crate) fn take_out(project: &mut Project) {
             .iter_mut()
             .filter(|global| system(global).is_some())
         {
-            global.comment = global.comment.take().map(|said| format!("once {said}"));
+            global.comment = global.comment.take().map(|told| format!("once {told}"));
         }
     }
 }
@@ -262,8 +262,8 @@ pub(crate) fn system_variable(tag: SystemTag, name: &str, role: Role) -> Variabl
 
 /// The tag of `SYS` that a global stands for.
 pub(crate) fn system(variable: &Variable) -> Option<SystemTag> {
-    let said = variable.comment.as_deref()?.strip_suffix(SYSTEM)?;
-    SystemTag::from_name(said.strip_prefix("SYS.")?)
+    let told = variable.comment.as_deref()?.strip_suffix(SYSTEM)?;
+    SystemTag::from_name(told.strip_prefix("SYS.")?)
 }
 
 /// The block that sets the globals of these tags.
@@ -276,7 +276,7 @@ fn system_block(name: String, tags: &[(SystemTag, String)]) -> Unit {
     variables.push(variable(RUNS, "BOOL", Role::Output));
     let mut text = "clock(RUN := TRUE);\n".to_owned();
     for (tag, name) in tags {
-        let said = match tag {
+        let told = match tag {
             SystemTag::FirstScan => writeln!(text, "{name} := NOT runs;"),
             SystemTag::Scan => writeln!(text, "IF runs THEN\n    {name} := {name} + 1;\nEND_IF;"),
             SystemTag::Time => writeln!(text, "{name} := {name} + clock.PASSED;"),
@@ -293,7 +293,7 @@ fn system_block(name: String, tags: &[(SystemTag, String)]) -> Unit {
             }
             SystemTag::Fault | SystemTag::On | SystemTag::Off => Ok(()),
         };
-        debug_assert!(said.is_ok());
+        debug_assert!(told.is_ok());
     }
     text.push_str("runs := TRUE;\n");
     unit(name, UnitKind::FunctionBlock, variables, text)

@@ -192,8 +192,8 @@ fn counted(graphs: &[&Graph]) -> HashSet<&'static str> {
 fn unit(name: &str, row: &Row, ty: &str) -> Unit {
     let (_, power, inputs, outputs, text) = row;
     let place = LineColumn::START;
-    let variable = |said: &str, role| {
-        let (name, own) = said.split_once(':').unwrap_or((said, "BOOL"));
+    let variable = |told: &str, role| {
+        let (name, own) = told.split_once(':').unwrap_or((told, "BOOL"));
         let own = if own == "INT" { ty } else { own };
         Variable {
             role,
@@ -204,8 +204,8 @@ fn unit(name: &str, row: &Row, ty: &str) -> Unit {
         comment: Some(own::POWER_IN.to_owned()),
         ..variable(power, Role::Input)
     });
-    let inputs = inputs.iter().map(|said| variable(said, Role::Input));
-    let outputs = outputs.iter().map(|said| variable(said, Role::Output));
+    let inputs = inputs.iter().map(|told| variable(told, Role::Input));
+    let outputs = outputs.iter().map(|told| variable(told, Role::Output));
     let text = match ty {
         "INT" => (*text).to_owned(),
         ty => text

@@ -6,7 +6,7 @@ use crate::model::{Body, Project, Role, Unit, UnitKind, Variable};
 use ladder_notation::LineColumn;
 use std::collections::HashSet;
 
-/// What the remark on such a global begins with. What was said of the tag follows.
+/// What the remark on such a global begins with. What was reported of the tag follows.
 const SHARED: &str = "handed to functions in ladder text.";
 
 /// Makes globals of the variables of the last unit, the program, that have these names.
@@ -16,10 +16,10 @@ pub(crate) fn move_out(project: &mut Project, names: &HashSet<String>) {
     };
     for variable in &mut program.variables {
         if variable.role != Role::External && names.contains(&variable.name) {
-            let said = variable.comment.take().unwrap_or_default();
+            let told = variable.comment.take().unwrap_or_default();
             project.globals.push(Variable {
                 role: Role::Global,
-                comment: Some(format!("{SHARED} {said}").trim_end().to_owned()),
+                comment: Some(format!("{SHARED} {told}").trim_end().to_owned()),
                 ..variable.clone()
             });
             *variable = external(&variable.name, variable);
@@ -33,12 +33,12 @@ pub(crate) fn take_out(project: &mut Project) {
         global
             .comment
             .as_deref()
-            .is_some_and(|said| said.starts_with(SHARED))
+            .is_some_and(|told| told.starts_with(SHARED))
     };
     let shared: Vec<Variable> = project.globals.extract_if(.., is_shared).collect();
     for mut global in shared {
-        let said = global.comment.take().unwrap_or_default();
-        global.comment = Some(said[SHARED.len()..].trim_start().to_owned()).filter(|said| !said.is_empty());
+        let told = global.comment.take().unwrap_or_default();
+        global.comment = Some(told[SHARED.len()..].trim_start().to_owned()).filter(|told| !told.is_empty());
         let mut users = HashSet::new();
         for unit in &mut project.units {
             let is_program = unit.kind == UnitKind::Program;

@@ -207,7 +207,7 @@ impl<'t> Cursor<'t> {
         self.error(format!("one of `{signs}` is missing after `{}`", self.shown()))
     }
 
-    /// Where a word stands next, outside of quotes and comments.
+    /// Where a word is next, outside of quotes and comments.
     pub(crate) fn find_word(&self, word: &str) -> Option<usize> {
         let mut other = self.clone();
         while other.at < other.end {

@@ -14,7 +14,7 @@ pub(crate) struct Unit {
     pub(crate) returns: Option<Type>,
     pub(crate) variables: Vec<Variable>,
     /// Title and comment.
-    pub(crate) said: Vec<String>,
+    pub(crate) told: Vec<String>,
     pub(crate) networks: Vec<Network>,
     /// What was left out while it was read.
     pub(crate) report: Report,
@@ -122,7 +122,7 @@ impl PartialEq for Variable {
 pub(crate) struct Network {
     pub(crate) place: LineColumn,
     /// Title and comment.
-    pub(crate) said: Vec<String>,
+    pub(crate) told: Vec<String>,
     pub(crate) label: Option<(LineColumn, String)>,
     /// As it is written.
     pub(crate) text: String,

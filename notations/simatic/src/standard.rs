@@ -286,7 +286,7 @@ pub(crate) fn of_xml(name: &str) -> Option<&'static Row> {
         .find(|row| row.xml.iter().any(|own| own.eq_ignore_ascii_case(name)))
 }
 
-/// Whether an instruction stands after what holds its state.
+/// Whether an instruction is after what holds its state.
 pub(crate) fn with_instance(name: &str) -> bool {
     let form = of_document(name).map(|row| row.form);
     matches!(form, Some(Form::State(..) | Form::Bistable { .. }))

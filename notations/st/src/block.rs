@@ -13,7 +13,7 @@ use ladder_instructions::Op;
 use std::collections::BTreeSet;
 
 impl Unit<'_, '_> {
-    /// One block. True: the rest of the network stands in an IF that is still open.
+    /// One block. True: the rest of the network is in an IF that is still open.
     pub(crate) fn block(&mut self, block: &Block, en: usize, step: usize) -> Result<bool> {
         let row = match block.kind {
             BlockKind::Instruction(row) => row,

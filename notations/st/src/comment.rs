@@ -35,15 +35,15 @@ pub(crate) fn of_network(parse: &Parse, text: &str, range: TextRange) -> Vec<Str
         }
     }
     above.reverse();
-    let mut said: Vec<String> = above.concat();
+    let mut told: Vec<String> = above.concat();
     let mut line = first;
     while line < parse.lines().len() && parse.line_start(line) < range.end() {
-        said.extend(comments::on_line(parse, line));
+        told.extend(comments::on_line(parse, line));
         line += 1;
     }
-    let lines = said
+    let lines = told
         .iter()
-        .flat_map(|one| comments::said(one).map(str::to_owned).collect::<Vec<_>>());
+        .flat_map(|one| comments::told(one).map(str::to_owned).collect::<Vec<_>>());
     let mut lines: Vec<String> = lines.map(|line| comment(&line)).collect();
     if is_apart || !lines.is_empty() {
         lines.insert(0, String::new());
@@ -54,13 +54,13 @@ pub(crate) fn of_network(parse: &Parse, text: &str, range: TextRange) -> Vec<Str
 /// What the comments on a line say.
 fn on_line(parse: &Parse, line: usize) -> String {
     let all = comments::on_line(parse, line);
-    let words: Vec<&str> = all.iter().flat_map(|one| comments::said(one)).collect();
+    let words: Vec<&str> = all.iter().flat_map(|one| comments::told(one)).collect();
     words.join(" ")
 }
 
 /// What the comments say that stand on the line of a place.
 pub(crate) fn of_line(parse: &Parse, at: TextSize) -> Option<String> {
-    Some(on_line(parse, line_at(parse, at))).filter(|said| !said.is_empty())
+    Some(on_line(parse, line_at(parse, at))).filter(|told| !told.is_empty())
 }
 
 /// The comments above a declaration that is the first on its line.
@@ -79,7 +79,7 @@ pub(crate) fn above(parse: &Parse, text: &str, at: TextSize) -> Vec<String> {
         }
         all.push(on_line(parse, line));
     }
-    all.retain(|said| !said.is_empty());
+    all.retain(|told| !told.is_empty());
     all.reverse();
     all
 }
@@ -102,7 +102,7 @@ impl Outside {
         for item in &parse.structure().items {
             match *item {
                 Item::Decoration(line) => {
-                    above.extend(Some(on_line(parse, line)).filter(|said| !said.is_empty()));
+                    above.extend(Some(on_line(parse, line)).filter(|told| !told.is_empty()));
                 }
                 Item::BlockHeader(number) => {
                     outside.of_blocks.entry(number).or_default().append(&mut above);

@@ -7,7 +7,7 @@
 //! What is written is the analysed program, network by network. The power of a rung is an expression of its contacts, written where
 //! something acts on it; what a later statement would change gets a name first. Where the standard leaves open what happens, or
 //! says something else than the language does, a function or block of `runtime/` is written along; only those that a program
-//! needs. What cannot be said is refused, with its place.
+//! needs. What cannot be expressed is refused, with its place.
 //!
 //! Structured Text is only written: it cannot be read as a ladder program again.
 #![forbid(unsafe_code)]

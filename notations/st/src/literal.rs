@@ -3,7 +3,7 @@
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::{Value, real_text};
 
-/// A constant of a type that is no enumeration.
+/// A constant of a type that is not an enumeration.
 pub(crate) fn literal(value: &Value, ty: Scalar) -> String {
     match value {
         Value::Bool(true) => "TRUE".into(),

@@ -82,7 +82,7 @@ impl Unit<'_, '_> {
     }
 
     /// Blocks in a row that act on the power that enters the first, in one IF, with the jump after them: the last step of them, and
-    /// whether the rest of the network stands in an IF that is still open. None: there is no such block here.
+    /// whether the rest of the network is in an IF that is still open. None: there is no such block here.
     fn chain(&mut self, network: &Network, first: usize) -> Result<Option<(usize, bool)>> {
         let mut lines = Vec::new();
         let mut written = std::collections::BTreeSet::new();

@@ -57,7 +57,7 @@ impl Power {
         self.term().unwrap_or_else(|| Term::whole("TRUE"))
     }
 
-    /// Where two wires meet. What both have passed is said once.
+    /// Where two wires meet. What both have passed is reported once.
     pub(crate) fn or(&self, other: &Power, number: usize) -> Power {
         let (Power::Live(upper), Power::Live(lower)) = (self, other) else {
             return if matches!(self, Power::Dead) {

@@ -23,7 +23,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::ops::Range;
 use types::is_block;
 
-/// Why a program is not written: at a place, what cannot be said.
+/// Why a program is not written: at a place, what cannot be expressed.
 pub(crate) struct Stop {
     pub(crate) at: Location,
     pub(crate) why: String,

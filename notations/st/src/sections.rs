@@ -48,8 +48,8 @@ fn declaration(project: &Project<'_>, variable: &Variable<'_>, name: &str, with_
     } else {
         Vec::new()
     };
-    for said in above {
-        line.push_str(&format!("    {}\n", comment::comment(&said)));
+    for told in above {
+        line.push_str(&format!("    {}\n", comment::comment(&told)));
     }
     line.push_str(&format!("    {name}"));
     if let Some(address) = variable.tag.address.as_ref().filter(|_| with_address) {
@@ -60,15 +60,15 @@ fn declaration(project: &Project<'_>, variable: &Variable<'_>, name: &str, with_
         line.push_str(&format!(" := {value}"));
     }
     line.push(';');
-    let mut said = Vec::new();
+    let mut told = Vec::new();
     if !name.eq_ignore_ascii_case(variable.root) {
-        said.push(format!("called {}", variable.root));
+        told.push(format!("called {}", variable.root));
     }
     if is_own {
-        said.extend(comment::of_line(project.source.parse, at));
+        told.extend(comment::of_line(project.source.parse, at));
     }
-    if !said.is_empty() {
-        line.push_str(&format!("  {}", comment::comment(&said.join("; "))));
+    if !told.is_empty() {
+        line.push_str(&format!("  {}", comment::comment(&told.join("; "))));
     }
     line.push('\n');
     line
@@ -101,7 +101,7 @@ pub(crate) fn program_variables(
 }
 
 /// The section that a tag of the program belongs to. One at an address is neither input nor output, as the address says it, and
-/// stands apart from those without.
+/// is apart from those without.
 fn head(variable: &Variable<'_>) -> (u8, &'static str) {
     let tag = variable.tag;
     match (tag.address.is_some(), tag.role, tag.retain, tag.constant) {

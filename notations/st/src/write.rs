@@ -286,7 +286,7 @@ fn assembled(
     bodies: &[Body],
     outside: &Outside,
 ) -> String {
-    let said = |all: &[String], indent: &str| -> String {
+    let told = |all: &[String], indent: &str| -> String {
         let lines = all
             .iter()
             .map(|one| [indent, &comment::comment(one), "\n"].concat());
@@ -299,7 +299,7 @@ fn assembled(
         shared.extend(&body.declared.externals);
     }
     shared.extend(&bodies[0].shared);
-    let mut out = format!("(* The ladder program {name}. *)\n{}\n", said(&outside.head, ""));
+    let mut out = format!("(* The ladder program {name}. *)\n{}\n", told(&outside.head, ""));
     out.push_str(&project.types());
     let pieces = PIECES.text(&project.used.pieces);
     out.push_str(&pieces);
@@ -313,7 +313,7 @@ fn assembled(
         if let UnitKind::Block(block) = body.kind
             && let Some(number) = project.own_block(block)
         {
-            out.push_str(&said(
+            out.push_str(&told(
                 outside.of_blocks.get(&number).map_or(&[], Vec::as_slice),
                 "",
             ));
@@ -373,7 +373,7 @@ fn assembled(
         out.push('\n');
     }
     lines(&main.lines, &mut out);
-    out.push_str(&said(&outside.last, "    "));
+    out.push_str(&told(&outside.last, "    "));
     out.push_str("END_PROGRAM\n");
     if !shared.is_empty() {
         configuration(project, name, &shared, &mut out);

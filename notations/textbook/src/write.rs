@@ -40,7 +40,7 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
             _ => continue,
         };
         for comment in lines_of.flat_map(|line| comments::on_line(parse, line)) {
-            comments::said(&comment).for_each(|line| out.push_str(&format!("# {line}\n")));
+            comments::told(&comment).for_each(|line| out.push_str(&format!("# {line}\n")));
         }
         let Item::Network(_) = item else { continue };
         let Some(network) = networks.next() else { break };
@@ -67,7 +67,7 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
             _ => String::new(),
         };
         return Err(WriteError::new(format!(
-            "no network of the program can be said in the textbook grammar{why}"
+            "no network of the program can be told in the textbook grammar{why}"
         )));
     }
     writer.renamed();

@@ -26,9 +26,9 @@ pub(crate) fn graph(xml: &Xml<'_>, archive: Object<'_>, report: &mut Report) -> 
         rail: End { node: 0, output: 0 },
         wires: HashMap::new(),
     };
-    let said = archive.text("NetworkListComment");
-    if !said.is_empty() {
-        reader.comment(archive, said.to_owned());
+    let told = archive.text("NetworkListComment");
+    if !told.is_empty() {
+        reader.comment(archive, told.to_owned());
     }
     let networks = archive.field("NetworkList");
     if networks.is_none() {
@@ -74,15 +74,15 @@ impl Reader<'_, '_> {
         End { node, output: 0 }
     }
 
-    fn comment(&mut self, object: Object<'_>, said: String) {
-        self.push(object, Kind::Comment(said), Vec::new());
+    fn comment(&mut self, object: Object<'_>, told: String) {
+        self.push(object, Kind::Comment(told), Vec::new());
     }
 
     fn network(&mut self, network: Object<'_>) {
         let place = self.place(network);
-        for said in [network.text("Title"), network.text("Comment")] {
-            if !said.is_empty() {
-                self.comment(network, said.to_owned());
+        for told in [network.text("Title"), network.text("Comment")] {
+            if !told.is_empty() {
+                self.comment(network, told.to_owned());
             }
         }
         let label = network.text("Label");
@@ -128,7 +128,7 @@ impl Reader<'_, '_> {
         self.comment(network, format!("A network is not read: {why}"));
     }
 
-    /// What stands in a network by itself.
+    /// What is in a network by itself.
     fn item(&mut self, item: Object<'_>) -> Result<(), String> {
         if item.kind() != "BoxTreeAssign" {
             return self.value(item, 0).map(drop);

@@ -70,9 +70,9 @@ pub(crate) fn declared<T>(
     let declaration = node.child("Declaration");
     let declaration =
         declaration.ok_or_else(|| ReadError::at(xml.place(node), "the unit has no declaration"))?;
-    let said = declaration.text().unwrap_or_default();
+    let told = declaration.text().unwrap_or_default();
     let start = text[declaration.range().start..]
-        .find(said)
+        .find(told)
         .map(|at| at + declaration.range().start);
     let lines = Lines::of(text);
     let place = |offset: usize| -> LineColumn {
@@ -82,9 +82,9 @@ pub(crate) fn declared<T>(
         }
     };
     Ok(read(&Declared {
-        text: said,
+        text: told,
         // A pragma says nothing of what runs.
-        plain: &without_pragmas(&without_comments(said)),
+        plain: &without_pragmas(&without_comments(told)),
         place: &place,
     }))
 }

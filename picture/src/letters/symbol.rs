@@ -130,7 +130,7 @@ fn glyph_ink(standing: &Standing<'_>) -> Ink {
     }
 }
 
-/// What is between two bars or brackets, and these. Gives where they begin and end.
+/// What is between two bars or brackets, and these. Returns where they begin and end.
 fn between(
     canvas: &mut Canvas,
     mark: &Mark,

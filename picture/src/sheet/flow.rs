@@ -53,9 +53,9 @@ pub(super) fn fill(pages: &mut Pages, context: &Context, scene: &Scene) {
 }
 
 /// A line of text in full size.
-pub(super) fn text(pages: &Pages, look: Look, said: &str, above: f32) -> Strip {
+pub(super) fn text(pages: &Pages, look: Look, told: &str, above: f32) -> Strip {
     let mut paper = Paper::default();
-    paper.text(look, (0, LINE - 4), Anchor::Start, width(said), said);
+    paper.text(look, (0, LINE - 4), Anchor::Start, width(told), told);
     Strip::of((paper.into_shapes(), LINE), pages.pixels(), above)
 }
 
@@ -248,9 +248,9 @@ fn network(pages: &mut Pages, scene: &Scene, block: &Block, label: Label, title:
     );
     let parts = next_to.len().saturating_mul(below.len());
     if parts > MOST_PARTS {
-        let said =
+        let told =
             format!("Its drawing would take {parts} pages, and that of a network has at most {MOST_PARTS}.");
-        head.push(text(pages, Look::Text, &said, CLOSE));
+        head.push(text(pages, Look::Text, &told, CLOSE));
         place_in_order(pages, head);
         return;
     }

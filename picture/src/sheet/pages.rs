@@ -185,10 +185,10 @@ fn foot(block: &[String], place: &str, right: i32) -> Strip {
     paper.text(Look::Text, (edge, base), Anchor::End, width(place), place);
     if let Ok(count @ 1..) = i32::try_from(block.len()) {
         let cell = (right - number) / count;
-        for (index, said) in (0..).zip(block) {
-            let said = shortened(said, cell - 2 * UNIT);
+        for (index, told) in (0..).zip(block) {
+            let told = shortened(told, cell - 2 * UNIT);
             let at = (index * cell + UNIT, base);
-            paper.text(Look::Text, at, Anchor::Start, width(&said), &said);
+            paper.text(Look::Text, at, Anchor::Start, width(&told), &told);
         }
         for line in (1..count)
             .map(|index| index * cell)

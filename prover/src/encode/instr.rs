@@ -71,7 +71,7 @@ impl Scan<'_, '_> {
         self.located.then_some(block.location)
     }
 
-    /// Nothing can be said of a network that is followed alone, and of a program nothing of what it writes.
+    /// Nothing can be expressed of a network that is followed alone, and of a program nothing of what it writes.
     pub(super) fn block(&mut self, what: impl Into<String>, at: u32) {
         let what = what.into();
         if self.alone.is_none() {

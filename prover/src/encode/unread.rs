@@ -36,7 +36,7 @@ pub(super) fn each_written<'p>(
     }
 }
 
-/// The cells of a tag; what is no cell that is tracked is left out.
+/// The cells of a tag; what is not a cell that is tracked is left out.
 fn cells_of(home: Home, reach: &Reach, each: &mut dyn FnMut(Cell)) {
     let word = |n: u32| Cell::Word(Word(n));
     match home {

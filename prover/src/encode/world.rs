@@ -80,7 +80,7 @@ pub(crate) struct World {
     pub(crate) timers: Vec<u32>,
     /// What inputs cannot be is excluded: all are high in each scan.
     pub(crate) valid: Vec<Lit>,
-    /// Why nothing can be said of the program at all.
+    /// Why nothing can be expressed of the program at all.
     pub(crate) blocked: Option<Gap>,
     /// Of each timer the largest preset in scans that it was given, by its first bit; none where that is not known.
     pub(crate) presets: FxHashMap<u32, Option<u64>>,
@@ -183,7 +183,7 @@ impl World {
         always
     }
 
-    /// Nothing can be said of the program.
+    /// Nothing can be expressed of the program.
     pub(crate) fn block(&mut self, what: impl Into<String>, location: Option<Location>) {
         self.blocked.get_or_insert(Gap {
             what: what.into(),
@@ -191,7 +191,7 @@ impl World {
         });
     }
 
-    /// A bit that is remembered; what it is next is said later. Returns its leaf and its number.
+    /// A bit that is remembered; what it is next is reported later. Returns its leaf and its number.
     pub(crate) fn remember(&mut self, initial: bool) -> (Lit, usize) {
         let twin = self.twins.first.pop_front().flatten();
         let leaf = twin.unwrap_or_else(|| self.graph.leaf());

@@ -15,8 +15,8 @@ fn program(text: &str) -> Arc<Program> {
     )
 }
 
-/// What is said of the first networks of two programs.
-fn said(old: &str, new: &str) -> String {
+/// What is reported of the first networks of two programs.
+fn told(old: &str, new: &str) -> String {
     let compared = Compared::new(&program(old), &program(new)).expect("they compile");
     match compared.networks(0, 0, Duration::from_secs(10)) {
         Meaning::Same => String::from("the same"),
@@ -28,7 +28,7 @@ fn said(old: &str, new: &str) -> String {
 
 #[track_caller]
 fn check(old: &str, new: &str, expected: Expect) {
-    expected.assert_eq(&said(old, new));
+    expected.assert_eq(&told(old, new));
 }
 
 #[test]
@@ -81,7 +81,7 @@ fn the_same_in_other_words() {
             "+--[ ]( b )--[ ]( a )--<JMP>( On )--+\n\n+--( )( y )--+\n\n+--<LBL>( On )--( )( x )--+\n",
         ),
     ] {
-        assert_eq!(said(old, new), "the same", "{old}{new}");
+        assert_eq!(told(old, new), "the same", "{old}{new}");
     }
 }
 
@@ -256,7 +256,7 @@ fn with_body(parameters: &str, body: &str) -> String {
 #[test]
 fn networks_in_the_body_of_a_block() {
     let compared = |parameters: &str, old: &str, new: &str| {
-        said(&with_body(parameters, old), &with_body(parameters, new))
+        told(&with_body(parameters, old), &with_body(parameters, new))
     };
     let old = "+--[ ]( EN )--[ ]( a )--[/]( b )--[TON]( t, 2s )--( )( y )--+";
     expect!["the same"].assert_eq(&compared(

@@ -49,7 +49,7 @@ fn drawn(run: &Divergence) -> String {
     text
 }
 
-fn said(old: &str, new: &str) -> String {
+fn told(old: &str, new: &str) -> String {
     match compared(old, new, 5_000) {
         Whole::Same => String::from("the same\n"),
         Whole::Differs(run) => drawn(&run),
@@ -59,7 +59,7 @@ fn said(old: &str, new: &str) -> String {
 
 #[track_caller]
 fn check(old: &str, new: &str, expected: Expect) {
-    expected.assert_eq(&said(old, new));
+    expected.assert_eq(&told(old, new));
 }
 
 /// A rung of contacts, with the same drawn otherwise.
@@ -91,7 +91,7 @@ fn the_same_in_every_run() {
             "VAR_OUTPUT\n    x : BOOL;\nEND_VAR\n+--[ ]( a )--( )( x )--+\n".to_owned(),
         ),
     ] {
-        assert_eq!(said(&old, &new), "the same\n", "{old}{new}");
+        assert_eq!(told(&old, &new), "the same\n", "{old}{new}");
     }
 }
 
@@ -164,8 +164,8 @@ fn what_is_compared() {
                 "{section}\n    n : DINT;\nEND_VAR\n+--[P]( a )--[ADD]( n, n, {by} )--+\n+--[ ]( a )--( )( x )--+\n"
             )
         };
-        let said = said(&program(1), &program(2));
-        assert_eq!(said, "differs after scan 1\na 1\nn old 1\nn new 2\n");
+        let told = told(&program(1), &program(2));
+        assert_eq!(told, "differs after scan 1\na 1\nn old 1\nn new 2\n");
     }
     // A tag of the program alone is its own affair.
     let program = |by: i64| {

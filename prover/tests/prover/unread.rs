@@ -203,10 +203,10 @@ fn another_part_gives_what_it_likes() {
         program("unread, writes done", FIRST, "a := 1;"),
         program("unread", "+--[/]( go )--( )( run )--+", "a := 1;"),
     ] {
-        let said = whole(&old, &new);
+        let told = whole(&old, &new);
         assert!(
-            said.starts_with("not decided") && said.contains("`MSG`"),
-            "{said}\n{new}"
+            told.starts_with("not decided") && told.contains("`MSG`"),
+            "{told}\n{new}"
         );
     }
 }

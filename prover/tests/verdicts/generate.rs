@@ -72,7 +72,7 @@ const DECLARED: [&str; 20] = [
     "ULINT", "REAL", "LREAL", "TIME", "DATE", "TOD", "DT", "Phase",
 ];
 
-/// What stands before the declaration of an input that has parts.
+/// What is before the declaration of an input that has parts.
 pub(crate) const PARTS: &str = "VAR_INPUT # of parts #";
 /// The block whose instances keep a state.
 pub(crate) const INSTANCE: &str = "[$Count]";

@@ -1,4 +1,4 @@
-//! What is said of programs, by the prover; and next to it by judges that see something else than what is there.
+//! What is reported of programs, by the prover; and next to it by judges that see something else than what is there.
 
 use super::case::Case;
 use super::runs;
@@ -12,7 +12,7 @@ pub(crate) type Sees = fn(&mut Case, &mut Case);
 /// The prover itself.
 pub(crate) const fn all(_: &mut Case, _: &mut Case) {}
 
-/// How often each was said.
+/// How often each was reported.
 #[derive(Debug, Default)]
 pub(crate) struct Tally {
     pub(crate) refused: usize,
@@ -24,7 +24,7 @@ pub(crate) struct Tally {
     pub(crate) undecided: usize,
 }
 
-/// Asks for properties of a program. What is said of them that a run contradicts.
+/// Asks for properties of a program. What is reported of them that a run contradicts.
 pub(crate) fn wrong_proof(
     case: &Case,
     properties: &str,
@@ -54,18 +54,18 @@ pub(crate) fn wrong_proof(
     });
     let is_never = |verdict: &Verdict| matches!(verdict, Verdict::Proved(_) | Verdict::Impossible(_));
     let is_found = |verdict: &Verdict| matches!(verdict, Verdict::Violated(_) | Verdict::Possible(_));
-    let said: Vec<bool> = answers.iter().map(|answer| is_never(&answer.verdict)).collect();
+    let told: Vec<bool> = answers.iter().map(|answer| is_never(&answer.verdict)).collect();
     let found = answers.iter().filter(|answer| is_found(&answer.verdict)).count();
-    let never = said.iter().filter(|said| **said).count();
+    let never = told.iter().filter(|told| **told).count();
     tally.never += never;
     tally.found += found;
     tally.unknown += answers.len() - never - found;
     if never == 0 {
         return None;
     }
-    let run = runs::violated(case, properties, &said, seed)?;
+    let run = runs::violated(case, properties, &told, seed)?;
     Some(format!(
-        "seed {seed}: this never happens, it is said: {run}\n{case}\n{properties}"
+        "seed {seed}: this never happens, it is told: {run}\n{case}\n{properties}"
     ))
 }
 
@@ -106,6 +106,6 @@ pub(crate) fn wrong_sameness(
     }
     let run = runs::differing(old, new, seed)?;
     Some(format!(
-        "seed {seed}: they do the same, it is said, and differ: {run}\n{old}\nand\n{new}"
+        "seed {seed}: they do the same, it is told, and differ: {run}\n{old}\nand\n{new}"
     ))
 }

@@ -1,4 +1,4 @@
-//! Runs of cases that contradict what is said of them.
+//! Runs of cases that contradict what is reported of them.
 
 use super::case::Case;
 use ladder_analysis::program::Role;
@@ -9,7 +9,7 @@ use ladder_simulator::scenario::{Monitor, Watched, bind_properties, parse};
 use ladder_simulator::{Simulation, Status};
 
 /// A run that does what a property of the text says that none does: which property, and when. `said`: which are believed.
-pub(crate) fn violated(case: &Case, properties: &str, said: &[bool], seed: u64) -> Option<String> {
+pub(crate) fn violated(case: &Case, properties: &str, told: &[bool], seed: u64) -> Option<String> {
     let mut simulation = case.running()?;
     let (mut watched, errors) = bind_properties(&parse(properties), &simulation);
     assert_eq!(errors, [], "{case}\n{properties}");
@@ -23,7 +23,7 @@ pub(crate) fn violated(case: &Case, properties: &str, said: &[bool], seed: u64) 
             if !simulation.scan() {
                 break;
             }
-            if let Some(name) = violated_now(&mut simulation, &mut watched, said) {
+            if let Some(name) = violated_now(&mut simulation, &mut watched, told) {
                 return Some(format!("\"{name}\" in run {run}, scan {scan}"));
             }
             if simulation.status() != Status::Ready {
@@ -34,12 +34,12 @@ pub(crate) fn violated(case: &Case, properties: &str, said: &[bool], seed: u64) 
     None
 }
 
-fn violated_now(simulation: &mut Simulation, watched: &mut Watched, said: &[bool]) -> Option<String> {
+fn violated_now(simulation: &mut Simulation, watched: &mut Watched, told: &[bool]) -> Option<String> {
     let faulted = !simulation.take_faults().is_empty();
     let mut found = None;
-    for (monitor, said) in watched.properties.iter_mut().zip(said) {
+    for (monitor, told) in watched.properties.iter_mut().zip(told) {
         let violates = monitor.violates(simulation, faulted);
-        if violates && *said {
+        if violates && *told {
             found.get_or_insert_with(|| monitor.name.clone());
         }
     }

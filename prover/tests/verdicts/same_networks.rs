@@ -10,7 +10,7 @@ use ladder_prover::{Compared, Meaning, other_tags};
 use ladder_simulator::{Options as Running, Simulation};
 use std::time::Duration;
 
-/// What is said of each pair of networks. None: they cannot be compared one by one.
+/// What is reported of each pair of networks. None: they cannot be compared one by one.
 fn meanings(old: &str, new: &str) -> Option<Vec<Meaning>> {
     let (old, new) = (compile(old)?, compile(new)?);
     if old.networks.len() != new.networks.len() {
@@ -18,9 +18,9 @@ fn meanings(old: &str, new: &str) -> Option<Vec<Meaning>> {
     }
     let compared = Compared::new(&old, &new).ok()?;
     let networks = 0..old.networks.len();
-    let said = networks.map(|n| compared.networks(n, n, Duration::from_secs(2)));
+    let told = networks.map(|n| compared.networks(n, n, Duration::from_secs(2)));
     let same_tags = other_tags(&old, &new).is_empty();
-    same_tags.then(|| said.collect())
+    same_tags.then(|| told.collect())
 }
 
 /// Whether some values differ after some scan in which both programs have the same inputs.
@@ -98,15 +98,15 @@ fn edits(mode: Mode) -> (usize, usize) {
             let Some(new) = edited(&text, word, other, &mut dice) else {
                 continue;
             };
-            let Some(said) = meanings(&text, &new) else {
+            let Some(told) = meanings(&text, &new) else {
                 continue;
             };
-            let is_same = said.iter().all(|meaning| *meaning == Meaning::Same);
+            let is_same = told.iter().all(|meaning| *meaning == Meaning::Same);
             tally.0 += usize::from(is_same);
-            tally.1 += usize::from(said.iter().any(|meaning| matches!(meaning, Meaning::Other(_))));
+            tally.1 += usize::from(told.iter().any(|meaning| matches!(meaning, Meaning::Other(_))));
             assert!(
                 !is_same || !differ(&text, &new, seed),
-                "seed {seed}, {word} to {other}: said to be the same\n{text}\n{new}"
+                "seed {seed}, {word} to {other}: told to be the same\n{text}\n{new}"
             );
         }
     }
@@ -218,16 +218,16 @@ fn rungs_that_are_written_in_another_way_are_the_same() {
     let mut checked = 0;
     for seed in 0..programs() * 20 {
         let (old, new) = rewritten(&mut Dice::new(seed));
-        let said = meanings(&old, &new).unwrap_or_else(|| panic!("they compile:\n{old}{new}"));
+        let told = meanings(&old, &new).unwrap_or_else(|| panic!("they compile:\n{old}{new}"));
         checked += 1;
         if has_edges_twice(&old) {
             assert!(
-                !matches!(said[0], Meaning::Other(_)),
-                "seed {seed}: {said:?}\n{old}{new}"
+                !matches!(told[0], Meaning::Other(_)),
+                "seed {seed}: {told:?}\n{old}{new}"
             );
             continue;
         }
-        assert_eq!(said, [Meaning::Same], "seed {seed}\n{old}{new}");
+        assert_eq!(told, [Meaning::Same], "seed {seed}\n{old}{new}");
     }
     assert!(checked > 100);
 }
@@ -242,11 +242,11 @@ fn a_contact_of_another_kind_is_never_the_same_where_runs_differ() {
         let Some(new) = edited(&old, word, other, &mut dice) else {
             continue;
         };
-        let said = meanings(&old, &new).unwrap_or_else(|| panic!("they compile:\n{old}{new}"));
+        let told = meanings(&old, &new).unwrap_or_else(|| panic!("they compile:\n{old}{new}"));
         if differ(&old, &new, seed) {
             differs += 1;
-            assert_ne!(said, [Meaning::Same], "seed {seed}\n{old}{new}");
-            said_so += usize::from(matches!(said[0], Meaning::Other(_)));
+            assert_ne!(told, [Meaning::Same], "seed {seed}\n{old}{new}");
+            said_so += usize::from(matches!(told[0], Meaning::Other(_)));
         }
     }
     assert!(differs > 50 && said_so == differs, "{said_so} of {differs}");

@@ -250,7 +250,7 @@ impl<'o> Merge<'o> {
         let header = match (chosen, our, their) {
             (Some((outline, header)), _, _) => (outline, header),
             // Only their comments differ: those of the other side are written above.
-            (None, Some(our), Some(their)) if our.said == their.said => {
+            (None, Some(our), Some(their)) if our.told == their.told => {
                 self.writer.comments(their);
                 (ours, our)
             }

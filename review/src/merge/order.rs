@@ -150,7 +150,7 @@ fn both_added(
     for pair in pairs(&our_entries, &their_entries) {
         let (our, their) = (our_entries[pair.old], their_entries[pair.new]);
         let is_one =
-            our.said.key == their.said.key || our.names.iter().any(|name| their.names.contains(name));
+            our.told.key == their.told.key || our.names.iter().any(|name| their.names.contains(name));
         if is_one && our.kind != Kind::Stray {
             their_numbers[their_new[pair.new]] = our_numbers[our_new[pair.old]];
         }

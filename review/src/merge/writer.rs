@@ -180,7 +180,7 @@ impl<'o> Writer<'o> {
 }
 
 fn says(entry: &Entry) -> (Kind, &str) {
-    (entry.kind, &entry.said.key)
+    (entry.kind, &entry.told.key)
 }
 
 fn flatten<'e>(entries: &'e [Entry], out: &mut Vec<&'e Entry>) {

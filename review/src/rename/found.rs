@@ -224,19 +224,19 @@ fn take_same<'e>(old: &mut Vec<&'e Entry>, new: &mut Vec<&'e Entry>) -> Same<'e>
     let keys = |entries: &[&'e Entry]| -> FxHashSet<(Kind, &'e str)> {
         entries
             .iter()
-            .map(|entry| (entry.kind, entry.said.key.as_str()))
+            .map(|entry| (entry.kind, entry.told.key.as_str()))
             .collect()
     };
     let (was, is) = (keys(old), keys(new));
     let mut same = Vec::new();
     old.retain(|entry| {
-        let is_only = !is.contains(&(entry.kind, entry.said.key.as_str()));
+        let is_only = !is.contains(&(entry.kind, entry.told.key.as_str()));
         if !is_only {
             same.push(*entry);
         }
         is_only
     });
-    new.retain(|entry| !was.contains(&(entry.kind, entry.said.key.as_str())));
+    new.retain(|entry| !was.contains(&(entry.kind, entry.told.key.as_str())));
     Same(same, OnceCell::new())
 }
 
@@ -257,7 +257,7 @@ impl Same<'_> {
             let is_between = |c: char| c != '_' && c != '$' && !c.is_alphanumeric();
             let mut names = FxHashSet::default();
             for entry in &self.0 {
-                for word in entry.said.key.split(is_between) {
+                for word in entry.told.key.split(is_between) {
                     names.extend([(block_of(entry), word), (ANYWHERE, word)]);
                 }
             }

@@ -98,11 +98,11 @@ fn program(file: &Compared<'_>, out: &mut String) {
         let _ = writeln!(out, "<p>{}</p>", Escaped(&note));
     }
     out.push_str(&sections(comparison).concat());
-    if let Some((said, rows)) = of_whole(comparison) {
+    if let Some((told, rows)) = of_whole(comparison) {
         let _ = write!(
             out,
             "<section class=\"change\" tabindex=\"0\">\n<h3>{}</h3>\n<pre>{}</pre>\n</section>\n",
-            Escaped(&said),
+            Escaped(&told),
             Escaped(&rows.join("\n"))
         );
     }

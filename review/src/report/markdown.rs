@@ -34,8 +34,8 @@ pub fn report(files: &[Compared<'_>]) -> String {
             let drawn: Vec<&str> = lines.iter().map(|line| line.text.as_str()).collect();
             out.push_str(&format!("\n{}", fenced(&drawn.join("\n"))));
         }
-        if let Some((said, rows)) = of_whole(&file.comparison) {
-            out.push_str(&format!("\n{}\n", escaped(&said)));
+        if let Some((told, rows)) = of_whole(&file.comparison) {
+            out.push_str(&format!("\n{}\n", escaped(&told)));
             if !rows.is_empty() {
                 out.push_str(&format!("\n{}", fenced(&rows.join("\n"))));
             }

@@ -8,7 +8,7 @@ use crate::by_networks::is_harmless;
 use crate::comparison::{Change, Comparison};
 use crate::used::Used;
 use crate::verdict::Verdict;
-use crate::whole::{REFUTED, Whole, other_unread, said, unread_of};
+use crate::whole::{REFUTED, Whole, other_unread, told, unread_of};
 use ladder_analysis::program::unread_note;
 use std::collections::BTreeSet;
 
@@ -54,14 +54,14 @@ pub fn of_whole(comparison: &Comparison<'_>) -> Option<(String, Vec<String>)> {
             None
         }
         Whole::Same => Some(("the programs do the same in every run".to_owned(), Vec::new())),
-        Whole::Differs(run) => Some(said(run)),
+        Whole::Differs(run) => Some(told(run)),
         Whole::Refuted => Some((REFUTED.to_owned(), Vec::new())),
-        // What has changed is not in the text: this is all that is said of it.
+        // What has changed is not in the text: this is all that is reported of it.
         Whole::NotDecided(why)
             if !comparison.changes.iter().any(Change::is_change) || !other_unread(comparison).is_empty() =>
         {
-            let said = "whether the programs do the same is not decided";
-            Some((said.to_owned(), why.clone()))
+            let told = "whether the programs do the same is not decided";
+            Some((told.to_owned(), why.clone()))
         }
         Whole::Outputs(_) | Whole::NotDecided(_) => None,
     }
@@ -73,7 +73,7 @@ pub fn unread(comparison: &Comparison<'_>) -> BTreeSet<String> {
     parts.into_iter().flatten().map(|part| part.name).collect()
 }
 
-/// What is said of both programs before their changes, a line each.
+/// What is reported of both programs before their changes, a line each.
 fn notes(comparison: &Comparison<'_>) -> Vec<String> {
     let renames = comparison.renames.iter();
     let mut notes: Vec<String> = renames.map(|rename| format!("renamed: {rename}")).collect();

@@ -58,9 +58,9 @@ pub fn report(compared: &Compared<'_>) -> Vec<Line> {
         lines.extend(notes.into_iter().map(|note| plain(LineKind::Heading, note)));
     }
     changes(comparison, &mut lines);
-    if let Some((said, rows)) = of_whole(comparison) {
+    if let Some((told, rows)) = of_whole(comparison) {
         lines.push(plain(LineKind::Plain, String::new()));
-        lines.push(plain(LineKind::Heading, said));
+        lines.push(plain(LineKind::Heading, told));
         lines.extend(
             rows.into_iter()
                 .map(|row| plain(LineKind::Plain, format!("    {row}"))),

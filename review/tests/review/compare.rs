@@ -1,4 +1,4 @@
-//! What is said of two texts.
+//! What is reported of two texts.
 
 use crate::harness::outline;
 use expect_test::{Expect, expect};

@@ -2,11 +2,11 @@
 
 use crate::harness::outline;
 use expect_test::{Expect, expect};
-use ladder_review::whole::{Whole, said};
+use ladder_review::whole::{Whole, told};
 use ladder_review::{Limits, compare};
 use std::time::Duration;
 
-/// What is said of two programs.
+/// What is reported of two programs.
 fn answer(old: &str, new: &str) -> String {
     let (old, new) = (outline(old), outline(new));
     let mut comparison = compare(&old, &new);
@@ -15,8 +15,8 @@ fn answer(old: &str, new: &str) -> String {
     match comparison.whole {
         Some(Whole::Same) => "the same\n".to_owned(),
         Some(Whole::Differs(run)) => {
-            let (said, rows) = said(&run);
-            format!("{said}\n{}\n", rows.join("\n"))
+            let (told, rows) = told(&run);
+            format!("{told}\n{}\n", rows.join("\n"))
         }
         Some(Whole::Outputs(names) | Whole::NotDecided(names)) => names.join("\n") + "\n",
         Some(Whole::Refuted) | None => "nothing is known\n".to_owned(),
@@ -67,8 +67,8 @@ fn networks_that_touch_one_tag_do_not_change_places_unseen() {
         ("+--<FOR>( 3 )--+", "+--[ADD]( n, n, 1 )--+\n\n+--<NEXT>--+"),
     ] {
         let [old, new] = swapped(TAGS, first, second);
-        let said = answer(&old, &new);
-        assert_ne!(said, "the same\n", "{old}");
+        let told = answer(&old, &new);
+        assert_ne!(told, "the same\n", "{old}");
     }
 }
 

@@ -137,12 +137,12 @@ async fn what_is_wrong_is_shown_at_its_place_while_a_person_types() {
 async fn a_hover_shows_what_a_line_becomes() {
     let mut client = Client::new().await;
     open(&mut client, URI, "ladder-click", TANK).await;
-    let mut said = String::new();
+    let mut told = String::new();
     for line in 0..TANK.lines().count() as u32 {
         let found = hover(&mut client, URI, line).await;
         let text = found["contents"]["value"].as_str().unwrap_or("nothing");
         writeln!(
-            said,
+            told,
             "{line}: {}",
             text.trim_matches('`').trim_start_matches("clad\n").trim_end()
         )
@@ -152,7 +152,7 @@ async fn a_hover_shows_what_a_line_becomes() {
     let stir = "+--[GE]( Level, Limit )------------------------[TON]( Stir, T#2m, B := T#1m )--+";
     let end = "+-----------------------------------------------------------------------<RET>--+";
     assert_eq!(
-        said,
+        told,
         format!(
             "0: nothing\n1: nothing\n2: {valve}\n3: {valve}\n4: nothing\n5: {stir}\n6: {stir}\n7: {stir}\n8: {stir}\n\
              9: nothing\n10: {end}\n11: {end}\n"

@@ -31,7 +31,7 @@ async fn asked(client: &mut Client, argument: Value) -> Answer {
     client.request("workspace/executeCommand", params).await
 }
 
-fn said(change: &Value) -> String {
+fn told(change: &Value) -> String {
     let lines = |side: &str| match &change[side] {
         Value::Null => String::from("none"),
         lines => format!("{}-{}", lines["first"], lines["last"]),
@@ -57,7 +57,7 @@ async fn each_network_is_said_with_its_lines_in_both() {
     assert_eq!((&answer["version"], answer.get("style")), (&json!(1), None));
     let changes = answer["changes"].as_array().unwrap();
     assert_eq!(
-        changes.iter().map(said).collect::<Vec<_>>(),
+        changes.iter().map(told).collect::<Vec<_>>(),
         [
             "1: edited same 0-0 1-1",
             "3: edited other 2-2 3-3",
@@ -90,7 +90,7 @@ async fn blocks_of_other_files_are_followed() {
         .unwrap();
     let changes = answer["changes"].as_array().unwrap();
     assert_eq!(
-        changes.iter().map(said).collect::<Vec<_>>(),
+        changes.iter().map(told).collect::<Vec<_>>(),
         ["0: edited same 0-0 0-0", "2: edited other 2-2 2-2"],
         "{changes:?}"
     );

@@ -59,22 +59,22 @@ impl Debugged {
         let message = json!({"seq": seq, "type": "request", "command": command, "arguments": arguments});
         let params = json!({"session": self.session, "message": message});
         self.client.notify("ladder/toDebugger", params).await;
-        let said = self
+        let told = self
             .client
             .notification("ladder/fromDebugger", |it| it["message"]["request_seq"] == seq)
             .await;
-        said["message"].clone()
+        told["message"].clone()
     }
 
     async fn event(&mut self, event: &str) -> Value {
         let session = self.session.clone();
-        let said = self
+        let told = self
             .client
             .notification("ladder/fromDebugger", |it| {
                 it["session"] == *session && it["message"]["event"] == event
             })
             .await;
-        said["message"]["body"].clone()
+        told["message"]["body"].clone()
     }
 
     async fn break_at(&mut self, line: i64) {
@@ -155,10 +155,10 @@ async fn stopped_at_a_breakpoint_the_live_view_shows_power_and_values() {
     // A force of the editor holds in the debugger, and the other way round.
     it.act("force", json!({"tag": "stop", "value": true})).await;
     it.event("invalidated").await;
-    let said = it
+    let told = it
         .body("evaluate", json!({"expression": "stop", "context": "watch"}))
         .await;
-    assert_eq!(said["result"], "FALSE → TRUE after this scan");
+    assert_eq!(told["result"], "FALSE → TRUE after this scan");
     it.body("continue", json!({"threadId": 1})).await;
     it.event("stopped").await;
     it.state(|it| it["scan"] == 1 && value(it, "run") == false && it["forced"] == 1)

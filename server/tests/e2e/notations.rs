@@ -120,11 +120,11 @@ async fn what_cannot_be_converted_is_reported() {
             "unknown field `form`",
         ),
     ] {
-        let (found, said) = command(&mut client, "ladder.convert", argument)
+        let (found, told) = command(&mut client, "ladder.convert", argument)
             .await
             .unwrap_err();
-        assert_eq!(found, code, "{said}");
-        assert!(said.contains(message), "{said}");
+        assert_eq!(found, code, "{told}");
+        assert!(told.contains(message), "{told}");
     }
     client.finish().await;
 }

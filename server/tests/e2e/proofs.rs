@@ -39,8 +39,8 @@ async fn prove(client: &mut Client, argument: Value) -> Answer {
 /// The next diagnostics of the file that are as wanted.
 async fn published(client: &mut Client, uri: &str, wanted: impl Fn(&[Value]) -> bool) -> Vec<Value> {
     let fits = |it: &Value| it["uri"] == *uri && wanted(it["diagnostics"].as_array().unwrap());
-    let said = client.notification("textDocument/publishDiagnostics", fits).await;
-    said["diagnostics"].as_array().unwrap().clone()
+    let told = client.notification("textDocument/publishDiagnostics", fits).await;
+    told["diagnostics"].as_array().unwrap().clone()
 }
 
 async fn change(client: &mut Client, uri: &str, version: i32, text: &str) {
@@ -90,7 +90,7 @@ async fn a_violated_property_is_a_finding_until_a_text_changes() {
         "{message}"
     );
 
-    // The program says something else now, and then what it said before.
+    // The program says something else now, and then what it reported before.
     let program = plant.uri("door.clad");
     client.open_as(&program, 1, PROGRAM).await;
     let params = json!({"textDocument": {"uri": program, "version": 2}, "contentChanges": [{"text": PROGRAM.replace("[/]( down )", "[ ]( go_up )")}]});

@@ -50,7 +50,7 @@ async fn the_page_shows_what_the_server_says() {
         let shown: Value = serde_json::from_str(&page[range.clone()])
             .unwrap_or_else(|error| panic!("{error} in\n{}", &page[range.clone()]));
         let method = shown["method"].as_str();
-        let said = match (shown["id"].as_i64(), method) {
+        let told = match (shown["id"].as_i64(), method) {
             (Some(id), Some(_)) => {
                 if shown["params"]["command"] == "ladder.simulate.pause" {
                     // What the run before it does would depend on the moment.
@@ -89,16 +89,16 @@ async fn the_page_shows_what_the_server_says() {
         };
         if std::env::var_os("UPDATE_EXPECT").is_some() {
             updated += &page[copied..range.start];
-            updated += &pretty(&said);
+            updated += &pretty(&told);
             updated += "\n";
             copied = range.end;
         } else {
             assert_eq!(
                 shown,
-                said,
+                told,
                 "the page shows\n{}\nthe server says\n{}",
                 pretty(&shown),
-                pretty(&said)
+                pretty(&told)
             );
         }
     }

@@ -45,10 +45,10 @@ async fn ask(client: &mut Client, what: &str, uri: &str, at: (u32, u32), more: V
 async fn a_row_is_about_a_tag_of_a_program_that_nobody_has_open() {
     let (mut client, plant, uri) = opened(&[("main.clad", PROGRAM), ("main.ladder-test", SCENARIOS)]).await;
     let hover = ask(&mut client, "hover", &uri, (5, 1), json!({})).await;
-    let said = hover["contents"]["value"].as_str().unwrap();
+    let told = hover["contents"]["value"].as_str().unwrap();
     assert!(
-        said.contains("run : BOOL") && said.contains("VAR_OUTPUT"),
-        "{said}"
+        told.contains("run : BOOL") && told.contains("VAR_OUTPUT"),
+        "{told}"
     );
     assert_eq!(hover["range"], span([5, 0, 5, 3]));
 

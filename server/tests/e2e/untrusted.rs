@@ -93,18 +93,18 @@ async fn scenarios_that_are_opened_read_nothing_outside_and_wait_for_nothing() {
     ] {
         let file = format!("plant/{name}.ladder-test");
         open(&mut client, &plant, &file, "ladder-test").await;
-        let said = said_of(&mut client, &plant, &file).await;
-        assert!(said.contains(sentence), "{name}: {said}");
+        let told = said_of(&mut client, &plant, &file).await;
+        assert!(told.contains(sentence), "{name}: {told}");
     }
     open(&mut client, &plant, "plant/ladder.toml", "toml").await;
-    // What was said of the file on disk may come first, and be taken back.
-    let mut said = String::new();
-    while said.is_empty() {
-        said = said_of(&mut client, &plant, "plant/ladder.toml").await;
+    // What was reported of the file on disk may come first, and be taken back.
+    let mut told = String::new();
+    while told.is_empty() {
+        told = said_of(&mut client, &plant, "plant/ladder.toml").await;
     }
     assert!(
-        said.contains("`retain` cannot be used: this leads out of the workspace"),
-        "{said}"
+        told.contains("`retain` cannot be used: this leads out of the workspace"),
+        "{told}"
     );
     open(&mut client, &plant, "plant/a.clad", "clad").await;
     let params = json!({"textDocument": {"uri": plant.uri("plant/a.clad")}});

@@ -24,7 +24,7 @@ pub(super) struct Table {
 }
 
 impl Table {
-    /// These breakpoints in a file, in the place of those before. Gives what the protocol wants to know of each.
+    /// These breakpoints in a file, in the place of those before. Returns what the protocol wants to know of each.
     pub(super) fn set_in_file(
         &mut self,
         target: &Target,
@@ -143,7 +143,7 @@ impl Table {
         }
     }
 
-    /// Places all of them in another program. Gives what has become of each.
+    /// Places all of them in another program. Returns what has become of each.
     pub(super) fn place_again(&mut self, target: &Target, counting: Counting) -> Vec<Json> {
         self.by_file.clear();
         let mut reported = Vec::new();

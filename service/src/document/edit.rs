@@ -20,7 +20,7 @@ pub(crate) enum Change {
 }
 
 /// Applies one change. Places outside of the text are clamped, and a range whose ends are swapped is turned
-/// round: an editor that is wrong about a position must not bring the server down. Gives what was replaced; none if
+/// round: an editor that is wrong about a position must not bring the server down. Returns what was replaced; none if
 /// that is all of it.
 pub(crate) fn apply(text: &mut Rope, encoding: Encoding, change: &Change) -> Option<ByteEdit> {
     match change {

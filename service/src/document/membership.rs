@@ -42,7 +42,7 @@ impl Membership {
         Membership::new(self.path.clone(), &self.neighbours)
     }
 
-    /// Tells the others what the file says now. Gives, once, who sees something else than before.
+    /// Tells the others what the file says now. Returns, once, who sees something else than before.
     pub(super) fn tell(&self, analysis: &Arc<Analysis>) -> Affected {
         if self.passed_on.set(()).is_err() {
             return Affected::default();
@@ -55,9 +55,9 @@ impl Membership {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ladder_analysis::rules::is_of_own_text;
     use crate::document::position::Encoding;
     use crate::document::revision::Revision;
+    use ladder_analysis::rules::is_of_own_text;
 
     const FUNCTION: &str = "+--( )( y )--+\n+--<FUN>( count )--( )( y )--+\n";
 
@@ -145,7 +145,7 @@ mod tests {
         assert_eq!(
             called.tell_neighbours(),
             Affected::default(),
-            "it says what it said on disk"
+            "it says what it told on disk"
         );
     }
 
@@ -170,11 +170,17 @@ mod tests {
             let found = analysis.findings().iter();
             found.map(|finding| finding.rule.name()).collect()
         };
-        let early = own.first_analysis().expect("the large file is read by nobody yet");
+        let early = own
+            .first_analysis()
+            .expect("the large file is read by nobody yet");
         assert_eq!(rules(&early), ["missing-wire", "unknown-function"]);
         let own_text = early.findings().iter().map(|found| is_of_own_text(found.rule));
         assert_eq!(own_text.collect::<Vec<_>>(), [true, false]);
-        assert_eq!(rules(own.analysis().unwrap()), ["missing-wire"], "the large file counts");
+        assert_eq!(
+            rules(own.analysis().unwrap()),
+            ["missing-wire"],
+            "the large file counts"
+        );
         assert!(own.first_analysis().is_none() && own.was_shown_early());
         assert_eq!(is_whole(&own), Some(true));
         // A workspace without large files is read at once.

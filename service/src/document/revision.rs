@@ -326,7 +326,7 @@ impl Revision {
         self.latest.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Tells the other files of the workspace what this one says now. Gives, once, who sees something else than before.
+    /// Tells the other files of the workspace what this one says now. Returns, once, who sees something else than before.
     /// As costly as [`Revision::analysis`].
     pub(crate) fn tell_neighbours(&self) -> Affected {
         match (self.analysis(), &self.place) {
@@ -497,7 +497,7 @@ mod tests {
     }
 
     /// A text, and which tags it names, how often, and whether it declares them.
-    fn said(context: &Context) -> (String, Vec<(String, usize, bool)>) {
+    fn told(context: &Context) -> (String, Vec<(String, usize, bool)>) {
         let tags = context.scopes[0].tags.iter();
         let tags = tags.map(|tag| (tag.name.to_string(), context.uses(tag).count(), tag.is_declared()));
         (context.parse.to_string(), tags.collect())
@@ -533,8 +533,8 @@ mod tests {
             let uri = "file:///b.clad";
             let from_scratch = documents.open_at(uri, Kind::Program, 1, Encoding::Utf8, &edited.text(), None);
             assert_eq!(
-                said(edited.context().unwrap()),
-                said(from_scratch.context().unwrap())
+                told(edited.context().unwrap()),
+                told(from_scratch.context().unwrap())
             );
             assert!(edited.analysis().is_some());
         }

@@ -42,7 +42,7 @@ pub enum Ending {
 pub struct Ended {
     /// How it ended.
     pub ending: Ending,
-    /// Whether there are no more messages to answer: what was said last is still for the client to read.
+    /// Whether there are no more messages to answer: what was reported last is still for the client to read.
     pub all_is_said: bool,
 }
 
@@ -86,7 +86,7 @@ pub async fn serve(
             let _ = handlers.send(handler).await;
         }
     };
-    // All that is said goes through one channel: what was put into it first comes first.
+    // All that is reported goes through one channel: what was put into it first comes first.
     let mut answers = out.clone();
     let answer = async move {
         let mut done = pin!(waiting.buffer_unordered(CONCURRENCY));

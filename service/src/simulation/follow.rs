@@ -40,7 +40,7 @@ impl Texts {
 }
 
 impl Engine {
-    /// Goes on with the program of another text of the editor, if that has one; else the last good one runs on. Gives
+    /// Goes on with the program of another text of the editor, if that has one; else the last good one runs on. Returns
     /// whether the program is another one. Analyses and compiles.
     pub(super) fn follow(&mut self, shown: Arc<Revision>) -> bool {
         let program = match shown.program() {

@@ -157,7 +157,7 @@ impl Runner {
                 }
                 return Wait::No;
             }
-            // What does not concern the program is no update for who shows it.
+            // What does not concern the program is not an update for who shows it.
             Action::FollowOthers(revision) if !self.concerned_by_others(&revision) => return Wait::No,
             action => self.change(action, &cancel),
         };

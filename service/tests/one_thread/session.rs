@@ -22,7 +22,7 @@ pub(crate) struct Session {
     /// By how many it goes on whenever it is asked.
     per_look: Arc<AtomicU64>,
     messages: UnboundedSender<Received>,
-    said: Arc<Mutex<Vec<Value>>>,
+    told: Arc<Mutex<Vec<Value>>>,
     heard: Vec<Value>,
     asked: i64,
     over: Arc<AtomicBool>,
@@ -44,14 +44,14 @@ impl Session {
         });
         let (messages, received) = unbounded();
         let (out, mut spoken) = channel::<String>(0);
-        let said = Arc::<Mutex<Vec<Value>>>::default();
+        let told = Arc::<Mutex<Vec<Value>>>::default();
         let over = Arc::<AtomicBool>::default();
         let (server, ended) = (Arc::new(host.clone()), over.clone());
         host.spawn(Box::pin(async move {
             serve(server, received, out, Busy::default()).await;
             ended.store(true, Ordering::Relaxed);
         }));
-        let heap = said.clone();
+        let heap = told.clone();
         host.spawn(Box::pin(async move {
             while let Some(message) = spoken.next().await {
                 heap.lock().unwrap().push(serde_json::from_str(&message).unwrap());
@@ -63,7 +63,7 @@ impl Session {
             time,
             per_look,
             messages,
-            said,
+            told,
             heard: Vec::new(),
             asked: 1000,
             over,
@@ -127,12 +127,12 @@ impl Session {
             }
         }
         self.time.fetch_max(end.as_nanos() as u64, Ordering::Relaxed);
-        self.heard.append(&mut self.said.lock().unwrap());
+        self.heard.append(&mut self.told.lock().unwrap());
     }
 
     pub(crate) fn answer(&self, id: &Value) -> Option<&Value> {
-        let mut said = self.heard.iter();
-        said.find(|message| message["id"] == *id && message.get("method").is_none())
+        let mut told = self.heard.iter();
+        told.find(|message| message["id"] == *id && message.get("method").is_none())
     }
 
     pub(crate) fn has_said(&self, message: &Value) -> bool {

@@ -117,8 +117,8 @@ impl Compiled {
             .args([scans.to_string(), BATCHES.to_string()])
             .output()
             .expect("it was just compiled");
-        let said = String::from_utf8(output.stdout).expect("it writes numbers");
-        let mut numbers = said
+        let told = String::from_utf8(output.stdout).expect("it writes numbers");
+        let mut numbers = told
             .split_whitespace()
             .map(|n| n.parse::<u64>().expect("it writes numbers"));
         let (time, state) = (numbers.next(), numbers.next());

@@ -385,7 +385,7 @@ fn words() {
             difference.unwrap_or_else(|| "-".into())
         )
     };
-    let said = [
+    let told = [
         says(0, 1_500_000_000, Scalar::Time),
         says(1_500_000_000, 20_000_000, Scalar::Time),
         says(7, 7, Scalar::Dint),
@@ -400,7 +400,7 @@ fn words() {
         -9223372036854775808 9223372036854775807 +18446744073709551615
         18446744073709551615 0 -18446744073709551615
         16#0A 16#FF -"#]]
-    .assert_eq(&said.join("\n"));
+    .assert_eq(&told.join("\n"));
 }
 
 #[test]
@@ -445,7 +445,7 @@ fn scales() {
         let ticks = scale::ticks(least, greatest, most, ty).into_iter();
         ticks.map(|tick| tick.text).collect::<Vec<_>>().join(", ")
     };
-    let said = [
+    let told = [
         ticks(0.0, 5000.0, 3, Scalar::Time),
         ticks(0.0, 100.0, 4, Scalar::Int),
         ticks(0.0, 3.0, 10, Scalar::Int),
@@ -464,5 +464,5 @@ fn scales() {
         0, 1e9, 2e9, 3e9
         7
         -1.80e308, 1.80e308"#]]
-    .assert_eq(&said.join("\n"));
+    .assert_eq(&told.join("\n"));
 }

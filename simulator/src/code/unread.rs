@@ -31,7 +31,7 @@ pub struct UnreadPlace {
 pub struct Tracked {
     /// Its name, at the same place in another program the same.
     pub name: String,
-    /// The tag of the program; none of what is no tag.
+    /// The tag of the program; none of what is not a tag.
     pub tag: Option<TagId>,
     /// Where it is.
     pub home: Home,

@@ -91,7 +91,7 @@ impl Compiler<'_> {
         Some(to)
     }
 
-    /// A number that `[TYP]` brings to another type, where what does not fit is no fault.
+    /// A number that `[TYP]` brings to another type, where what does not fit is not a fault.
     pub(super) fn clamped(&mut self, to: Scalar, from: Scalar, word: Word) -> Option<Word> {
         let slips = self.slips?;
         if !is_number(from) || !is_number(to) {

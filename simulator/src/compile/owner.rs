@@ -222,7 +222,7 @@ impl<'p> Compiler<'p> {
         &tags[..count]
     }
 
-    /// Room for a tag of the body of a block whose state is no tag.
+    /// Room for a tag of the body of a block whose state is not a tag.
     pub(super) fn body_tag(&mut self, tag: TagId) -> Result<Home> {
         let declared = &self.program.tags[tag.0 as usize];
         let Some((thing, count, number)) = self.next_thing() else {

@@ -148,7 +148,7 @@ impl Expression {
     /// Compiles a condition that may name the past.
     ///
     /// # Errors
-    /// The same, or it is no BOOL.
+    /// The same, or it is not a BOOL.
     pub fn condition(text: &str, simulation: &Simulation) -> Result<Expression, Problem> {
         let scope = Scope {
             simulation,

@@ -216,7 +216,7 @@ fn of_bits(ty: Scalar, bits: i64) -> Result<i64, Trouble> {
         Scalar::Lreal => f64::from_bits(bits as u64),
         _ => return Ok(bits),
     };
-    // No tag holds an infinity, or what is no number.
+    // No tag holds an infinity, or what is not a number.
     if real.is_finite() {
         Ok(real.to_bits() as i64)
     } else {

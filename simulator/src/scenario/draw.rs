@@ -270,7 +270,7 @@ pub fn sentence(case: &Case, ran: &Ran, difference: &Difference, interval: i64) 
 enum Drawn {
     /// One letter that fills its column.
     Level(char),
-    /// What stands where there is no value.
+    /// What is where there is no value.
     Nothing(&'static str),
     Text(String),
 }

@@ -14,7 +14,7 @@ pub(super) enum Steps {
     Uneven {
         /// Before how many scans each begins, and at last how many there are together.
         begins: Vec<u64>,
-        /// How many scans one has of which nothing else is said.
+        /// How many scans one has of which nothing else is reported.
         usual: u64,
     },
 }

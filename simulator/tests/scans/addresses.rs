@@ -261,9 +261,9 @@ fn files_agree_on_an_address() {
             Ok(_) => String::new(),
             Err(refused) => refused.message,
         };
-        let (said, _) = found
+        let (told, _) = found
             .split_once(": an address is one tag")
             .unwrap_or((&found, ""));
-        assert_eq!(said, message, "{own} {others}");
+        assert_eq!(told, message, "{own} {others}");
     }
 }

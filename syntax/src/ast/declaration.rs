@@ -132,7 +132,7 @@ impl<'g> TypeRef<'g> {
         self.of_element().find(|t| is_name(t) && !is_word(t))
     }
 
-    /// The tokens of what the elements are, or of the whole if it is no array.
+    /// The tokens of what the elements are, or of the whole if it is not an array.
     fn of_element(&self) -> impl Iterator<Item = TokenView<'g>> + use<'g> {
         let is_array = self.is_array();
         let is_of = |t: &TokenView<'_>| t.text().eq_ignore_ascii_case("OF");

@@ -1,4 +1,4 @@
-//! Broken rungs: one error is said once, and the rest of the rung keeps its meaning.
+//! Broken rungs: one error is reported once, and the rest of the rung keeps its meaning.
 
 use crate::show::check_errors;
 use expect_test::expect;

@@ -94,7 +94,7 @@ fn real(operator: &str, a: f64, one: Option<bool>, b: f64, other: Option<bool>) 
     Ok(Value::Real(round(value), ty))
 }
 
-/// How two values compare; not at all if one is no number.
+/// How two values compare; not at all if one is not a number.
 fn order(a: &Value, b: &Value) -> std::result::Result<Option<Ordering>, String> {
     use Value as V;
     let wrong = || Err(format!("{a:?} compared with {b:?}"));
@@ -252,7 +252,7 @@ pub(super) fn call(name: &str, all: Vec<Value>) -> Result {
     }
 }
 
-/// A literal takes the type of what stands next to it.
+/// A literal takes the type of what is next to it.
 fn like(value: &Value, other: &Value) -> Value {
     match (value, other) {
         (Value::Int(number, None), Value::Int(_, ty)) => Value::Int(*number, ty.clone()),

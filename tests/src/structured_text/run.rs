@@ -136,7 +136,7 @@ impl Machine {
     /// What it holds.
     ///
     /// # Errors
-    /// It is no elementary variable.
+    /// It is not an elementary variable.
     pub fn value(&self, cell: CellId) -> Result<Value> {
         self.memory.get(cell)
     }

@@ -95,7 +95,7 @@ fn programs_stand_in_the_canonical_layout() {
     assert!(update || problems.is_empty(), "{}", problems.join("\n"));
 }
 
-/// What the simulator refuses is said on the page, and only there. The pages of rules are about what is found.
+/// What the simulator refuses is reported on the page, and only there. The pages of rules are about what is found.
 #[test]
 fn pages_say_what_is_not_run() {
     let rules = source().join("rules");

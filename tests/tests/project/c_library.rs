@@ -83,8 +83,8 @@ fn the_examples_of_the_book_compile_and_run() {
         ],
         "",
     );
-    let said = run("./linux", &[], "start\n\nstop\n");
-    assert_eq!(said, "run 1, ready 0\nrun 1, ready 0\nrun 0, ready 0\n");
+    let told = run("./linux", &[], "start\n\nstop\n");
+    assert_eq!(told, "run 1, ready 0\nrun 1, ready 0\nrun 0, ready 0\n");
     run(&compiler, &["-c", "-std=c99", "motor.c", "-o", "motor.o"], "");
     run(
         &compiler,
@@ -120,9 +120,9 @@ fn what_is_kept_comes_back() {
         kept_init(&one);\n    one.in.go = true;\n    for (n = 0; n <= 60; n++) kept_scan(&one, n * INT64_C(10000000));\n    kept_save(&one, bytes);\n    \
         kept_init(&two);\n    printf(\"%d\\n\", kept_restore(&two, bytes));\n    two.in.go = true;\n    for (n = 0; !two.out.done && n < 200; n++) kept_scan(&two, n * INT64_C(10000000));\n    \
         printf(\"%d %d\\n\", n, (int)two.w[KEPT_count]);\n    bytes[0] ^= 1;\n    printf(\"%d\\n\", kept_restore(&two, bytes));\n    return 0;\n}\n";
-    let said = compiled_and_run(&compiler, folder.path(), text, "kept", main);
+    let told = compiled_and_run(&compiler, folder.path(), text, "kept", main);
     // 610 ms had passed when the power came back, as the edge at once did; what another program kept is refused.
-    assert_eq!(said, "1\n40 9\n0\n");
+    assert_eq!(told, "1\n40 9\n0\n");
 }
 
 /// The examples, the library's programs, and what has been wrong: under the usual options of each compiler that is here.
@@ -149,12 +149,12 @@ fn compilers_have_nothing_to_say() {
          +--[ ]( EOF )--[MOV]( put_real, 1.5 )--[DIV]( NULL, put_real, stdin )--[ADD]( kept, init, H )--+\n"
             .to_owned(),
     ]);
-    let said: Vec<String> = texts
+    let told: Vec<String> = texts
         .iter()
         .map(|text| complaints(folder.path(), &analysis(text)))
-        .filter(|said| !said.is_empty())
+        .filter(|told| !told.is_empty())
         .collect();
-    assert!(said.is_empty(), "{}", said.join("\n"));
+    assert!(told.is_empty(), "{}", told.join("\n"));
 }
 
 /// What no statement needs is not there: a text that nothing uses, a clock where only a number is kept.
@@ -169,8 +169,8 @@ fn small_programs_compile_without_a_warning() {
         "VAR RETAIN\n    n : DINT;\nEND_VAR\nVAR\n    note : STRING;\nEND_VAR\n+--[ADD]( n, n, 1 )--+\n";
     let main = "#include \"small.h\"\n#include <stdio.h>\nint main(void)\n{\n    static small plant;\n    small_init(&plant);\n    \
         small_scan(&plant, 0);\n    printf(\"%d\", (int)plant.out.n);\n    return 0;\n}\n";
-    let said = compiled_and_run(&compiler, folder.path(), text, "small", main);
-    assert_eq!(said, "1");
+    let told = compiled_and_run(&compiler, folder.path(), text, "small", main);
+    assert_eq!(told, "1");
 }
 
 /// An off-delay that was armed when the power went is over in time after it came back; and a program that is called `main` has a tag
@@ -188,8 +188,8 @@ fn what_timers_do_is_kept_and_names_do_not_clash() {
         uint8_t bytes[MAIN_PROGRAM_RETAINED];\n    int n;\n    main_program_init(&one);\n    one.in.FAULT_RESET = true;\n    main_program_scan(&one, 0);\n    \
         main_program_save(&one, bytes);\n    main_program_init(&two);\n    if (!main_program_restore(&two, bytes)) return 1;\n    \
         for (n = 0; n < 12; n++) {\n        main_program_scan(&two, n * INT64_C(10000000));\n        printf(\"%d\", two.out.on);\n    }\n    return 0;\n}\n";
-    let said = compiled_and_run(&compiler, folder.path(), text, "main", main);
-    assert_eq!(said, "111111111100");
+    let told = compiled_and_run(&compiler, folder.path(), text, "main", main);
+    assert_eq!(told, "111111111100");
 }
 
 /// What is sent: numbers as the simulator writes them.
@@ -203,12 +203,12 @@ fn texts_are_sent() {
     let text = "VAR\n    n : INT := -7;\n    u : ULINT := 18446744073709551615;\nEND_VAR\n+--[FMT]( 'n %d u %d, %d', n, u )--[USND]( 33 )--+\n";
     let main = "#include \"sends.h\"\n#include <stdio.h>\nstatic void send(void *user, uint8_t byte)\n{\n    (void)user;\n    putchar(byte);\n}\n\
         int main(void)\n{\n    static sends plant;\n    sends_init(&plant);\n    plant.send = send;\n    sends_scan(&plant, 0);\n    return 0;\n}\n";
-    let said = compiled_and_run(&compiler, folder.path(), text, "sends", main);
+    let told = compiled_and_run(&compiler, folder.path(), text, "sends", main);
     let analysis = analyze(&Arc::new(ladder_syntax::parse(text)), "sends");
     let mut simulation = Simulation::new(analysis.program().unwrap().clone(), Options::default()).unwrap();
     simulation.scan();
-    assert_eq!(said.as_bytes(), simulation.take_serial());
-    assert!(!said.is_empty());
+    assert_eq!(told.as_bytes(), simulation.take_serial());
+    assert!(!told.is_empty());
 }
 
 /// What does not fit is a fault, and nothing is written.

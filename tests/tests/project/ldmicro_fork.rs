@@ -258,7 +258,7 @@ fn calculations() {
     }
 }
 
-/// A number that is no character becomes a blank in its variable, too.
+/// A number that is not a character becomes a blank in its variable, too.
 #[test]
 fn a_display_changes_what_it_cannot_show() {
     let rows = trace(

@@ -84,13 +84,13 @@ fn compare(trace: &Path) -> Result<(), String> {
     compare_warnings(&converted, &expected)
 }
 
-/// What LDmicro says of the program when it runs into it is said when it is imported.
+/// What LDmicro says of the program when it runs into it is reported when it is imported.
 fn compare_warnings(converted: &Converted, expected: &str) -> Result<(), String> {
     for line in expected.lines().filter_map(|line| line.strip_prefix("ERROR: ")) {
         let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
         let mut found = converted.findings.iter();
-        let said = line.starts_with("Division") || found.any(|found| words(&found.message) == words(line));
-        if !said {
+        let told = line.starts_with("Division") || found.any(|found| words(&found.message) == words(line));
+        if !told {
             return Err(format!("nothing says `{line}`"));
         }
     }
@@ -347,10 +347,10 @@ fn compare_lines(run: &Run, expected: &str) -> Result<(), String> {
             continue;
         };
         if head == "ERROR" {
-            let said = rest.trim();
-            let is_division = said.starts_with("Division by zero");
-            if is_division && !run.faults.iter().any(|fault| fault.starts_with(said)) {
-                return Err(format!("no fault says `{said}`: {:?}", run.faults));
+            let told = rest.trim();
+            let is_division = told.starts_with("Division by zero");
+            if is_division && !run.faults.iter().any(|fault| fault.starts_with(told)) {
+                return Err(format!("no fault says `{told}`: {:?}", run.faults));
             }
         } else if head == "END" {
             let Some((_, state)) = rest.split_once(':') else {

@@ -30,8 +30,8 @@ fn differs(old: &str, new: &str, seed: u64) -> Option<String> {
     differing([&mut old, &mut new], &inputs, &outputs, seed)
 }
 
-/// What is said of two texts. None: nothing is.
-fn said(old: &str, new: &str) -> Option<Whole> {
+/// What is reported of two texts. None: nothing is.
+fn told(old: &str, new: &str) -> Option<Whole> {
     let [old, new] = [old, new].map(|text| Outline::of_text("main.clad", text));
     let mut comparison = compare(&old, &new);
     comparison.decide(Duration::from_secs(2));
@@ -108,12 +108,12 @@ fn what_is_called_the_same_in_another_order_never_differs_in_a_run() {
             let Some(new) = reordered(&old, &mut dice) else {
                 continue;
             };
-            match said(&old, &new) {
+            match told(&old, &new) {
                 Some(Whole::Same) => {
                     same += 1;
                     if let Some(what) = differs(&old, &new, seed) {
                         panic!(
-                            "{mode:?}, seed {seed}: said to be the same, and differs: {what}\n{old}\n{new}"
+                            "{mode:?}, seed {seed}: told to be the same, and differs: {what}\n{old}\n{new}"
                         );
                     }
                 }

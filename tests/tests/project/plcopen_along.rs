@@ -95,10 +95,10 @@ fn units(project: &str) -> String {
             }
             let _ = writeln!(text, "END_VAR");
         }
-        let said = body
+        let told = body
             .descendants()
             .find_map(|node| node.text().filter(|text| !text.trim().is_empty()));
-        let _ = writeln!(text, "{}\nEND_FUNCTION_BLOCK", said.expect("the body has a text"));
+        let _ = writeln!(text, "{}\nEND_FUNCTION_BLOCK", told.expect("the body has a text"));
     }
     text
 }
@@ -123,10 +123,10 @@ fn what_was_changed_since_stays() {
         assert_ne!(changed, project);
         let back = read(&changed);
         assert!(back.written.text.contains(is), "{}", back.written.text);
-        let said: Vec<String> = back.report.remarks().map(|entry| format!("{entry:?}")).collect();
+        let told: Vec<String> = back.report.remarks().map(|entry| format!("{entry:?}")).collect();
         assert!(
-            said.iter().any(|said| said.contains("ST is not read")),
-            "{said:?}"
+            told.iter().any(|told| told.contains("ST is not read")),
+            "{told:?}"
         );
     }
 }

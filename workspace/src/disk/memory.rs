@@ -343,22 +343,22 @@ mod tests {
             ("/plant/line/a.clad", "x"),
             ("/secret", "y"),
         ]);
-        let said = |name| {
+        let told = |name| {
             let named = disk.named_in(Path::new("/plant/line/a.clad"), name);
             match disk.read_text(&named) {
                 Ok(text) => text,
                 Err(error) => error.to_string(),
             }
         };
-        assert_eq!(said("../line/a.clad"), "x");
+        assert_eq!(told("../line/a.clad"), "x");
         expect!["/plant/line/../../secret: this leads out of the workspace, the folder of ladder.toml (without one: the file's own folder); an empty ladder.toml in a folder above both makes them one"]
-            .assert_eq(&said("../../secret"));
+            .assert_eq(&told("../../secret"));
         expect![
             "/secret: a path in a workspace is relative: write it as it is seen from the file that names it"
         ]
-        .assert_eq(&said("/secret"));
-        expect!["/plant/line/b.clad: no such file or folder"].assert_eq(&said("b.clad"));
-        expect!["/plant/line/..: this is a folder; name a file in it"].assert_eq(&said(".."));
+        .assert_eq(&told("/secret"));
+        expect!["/plant/line/b.clad: no such file or folder"].assert_eq(&told("b.clad"));
+        expect!["/plant/line/..: this is a folder; name a file in it"].assert_eq(&told(".."));
     }
 
     #[test]

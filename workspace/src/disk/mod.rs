@@ -117,7 +117,7 @@ pub trait Disk: Debug + Send + Sync {
     /// The text of a file that a workspace names.
     ///
     /// # Errors
-    /// As [`Disk::read_named`], and it is no text.
+    /// As [`Disk::read_named`], and it is not a text.
     fn read_text(&self, file: &Named) -> Result<String, FileError> {
         text::decode(&file.path(), self.read_named(file)?)
     }

@@ -26,7 +26,7 @@ pub(super) fn without_links(
     follow(root, folder, parts, &|_| Ok(None))
 }
 
-/// Where a link leads; nothing for what is no link, or not there.
+/// Where a link leads; nothing for what is not a link, or not there.
 fn link_at(path: &Path) -> io::Result<Option<PathBuf>> {
     match path.symlink_metadata() {
         Ok(metadata) if metadata.is_symlink() => path.read_link().map(Some),

@@ -67,11 +67,11 @@ impl EditorSettings {
             }
         }
         top.finish(&mut reader);
-        let said = |(range, message)| match paths.of(&range) {
+        let told = |(range, message)| match paths.of(&range) {
             "" => message,
             path => format!("`ladder.{path}`: {message}"),
         };
-        let errors = reader.finish().into_iter().map(said).collect();
+        let errors = reader.finish().into_iter().map(told).collect();
         (settings, errors)
     }
 }

@@ -155,19 +155,19 @@ fn next_thing(context: &Context, line: usize) -> Covers {
 pub(super) fn idle_words(context: &Context, says: impl Iterator<Item = Says>) -> Vec<Diagnostic> {
     let first_network = context.parse.lines().first_network();
     let first_network = first_network.map(|line| context.parse.line_start(line));
-    let mut said: Vec<Says> = Vec::new();
+    let mut told: Vec<Says> = Vec::new();
     let mut idle = Vec::new();
     for Says { word, comment } in says {
         if first_network.is_some_and(|first| comment.start() >= first) {
             idle.push(directive::too_late(word, comment));
             continue;
         }
-        match said.iter().find(|other| other.word == word) {
+        match told.iter().find(|other| other.word == word) {
             Some(first) => {
                 let line = context.line_number(first.comment.start());
                 idle.push(directive::said_before(word, comment, first.comment, line));
             }
-            None => said.push(Says { word, comment }),
+            None => told.push(Says { word, comment }),
         }
     }
     idle

@@ -1,4 +1,4 @@
-//! What the list of an unread part names that is no tag (LANGUAGE §5.9).
+//! What the list of an unread part names that is not a tag (LANGUAGE §5.9).
 
 use crate::names::context::Context;
 use crate::names::scope::{Scope, type_by_form};

@@ -150,7 +150,7 @@ fn words(form: &Form<'_>, line: usize) -> Option<Vec<(TextRange, String)>> {
     Some(words)
 }
 
-/// What is on a rung without its tag, from left to right. None: some of it has its tag after it, or is no contact or coil.
+/// What is on a rung without its tag, from left to right. None: some of it has its tag after it, or is not a contact or coil.
 fn nameless(form: &Form<'_>, rung: usize, contacts: &[BarContact]) -> Option<Vec<Nameless>> {
     let network = form.network;
     let parts = &network.wiring.rungs[rung].parts;

@@ -41,7 +41,7 @@ fn before_tag(before: &str) -> Option<(Shape, &'static Instruction, usize)> {
     let own = lookup(shape, sign).find(|row| row.takes(1));
     let row = own.or_else(|| known_elsewhere(sign))?;
     let is_bit = matches!(row.group, Group::Condition | Group::Coil) && row.takes(1);
-    // What is drawn as a coil is no contact.
+    // What is drawn as a coil is not a contact.
     let is_of_shape = row.shape == shape || shape == Shape::Logical;
     (!sign.is_empty() && is_bit && is_of_shape).then_some((shape, row, opening))
 }

@@ -6,7 +6,7 @@ use ladder_analysis::values::value::Value;
 use ladder_prover::{Which, scenario_of_difference};
 use ladder_review::outline::{Entry, Outline};
 use ladder_review::report::{Compared, shown, unread};
-use ladder_review::whole::{REFUTED, Whole, said};
+use ladder_review::whole::{REFUTED, Whole, told};
 use ladder_review::words::{names, reason, word};
 use ladder_review::{Change, Verdict};
 use ladder_simulator::value_text;
@@ -142,7 +142,7 @@ fn whole(whole: &Whole) -> WholePrograms<'_> {
     });
     WholePrograms {
         meaning: "other",
-        reasons: vec![said(run).0],
+        reasons: vec![told(run).0],
         scan: run.scans.checked_sub(1),
         interval_ns: Some(run.interval),
         given: given.collect(),

@@ -191,11 +191,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         _ => Outcome::Findings,
     };
     if arguments.same {
-        let said = same::print(&compared, &settings)?;
+        let told = same::print(&compared, &settings)?;
         if let Some(file) = &arguments.write {
             same::write(file, &compared)?;
         }
-        return Ok(if outcome == Outcome::Failed { outcome } else { said });
+        return Ok(if outcome == Outcome::Failed { outcome } else { told });
     }
     let mut out = Output::open(arguments.output.as_deref(), Existing::by(arguments.force))?;
     match arguments.format {

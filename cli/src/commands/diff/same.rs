@@ -6,7 +6,7 @@ use crate::outcome::{Failure, Outcome};
 use crate::terminal;
 use ladder_prover::{Which, scenario_file, scenario_of_difference};
 use ladder_review::report::Compared;
-use ladder_review::whole::{REFUTED, Whole, said};
+use ladder_review::whole::{REFUTED, Whole, told};
 use ladder_workspace::shown;
 use std::io::{self, Write};
 use std::path::Path;
@@ -27,8 +27,8 @@ pub(super) fn print(compared: &[Compared<'_>], settings: &[SettingsDiff]) -> io:
         match &file.comparison.whole {
             Some(Whole::Same) => {}
             Some(Whole::Differs(run)) => {
-                let (said, rows) = said(run);
-                add(&mut others, &[said]);
+                let (told, rows) = told(run);
+                add(&mut others, &[told]);
                 others.extend(rows.iter().map(|row| format!("  {row}")));
             }
             Some(Whole::Outputs(names)) => add(&mut others, names),

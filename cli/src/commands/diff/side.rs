@@ -160,7 +160,7 @@ impl File {
     /// Its ladder text: as it is, or what a program of another system becomes.
     ///
     /// # Errors
-    /// It is no program.
+    /// It is not a program.
     pub(super) fn text(&self, bytes: Vec<u8>, git: &Git) -> Result<String, Failure> {
         let path = Path::new(&self.name);
         match &self.place {

@@ -98,7 +98,7 @@ impl Job {
     fn run(&self, arguments: &Arguments) -> Result<Done, Option<Failure>> {
         let options = match &self.options {
             Ok(options) => options,
-            Err(said) => return Err(said.clone().map(Failure::new)),
+            Err(told) => return Err(told.clone().map(Failure::new)),
         };
         run(&self.file, options, arguments).map_err(Some)
     }

@@ -23,7 +23,7 @@ Examples:
   git difftool -t ladder         what changed, network by network
   git merge feature              merges programs by network
 
-Exit status: 0 done, 1 nothing was written, for nobody said yes, 2 it could not be done.";
+Exit status: 0 done, 1 nothing was written, for nobody told yes, 2 it could not be done.";
 
 /// Let git show and merge programs by network
 ///
@@ -112,7 +112,7 @@ fn agrees(out: &mut Stdout) -> Result<bool, Failure> {
     Ok(matches!(answer.trim().to_lowercase().as_str(), "y" | "yes"))
 }
 
-/// A file as git is to compare it. It does not fail on what is no program: git would show no difference at all then.
+/// A file as git is to compare it. It does not fail on what is not a program: git would show no difference at all then.
 fn show(file: &Path) -> Result<Outcome, Failure> {
     let bytes = ladder_workspace::read_bytes(file)?;
     let mut out = Stdout::new();

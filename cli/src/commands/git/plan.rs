@@ -1,7 +1,7 @@
 //! What is written where, before anything is written.
 
 use super::attributes::{was, was_line, with_block};
-use crate::git::{command, output, said};
+use crate::git::{command, output, told};
 use crate::outcome::Failure;
 use ladder_notations::{NOTATIONS, Notation};
 use std::path::{Path, PathBuf};
@@ -163,7 +163,7 @@ impl Plan {
             };
             let output = output(&mut git)?;
             if !output.status.success() {
-                return Err(Failure::new(format!("{}: {}", setting.name, said(&output))));
+                return Err(Failure::new(format!("{}: {}", setting.name, told(&output))));
             }
         }
         if self.was != self.is && self.is.is_empty() {
@@ -220,7 +220,7 @@ fn attributes_file(scope: Scope) -> Result<PathBuf, Failure> {
         Scope::Repository => {
             let git = output(command(Path::new(".")).args(["rev-parse", "--git-path", "info/attributes"]))?;
             if !git.status.success() {
-                return Err(Failure::new(said(&git)));
+                return Err(Failure::new(told(&git)));
             }
             Ok(PathBuf::from(String::from_utf8_lossy(&git.stdout).trim_end()))
         }

@@ -113,13 +113,13 @@ impl Junit {
                 case.seconds,
                 case.place.line
             )?;
-            let said: Vec<String> = case
+            let told: Vec<String> = case
                 .outside
                 .iter()
                 .cloned()
                 .chain(case.faults.iter().map(super::report::FaultReport::line))
                 .collect();
-            if case.passed && said.is_empty() {
+            if case.passed && told.is_empty() {
                 writeln!(out, "/>")?;
                 continue;
             }
@@ -132,11 +132,11 @@ impl Junit {
                     escaped(&case.drawn())
                 )?;
             }
-            if !said.is_empty() {
+            if !told.is_empty() {
                 writeln!(
                     out,
                     "      <system-err>{}</system-err>",
-                    escaped(&said.join("\n"))
+                    escaped(&told.join("\n"))
                 )?;
             }
             writeln!(out, "    </testcase>")?;

@@ -86,7 +86,7 @@ impl Given {
     }
 }
 
-/// What stands in the place of a value that could not be read.
+/// What is in the place of a value that could not be read.
 const NOTHING: [&str; 6] = ["?", "??", "???", "-", "--", "---"];
 
 /// The words of switches.

@@ -37,7 +37,7 @@ pub(super) struct Broken {
 /// Reads a table: `,`, `;` or tabs between the cells, with or without a header. What has no value is left out.
 ///
 /// # Errors
-/// A row has no second cell, the header has no column of values, or it is no table.
+/// A row has no second cell, the header has no column of values, or it is not a table.
 pub(super) fn parse(text: &str) -> Result<Vec<Row>, Broken> {
     let mut reader = ladder_simulator::table_cells(text);
     let mut columns = None;

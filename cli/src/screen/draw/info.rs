@@ -15,7 +15,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 use ratatui::style::{Modifier, Style};
 
-/// Draws the line. Gives where something is being typed.
+/// Draws the line. Returns where something is being typed.
 pub(super) fn draw(buffer: &mut Buffer, pane: Rect, scene: Scene) -> Option<Position> {
     let Scene { view, theme, .. } = scene;
     if pane.height == 0 {

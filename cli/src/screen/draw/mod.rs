@@ -55,7 +55,7 @@ pub(super) fn screen(frame: &mut Frame, scene: Scene) {
     }
 }
 
-/// Writes text into one line of a pane, as far as it fits. Gives the column after it.
+/// Writes text into one line of a pane, as far as it fits. Returns the column after it.
 fn put(buffer: &mut Buffer, pane: Rect, column: u16, line: u16, text: &str, style: Style) -> u16 {
     if line >= pane.height || column >= pane.width {
         return column;

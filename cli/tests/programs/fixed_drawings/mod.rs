@@ -37,7 +37,7 @@ fn difference(drawing: &Drawing, text: &str) -> Option<String> {
     let analysis = analysis(text);
     let program = analysis.program()?;
     if drawing.is_unknown() {
-        return Some("it is not said what runs".to_owned());
+        return Some("it is not told what runs".to_owned());
     }
     let differs = |everywhere: bool| {
         let mut simulation = Simulation::new(program.clone(), ladder_simulator::Options::default()).ok()?;

@@ -141,7 +141,7 @@ fn gone(context: &Context, network: usize) -> (TextRange, String) {
     (covering(context, first..end), head)
 }
 
-/// The first of the lines of comments directly above a network, or its own first line. What speaks to the tools is no heading.
+/// The first of the lines of comments directly above a network, or its own first line. What speaks to the tools is not a heading.
 fn heading(context: &Context, network: usize) -> usize {
     let own = context.networks.at(network).lines().start;
     let is_heading = |line: &usize| {

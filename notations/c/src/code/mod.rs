@@ -26,14 +26,14 @@ pub(crate) struct Body {
 }
 
 impl Body {
-    /// Whether a statement has this; what stands in the drawing above it does not count.
+    /// Whether a statement has this; what is in the drawing above it does not count.
     pub(crate) fn says(&self, what: &str) -> bool {
         let mut statements = self.text.lines().filter(|line| !line.starts_with("    /*"));
         statements.any(|line| line.contains(what))
     }
 }
 
-/// Translates all instructions. `comment` is what stands above the network of a number.
+/// Translates all instructions. `comment` is what is above the network of a number.
 ///
 /// `line` is the line of the program that a block is on.
 pub(crate) fn body(

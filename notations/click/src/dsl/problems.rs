@@ -144,7 +144,7 @@ mod tests {
     use expect_test::expect;
 
     /// What is reported of a statement that is where none of its kind can, at its place.
-    fn said(text: &str) -> String {
+    fn told(text: &str) -> String {
         let error = super::super::read(text).expect_err(text);
         let (_, message) = error.all().next().expect("something is wrong");
         message.to_owned()
@@ -195,7 +195,7 @@ mod tests {
             ] {
                 // What may be there is no error.
                 if super::super::read(&text).is_err() {
-                    shown.push_str(&format!("{first} {place}: {}\n", said(&text)));
+                    shown.push_str(&format!("{first} {place}: {}\n", told(&text)));
                 }
             }
         }
@@ -311,7 +311,7 @@ mod tests {
             let value = format!("def main():\n    if c.A:\n        copy({expression}, ds.B)\n");
             for (place, text) in [("as a condition", condition), ("as a value", value)] {
                 if super::super::read(&text).is_err() {
-                    shown.push_str(&format!("{expression} {place}: {}\n", said(&text)));
+                    shown.push_str(&format!("{expression} {place}: {}\n", told(&text)));
                 }
             }
         }

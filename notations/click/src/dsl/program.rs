@@ -261,13 +261,13 @@ fn rung(problems: &mut Problems<'_>, comments: &mut Comments, stmt: &StmtIf) -> 
 }
 
 /// Attaches comments to the last action, or to the rung while it has none.
-fn say(actions: &mut [Action], above: &mut Vec<String>, said: Vec<String>) {
+fn say(actions: &mut [Action], above: &mut Vec<String>, told: Vec<String>) {
     match actions.last_mut() {
-        None => above.extend(said),
-        Some(_) if said.is_empty() => {}
+        None => above.extend(told),
+        Some(_) if told.is_empty() => {}
         Some(action) => {
             let before = action.comment.take().into_iter();
-            let all: Vec<String> = before.chain(said).collect();
+            let all: Vec<String> = before.chain(told).collect();
             action.comment = Some(all.join(" "));
         }
     }

@@ -251,7 +251,7 @@ fn programs_come_back_from_ladder_text() {
             );
         }
     }
-    assert!(whole > 15, "only {whole} programs could be said whole");
+    assert!(whole > 15, "only {whole} programs could be told whole");
 }
 
 /// What is under power in the rungs of a file: which output, and whether.

@@ -68,7 +68,7 @@ pub(in super::super) fn read(
         }),
         None => program.main = own,
     }
-    // What was copied out of a program is no program, and has no end.
+    // What was copied out of a program is not a program, and has no end.
     let is_lone = grid.rungs.len() == 1;
     let mut before = source.bytes.split(|byte| *byte == b'\n').count() as u32;
     let mut files = Vec::new();

@@ -207,9 +207,9 @@ impl Back<'_> {
         };
         let (convert, source, used) = match op(block)? {
             Op::Typ if what.starts_with(convert::NUMBER) => {
-                let (_, said) = what.split_once(", ")?;
+                let (_, told) = what.split_once(", ")?;
                 let own = after.iter().take_while(|block| op(block) != Some(Op::Typ));
-                (grid::convert(said).ok()?, 1, own.take_while(is_own).count())
+                (grid::convert(told).ok()?, 1, own.take_while(is_own).count())
             }
             Op::Find if what == convert::CODE => (Convert::Ascii, 2, 3),
             Op::Mov if what == convert::TO_CODE => (Convert::Binary, 1, 4),

@@ -76,7 +76,7 @@ fn meaning(tag: &ladder::Tag, comment: &str, nicknames: &mut Vec<Nickname>) -> M
             None => Meaning::Nothing("Click has no arrays but its banks: name it as one, such as DS"),
         };
     }
-    if let Some(found) = said(comment, tag, nicknames) {
+    if let Some(found) = told(comment, tag, nicknames) {
         return Meaning::Address(found);
     }
     let bank = match tag.ty {
@@ -113,7 +113,7 @@ fn kind_bank(scalar: Scalar, role: Role) -> Option<Bank> {
 }
 
 /// What a declaration's comment says: `X001`, `X001 Start: at the door`, `sc.Ready`.
-fn said(comment: &str, tag: &ladder::Tag, nicknames: &mut Vec<Nickname>) -> Option<Tag> {
+fn told(comment: &str, tag: &ladder::Tag, nicknames: &mut Vec<Nickname>) -> Option<Tag> {
     let (head, text) = comment.split_once(':').unwrap_or((comment, ""));
     let (first, rest) = head.trim().split_once(' ').unwrap_or((head.trim(), ""));
     if let Some((bank, nickname)) = first.split_once('.') {

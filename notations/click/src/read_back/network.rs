@@ -32,11 +32,11 @@ impl Back<'_> {
         for network in networks {
             let range = network.location.range;
             let start = usize::from(range.start()).max(at);
-            let mut said = text::between(&self.text[at..start]);
+            let mut told = text::between(&self.text[at..start]);
             at = usize::from(range.end()).max(at);
             if let Some(name) = self.function(network) {
-                let comments = said.pop().unwrap_or_default();
-                routine.after.extend(said.concat());
+                let comments = told.pop().unwrap_or_default();
+                routine.after.extend(told.concat());
                 let place = self.place_of(network.location);
                 let before = std::mem::replace(
                     &mut routine,
@@ -52,7 +52,7 @@ impl Back<'_> {
                 self.in_subroutine = true;
                 continue;
             }
-            self.network(network, said.concat(), &mut routine);
+            self.network(network, told.concat(), &mut routine);
         }
         routine.after.extend(text::between(&self.text[at..]).concat());
         self.finish(routine, &mut out);
@@ -82,18 +82,18 @@ impl Back<'_> {
         Some(python_name(&own.name))
     }
 
-    fn network(&mut self, network: &Network, said: Vec<String>, routine: &mut Routine) {
-        let is_reset = said.len() == 1 && said[0].starts_with("reset of ");
+    fn network(&mut self, network: &Network, told: Vec<String>, routine: &mut Routine) {
+        let is_reset = told.len() == 1 && told[0].starts_with("reset of ");
         let registers = std::mem::take(&mut self.computed.registers);
         let before = self.report.entries.len();
         match self.rungs(network, &registers, is_reset, routine) {
             Ok(mut rungs) => {
                 if let Some(first) = rungs.first_mut() {
                     let waiting = std::mem::take(&mut routine.after);
-                    first.comments = waiting.into_iter().chain(said).collect();
+                    first.comments = waiting.into_iter().chain(told).collect();
                 } else if !is_reset {
                     // They were above a rung of the importer's, and belong to the one that follows.
-                    routine.after.extend(said);
+                    routine.after.extend(told);
                 }
                 routine.rungs.append(&mut rungs);
             }
@@ -101,7 +101,7 @@ impl Back<'_> {
                 self.report.entries.truncate(before);
                 let place = self.place_of(network.location);
                 let mut comments = std::mem::take(&mut routine.after);
-                comments.extend(said);
+                comments.extend(told);
                 comments.extend(
                     self.written(network.location.range)
                         .lines()
@@ -306,10 +306,10 @@ impl Back<'_> {
         Ok(out)
     }
 
-    /// The instruction that the importer left as a comment in a wire, if a block stands in for one.
+    /// The instruction that the importer left as a comment in a wire, if a block is in for one.
     pub(super) fn kept(&self, block: &Block) -> Option<Action> {
-        let said = self.written(block.location.range).strip_prefix(text::KEPT)?;
-        let kept = said.trim_end_matches('#').trim().replace("\\x23", "#");
+        let told = self.written(block.location.range).strip_prefix(text::KEPT)?;
+        let kept = told.trim_end_matches('#').trim().replace("\\x23", "#");
         let place = self.place_of(block.location);
         let action = dsl::single_action(&kept).unwrap_or_else(|| Action {
             what: Instruction::Kept {

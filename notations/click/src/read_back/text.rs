@@ -69,9 +69,9 @@ pub(super) fn declared(program: &Program, text: &str) -> HashMap<TagId, String> 
         let rest = text.get(at..).unwrap_or("");
         let line = rest.lines().next().unwrap_or("");
         if let Some((_, after)) = line.split_once(';')
-            && let Some(said) = inside(after.trim())
+            && let Some(told) = inside(after.trim())
         {
-            out.insert(TagId(number as u32), said);
+            out.insert(TagId(number as u32), told);
         }
     }
     out
@@ -132,10 +132,10 @@ pub(super) fn between(text: &str) -> Vec<Vec<String>> {
 
 fn push(groups: &mut [Vec<String>], comment: &str) {
     let Some(group) = groups.last_mut() else { return };
-    for said in comment.split('#').filter(|part| !part.trim().is_empty()) {
-        let said = said.trim().replace("\\x23", "#");
-        if !said.starts_with("ladder:") {
-            group.push(as_said(&said).to_owned());
+    for told in comment.split('#').filter(|part| !part.trim().is_empty()) {
+        let told = told.trim().replace("\\x23", "#");
+        if !told.starts_with("ladder:") {
+            group.push(as_said(&told).to_owned());
         }
     }
 }
@@ -143,7 +143,7 @@ fn push(groups: &mut [Vec<String>], comment: &str) {
 /// A comment without what keeps it from speaking to the tools.
 fn as_said(comment: &str) -> &str {
     match comment.strip_prefix("text: ") {
-        Some(said) if said.starts_with("ladder:") => said,
+        Some(told) if told.starts_with("ladder:") => told,
         _ => comment,
     }
 }
@@ -166,7 +166,7 @@ impl Back<'_> {
     pub(super) fn comment_from(&self, end: usize) -> Option<String> {
         let rest = self.text.get(end..)?.trim_start_matches(['-', ' ', '+']);
         let length = rest.strip_prefix('#')?.find('#')? + 2;
-        let said = inside(&rest[..length])?;
-        (!said.starts_with("click:") && !said.contains('\n')).then_some(said)
+        let told = inside(&rest[..length])?;
+        (!told.starts_with("click:") && !told.contains('\n')).then_some(told)
     }
 }

@@ -62,9 +62,9 @@ impl Sketcher<'_> {
                 self.series(place, blocks)
             }
             Err(why) => {
-                let said = Circuit::Element(self.refused(place, shown, why));
+                let told = Circuit::Element(self.refused(place, shown, why));
                 let off = Block::negated_contact(Path::system("ON"));
-                Circuit::Series(vec![said, self.series(place, vec![off])])
+                Circuit::Series(vec![told, self.series(place, vec![off])])
             }
         }
     }

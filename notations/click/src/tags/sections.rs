@@ -43,7 +43,7 @@ impl Tags<'_> {
     fn declare(&self, sections: &mut Sections, tag: &Tag, mut declaration: Declaration) {
         let nickname = tag.address().and_then(|address| self.numbered.get(&address));
         let retentive = nickname.and_then(|nickname| nickname.retentive);
-        declaration.comment = self.said(tag, &declaration.names[0]);
+        declaration.comment = self.told(tag, &declaration.names[0]);
         let initial = nickname.and_then(|nickname| nickname.initial.as_ref());
         let initial = initial.filter(|initial| !is_zero(initial) && !matches!(tag.bank, Bank::T | Bank::Ct));
         let initial = initial.and_then(|initial| literal(initial, Some(tag.bank.kind())).ok());
@@ -58,7 +58,7 @@ impl Tags<'_> {
 
     /// What the declaration of a tag says: its address if that is known, else its bank and nickname where they do not
     /// follow from the type and the section.
-    fn said(&self, tag: &Tag, name: &str) -> Option<String> {
+    fn told(&self, tag: &Tag, name: &str) -> Option<String> {
         let nickname = match &tag.which {
             Which::Nickname(nickname) => {
                 let usual = !matches!(tag.bank, Bank::Sc | Bank::Sd | Bank::Xd | Bank::Yd);
@@ -71,14 +71,14 @@ impl Tags<'_> {
                 (None, _) => return None,
             },
         };
-        let mut said = nickname.address.to_string();
+        let mut told = nickname.address.to_string();
         if nickname.name != name {
-            said.push_str(&format!(" {}", nickname.name));
+            told.push_str(&format!(" {}", nickname.name));
         }
         if !nickname.comment.is_empty() {
-            said.push_str(&format!(": {}", nickname.comment));
+            told.push_str(&format!(": {}", nickname.comment));
         }
-        Some(said)
+        Some(told)
     }
 }
 

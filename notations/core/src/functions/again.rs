@@ -77,7 +77,7 @@ pub(crate) fn functions_again(files: &mut [&mut ProgramSketch]) {
             change(&mut own, &mut |_, block| rename(block, &renamed));
         }
         let items = &mut files[home].items;
-        items.extend(function(block.function, block.begins, block.said, own));
+        items.extend(function(block.function, block.begins, block.told, own));
     }
     declare(&mut files[home].items, locals);
 }
@@ -92,7 +92,7 @@ struct Marked {
     function: String,
     /// The function begins on its first network.
     begins: bool,
-    said: Vec<String>,
+    told: Vec<String>,
     items: Vec<Item>,
     /// The file that has the tag of its state, which has this name and is declared after so many others.
     home: usize,
@@ -110,17 +110,17 @@ fn marked(files: &[&mut ProgramSketch]) -> Vec<Marked> {
             let Item::Block { header, items } = item else {
                 continue;
             };
-            let mut said: Vec<String> = above(&file.items, at)
-                .flat_map(|said| said.lines())
+            let mut told: Vec<String> = above(&file.items, at)
+                .flat_map(|told| told.lines())
                 .map(str::to_owned)
                 .collect();
-            let Some(mark) = said.iter().position(|line| line.starts_with(MARK)) else {
+            let Some(mark) = told.iter().position(|line| line.starts_with(MARK)) else {
                 continue;
             };
-            let line = said.remove(mark);
+            let line = told.remove(mark);
             // It says how the block is spelled there.
-            if said.first().is_some_and(|line| line.ends_with(SPELLED)) {
-                said.remove(0);
+            if told.first().is_some_and(|line| line.ends_with(SPELLED)) {
+                told.remove(0);
             }
             let name = &line[MARK.len()..];
             let (name, begins) = match name.strip_suffix(BEGINS) {
@@ -131,7 +131,7 @@ fn marked(files: &[&mut ProgramSketch]) -> Vec<Marked> {
                 key: block_name(header),
                 function: name.to_owned(),
                 begins,
-                said,
+                told,
                 items: items.clone(),
                 home,
                 state: Name::new(""),
@@ -213,7 +213,7 @@ impl Marked {
     }
 }
 
-/// Looks for the tag of each block's state: one, which nothing else is said of.
+/// Looks for the tag of each block's state: one, which nothing else is reported of.
 fn find_states(files: &[&mut ProgramSketch], found: &mut [Marked]) {
     let by_key = found.iter().enumerate();
     let by_key: HashMap<Name, usize> = by_key
@@ -345,15 +345,15 @@ fn is_power(word: &str) -> bool {
 }
 
 /// The networks of a function.
-fn function(name: String, begins: bool, said: Vec<String>, items: Vec<Item>) -> Vec<Item> {
+fn function(name: String, begins: bool, told: Vec<String>, items: Vec<Item>) -> Vec<Item> {
     let head = Element::of(Block::function(&name), None);
     let mut out = Vec::new();
     let mut items = items.into_iter().filter(|item| !matches!(item, Item::Section(_)));
     // The guard is in the place of the head.
-    let mut comments = said;
+    let mut comments = told;
     for item in items.by_ref() {
         match item {
-            Item::Comment(said) if !said.ends_with(SPELLED) => comments.push(said),
+            Item::Comment(told) if !told.ends_with(SPELLED) => comments.push(told),
             Item::Network(guard) => {
                 comments.extend(guard.comments);
                 break;

@@ -183,7 +183,7 @@ impl Found {
             } else if !self.gone.contains(&at) {
                 out.push(item);
             } else if let Item::Network(network) = item {
-                // What is said there stays.
+                // What is reported there stays.
                 out.extend(network.comments.into_iter().map(Item::Comment));
             }
         }

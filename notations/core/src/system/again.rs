@@ -78,7 +78,7 @@ fn is_as_written(program: &ProgramSketch, tags: &[SystemTag], notation: &dyn Not
     };
     let own = text_of(program);
     let directives = program.items.iter().filter(|item| match item {
-        Item::Directive(said) => said.starts_with("profile"),
+        Item::Directive(told) => told.starts_with("profile"),
         _ => false,
     });
     let (Ok(block), Some(call)) = (block(tags), call()) else {
@@ -120,7 +120,7 @@ fn called(items: &[Item]) -> BTreeSet<Name> {
     called
 }
 
-/// Takes out the instances and their calls. What is said above a call stays.
+/// Takes out the instances and their calls. What is reported above a call stays.
 fn remove_instances(items: &mut Vec<Item>) {
     let Some(call) = call() else {
         return;

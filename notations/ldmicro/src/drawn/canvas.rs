@@ -123,7 +123,7 @@ impl Canvas {
         }
     }
 
-    /// Draws parts after each other from a cell on; `last` where the right rail follows. Gives the cells it took.
+    /// Draws parts after each other from a cell on; `last` where the right rail follows. Returns the cells it took.
     fn series(&mut self, parts: &[Node], cell: usize, top: usize, last: bool) -> usize {
         let mut at = cell;
         for (index, part) in parts.iter().enumerate() {

@@ -197,13 +197,13 @@ fn rung(lines: &[Drawn]) -> Result<Rung, ReadError> {
 
 /// The text of a rung that is only a comment, as a program file has it.
 fn comment(lines: &[Drawn]) -> Option<String> {
-    let said = |index: usize| {
+    let told = |index: usize| {
         let text: String = lines.get(index)?.inside.iter().collect();
         let text = text.strip_prefix(" ; ")?.trim_end().replace('\\', "\\\\");
         Some(text)
     };
-    let first = said(0)?;
-    Some(match said(1) {
+    let first = told(0)?;
+    Some(match told(1) {
         Some(second) => format!("{first}\\r\\n{second}"),
         None => first,
     })

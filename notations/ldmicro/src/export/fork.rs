@@ -91,7 +91,7 @@ impl Exporter<'_> {
         Ok(made.line(&given?, self.initial(block), self.input.dialect))
     }
 
-    /// The line of an element that is not read, if a block of this name is one: what is said above its definition begins
+    /// The line of an element that is not read, if a block of this name is one: what is reported above its definition begins
     /// with its word.
     fn unread(&self, block: &Block, name: &str) -> Option<Result<String, String>> {
         let definition = definition_in(self.input.text, &format!("[{name}]"))?;
@@ -102,8 +102,8 @@ impl Exporter<'_> {
             return None;
         }
         let before = &self.input.text[..self.input.text.find(definition)?];
-        let said = before.trim_end().lines().next_back().unwrap_or_default();
-        let word = said
+        let told = before.trim_end().lines().next_back().unwrap_or_default();
+        let word = told
             .trim_start_matches(['#', ' '])
             .split(": ")
             .next()

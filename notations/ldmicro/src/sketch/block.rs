@@ -17,7 +17,7 @@ use ladder_notation::{Turn, Unread};
 /// The relay that the fork sets when the result of a calculation does not fit.
 const OVERFLOW: &str = "ROverflowFlagV";
 
-/// Why an element of the fork is no block here.
+/// Why an element of the fork is not a block here.
 const NOT_READ: &str = "it is not read";
 
 /// A block and what there is to say about it.

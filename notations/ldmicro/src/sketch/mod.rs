@@ -152,7 +152,7 @@ impl<'f> Importer<'f> {
         for index in rungs {
             let rung = &file.rungs[index];
             if let Some(comment) = only_comment(rung) {
-                self.comments(above.replace(said(comment)));
+                self.comments(above.replace(told(comment)));
                 self.reading
                     .report
                     .translated(LineColumn::line(rung.line), "COMMENT");
@@ -276,7 +276,7 @@ fn only_comment(rung: &Rung) -> Option<&str> {
 }
 
 /// A comment as ladder text has it: its lines, where they say the same, else as LDmicro's file has it.
-fn said(comment: &str) -> String {
+fn told(comment: &str) -> String {
     let lines: Vec<&str> = comment.split("\\r\\n").collect();
     let is_plain = |line: &&str| {
         !line.is_empty() && line.trim() == *line && !line.contains('\\') && comment_text(line) == *line

@@ -194,7 +194,7 @@ fn one_by_one() {
     "#]].assert_eq(&out);
 }
 
-/// What is outside of a program becomes an unread part: what it writes is said, the program has no errors, and the element
+/// What is outside of a program becomes an unread part: what it writes is reported, the program has no errors, and the element
 /// comes back.
 #[test]
 fn what_is_outside_of_a_program_is_unread() {
@@ -299,7 +299,7 @@ fn what_is_outside_of_a_program_is_unread() {
     "#]].assert_eq(&out);
 }
 
-/// What a hand puts into the fields of such a block is no line of its own.
+/// What a hand puts into the fields of such a block is not a line of its own.
 #[test]
 fn fields_are_one_line() {
     let text = program(&["DELAY d"]);

@@ -280,7 +280,7 @@ impl<'t> Reader<'t> {
             at,
             name,
             is_string: attributes.text("FamilyType") == "StringFamily",
-            comment: attributes.said(),
+            comment: attributes.told(),
             ..DataType::default()
         };
         self.block("END_DATATYPE", |reader, _| {
@@ -294,7 +294,7 @@ impl<'t> Reader<'t> {
                 ty: kind.to_owned(),
                 dimensions,
                 hidden: attributes.text("Hidden") == "1",
-                comment: attributes.said(),
+                comment: attributes.told(),
                 bit: None,
             };
             if kind == "BIT" {
@@ -325,7 +325,7 @@ impl<'t> Reader<'t> {
         let mut aoi = Aoi {
             at,
             name,
-            comment: attributes.said(),
+            comment: attributes.told(),
             ..Aoi::default()
         };
         self.block("END_ADD_ON_INSTRUCTION_DEFINITION", |reader, word| {
@@ -353,7 +353,7 @@ impl<'t> Reader<'t> {
             name,
             inhibited: attributes.text("DISABLED").eq_ignore_ascii_case("Yes"),
             main: (!main.is_empty()).then_some(main),
-            comment: attributes.said(),
+            comment: attributes.told(),
             ..Program::default()
         };
         self.block("END_PROGRAM", |reader, word| {
@@ -399,7 +399,7 @@ impl<'t> Reader<'t> {
             at,
             name,
             foreign: Some(Foreign { language, text }),
-            comment: attributes.said(),
+            comment: attributes.told(),
             ..Routine::default()
         });
         Ok(true)
@@ -410,7 +410,7 @@ impl<'t> Reader<'t> {
         let mut routine = Routine {
             at,
             name,
-            comment: attributes.said(),
+            comment: attributes.told(),
             ..Routine::default()
         };
         let mut comment = None;

@@ -17,8 +17,8 @@ impl<'t> Attributes<'t> {
         found.map(|(_, value)| unquoted(value)).unwrap_or_default()
     }
 
-    pub(super) fn said(&self) -> Option<String> {
-        Some(self.text("Description")).filter(|said| !said.is_empty())
+    pub(super) fn told(&self) -> Option<String> {
+        Some(self.text("Description")).filter(|told| !told.is_empty())
     }
 }
 
@@ -101,7 +101,7 @@ pub(super) fn tag(at: usize, text: &str) -> Tag {
         usage,
         required: attributes.text("Required").eq_ignore_ascii_case("Yes"),
         constant: matches!(attributes.text("Constant").as_str(), "1" | "Yes"),
-        comment: attributes.said(),
+        comment: attributes.told(),
         ..Tag::default()
     };
     let mut words = head.split_whitespace();

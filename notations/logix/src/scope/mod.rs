@@ -247,7 +247,7 @@ impl Tags {
             let comment = symbol
                 .comment
                 .take()
-                .map_or_else(String::new, |said| format!(": {said}"));
+                .map_or_else(String::new, |told| format!(": {told}"));
             symbol.comment = Some(format!("{}{comment}", symbol.original));
         }
         self.types.keep(&symbol.ty);

@@ -21,7 +21,7 @@ struct Stretch {
 }
 
 impl Translator<'_> {
-    /// An array, or an element of one with a constant index, in one dimension. None: it is no array.
+    /// An array, or an element of one with a constant index, in one dimension. None: it is not an array.
     fn stretch(&mut self, text: &str) -> Result<Option<Stretch>> {
         let Expr::Path(mut path) = operand(self.project.family, text)? else {
             return Err(format!("`{text}` is no array"));

@@ -10,10 +10,10 @@ use ladder_syntax::Name;
 use std::collections::HashMap;
 
 impl Writer<'_> {
-    /// Keeps what is said above a definition.
+    /// Keeps what is reported above a definition.
     pub(super) fn described(&mut self, body: usize, waiting: &mut Vec<String>) {
-        let said = std::mem::take(waiting).join("\n");
-        self.data.body_comments.insert(body, said);
+        let told = std::mem::take(waiting).join("\n");
+        self.data.body_comments.insert(body, told);
     }
 
     /// A name that a definition sees.
@@ -45,7 +45,7 @@ impl Writer<'_> {
         &mut self,
         bodies: &mut HashMap<usize, Vec<Rung>>,
         locals: &mut HashMap<usize, Scope>,
-        said: &Comments,
+        told: &Comments,
     ) -> Vec<Aoi> {
         let mut users: Vec<usize> = self.facts.body_of.keys().copied().collect();
         users.sort_by_key(|user| self.facts.body_of[user]);
@@ -58,7 +58,7 @@ impl Writer<'_> {
             let rungs = bodies.remove(&body).unwrap_or_default();
             let local = locals.remove(&body).unwrap_or_default();
             let first = self.first_scan_rung(&local.first_scan);
-            let aoi = self.definition(user, body, name, rungs, first, local.made, said);
+            let aoi = self.definition(user, body, name, rungs, first, local.made, told);
             out.push(aoi);
         }
         out
@@ -73,7 +73,7 @@ impl Writer<'_> {
         rungs: Vec<Rung>,
         first: Option<Rung>,
         made: Vec<Tag>,
-        said: &Comments,
+        told: &Comments,
     ) -> Aoi {
         let block = self.input.program.blocks[user].name.clone();
         let analysis = self.input.analysis;
@@ -84,7 +84,7 @@ impl Writer<'_> {
             .find(|scope| scope.block == Some(body));
         self.scope.body = Some(body);
         let tags = scope
-            .map(|scope| self.tags(scope, &block, said))
+            .map(|scope| self.tags(scope, &block, told))
             .unwrap_or_default();
         self.scope.body = None;
         let program = self.input.program;
@@ -120,15 +120,15 @@ impl Writer<'_> {
             .data
             .body_comments
             .get(&body)
-            .filter(|said| !said.is_empty())
+            .filter(|told| !told.is_empty())
             .cloned();
-        let comment = comment.map(|said| match said.strip_prefix("Add-On Instruction ") {
+        let comment = comment.map(|told| match told.strip_prefix("Add-On Instruction ") {
             Some(rest) => rest
                 .split_once('\n')
-                .map_or("", |(_, said)| said)
+                .map_or("", |(_, told)| told)
                 .trim()
                 .to_owned(),
-            None => said,
+            None => told,
         });
         let mut routines = routines(rungs, first);
         for routine in &mut routines {
@@ -140,7 +140,7 @@ impl Writer<'_> {
             parameters,
             locals,
             routines,
-            comment: comment.filter(|said| !said.is_empty()),
+            comment: comment.filter(|told| !told.is_empty()),
             ..Aoi::default()
         }
     }

@@ -26,7 +26,7 @@ const MOST_ELEMENTS: i64 = 1_000_000;
 /// What the comments at declarations say, by the block and the tag.
 pub(super) type Comments = HashMap<(String, Name), String>;
 
-/// What Logix calls an elementary type that is no text; none if it has none.
+/// What Logix calls an elementary type that is not a text; none if it has none.
 pub(super) fn name_of(scalar: Scalar) -> Option<&'static str> {
     Some(match scalar {
         Scalar::Byte => "USINT",
@@ -89,8 +89,8 @@ impl Writer<'_> {
     /// What the comments at declarations say.
     pub(super) fn comments(&self) -> Comments {
         let entries = cross_reference(&self.input.analysis.context);
-        let said = entries.into_iter().filter(|entry| !entry.comment.is_empty());
-        said.map(|entry| {
+        let told = entries.into_iter().filter(|entry| !entry.comment.is_empty());
+        told.map(|entry| {
             let block = entry.block.unwrap_or_default().to_ascii_uppercase();
             ((block, Name::new(&entry.name)), entry.comment)
         })
@@ -98,7 +98,7 @@ impl Writer<'_> {
     }
 
     /// The tags of a scope, each with whether it is the controller's.
-    pub(super) fn tags(&mut self, scope: &Scope, block: &str, said: &Comments) -> Vec<(bool, Tag)> {
+    pub(super) fn tags(&mut self, scope: &Scope, block: &str, told: &Comments) -> Vec<(bool, Tag)> {
         let mut out = Vec::new();
         for facts in &scope.tags {
             let is_shared = facts.is_alias() || matches!(facts.origin, Origin::Implicit | Origin::Shared);
@@ -108,7 +108,7 @@ impl Writer<'_> {
             match self.tag(facts, block) {
                 Ok(mut tag) => {
                     let key = (block.to_ascii_uppercase(), Name::new(&facts.name));
-                    tag.comment = said.get(&key).cloned();
+                    tag.comment = told.get(&key).cloned();
                     let is_global = matches!(
                         facts.origin,
                         Origin::Declared(SectionKind::Global | SectionKind::External)
@@ -261,7 +261,7 @@ impl Writer<'_> {
         if self.data.types.iter().any(|ty| ty.name == name) {
             return Ok(name);
         }
-        let (comment, said) = self.structure_comments(&structure.name, &name);
+        let (comment, told) = self.structure_comments(&structure.name, &name);
         let mut members: Vec<Member> = Vec::new();
         let mut bits = 0;
         for (number, own) in structure.members.iter().enumerate() {
@@ -270,7 +270,7 @@ impl Writer<'_> {
                 name: self.names.spell(Kind::Tag, &own.name),
                 ty: there.name,
                 dimensions: there.dimensions,
-                comment: said.get(&own.key).cloned(),
+                comment: told.get(&own.key).cloned(),
                 ..Member::default()
             };
             if member.dimensions.len() > 1 {
@@ -341,15 +341,15 @@ impl Writer<'_> {
         }
         let inside = (header + 1..lines.len()).take_while(|line| lines[*line].kind != LineKind::StructEnd);
         for line in inside.filter(|line| lines[*line].kind == LineKind::Declaration) {
-            let said = said_on(line);
+            let told = said_on(line);
             let tree = lines[line].tree();
             let names = ladder_syntax::ast::Declaration::cast(NodeView::root(&tree));
             for name in names
                 .iter()
                 .flat_map(ladder_syntax::ast::Declaration::names)
-                .filter(|_| !said.is_empty())
+                .filter(|_| !told.is_empty())
             {
-                members.insert(Name::new(name.text()), said.clone());
+                members.insert(Name::new(name.text()), told.clone());
             }
         }
         ((!above.is_empty()).then(|| above.join("\n")), members)
@@ -458,7 +458,7 @@ impl Writer<'_> {
             let value = if !inside {
                 None
             } else if element.scalar().is_some() {
-                // What is no timer or counter is nowhere looked for.
+                // What is not a timer or counter is nowhere looked for.
                 self.raw(element, at, values)?
             } else {
                 self.raw(element, &at.element(&indices), values)?

@@ -152,8 +152,8 @@ impl Writer<'_> {
             .rev()
             .take_while(|line| matches!(lines[*line].kind, LineKind::Comment));
         let names = above.filter_map(|line| {
-            let said = lines[line].text().trim().strip_prefix("# Add-On Instruction ")?;
-            Some(said.trim_end_matches('#').trim().to_owned())
+            let told = lines[line].text().trim().strip_prefix("# Add-On Instruction ")?;
+            Some(told.trim_end_matches('#').trim().to_owned())
         });
         let letters = |name: &str| {
             let kept = name.chars().filter(char::is_ascii_alphanumeric);

@@ -6,7 +6,7 @@ use ladder_analysis::program::Network;
 use ladder_format::Circuit;
 use ladder_notation::circuit::series_parallel;
 
-/// What stands around a part of a network.
+/// What is around a part of a network.
 #[derive(Clone, Copy)]
 struct Around {
     /// It is a rung of its own, which may end here.

@@ -46,19 +46,19 @@ impl Writer<'_> {
         for item in &parse.structure().items {
             match *item {
                 Item::Decoration(line) => {
-                    let said = comments_on(&parse, line);
-                    // A blank line within what is said.
-                    if said.is_empty() && !waiting.is_empty() {
+                    let told = comments_on(&parse, line);
+                    // A blank line within what is reported.
+                    if told.is_empty() && !waiting.is_empty() {
                         waiting.push(String::new());
                     }
                     if !has_begun
-                        && let [only] = &said[..]
+                        && let [only] = &told[..]
                         && let Some(name) = controller(only)
                     {
                         name.clone_into(&mut project.name);
                         continue;
                     }
-                    waiting.extend(said);
+                    waiting.extend(told);
                 }
                 Item::Section(_) if !has_begun => said_of_all.append(&mut waiting),
                 Item::BlockHeader(number) => {
@@ -87,7 +87,7 @@ impl Writer<'_> {
                         waiting.extend(
                             comments_on(&parse, line)
                                 .into_iter()
-                                .filter(|said| said.trim() != "NOP"),
+                                .filter(|told| told.trim() != "NOP"),
                         );
                     }
                     if within.is_none()
@@ -153,12 +153,12 @@ impl Writer<'_> {
             let stem = stem.split('.').next().unwrap_or_default();
             project.name = Names::default().spell(Kind::Tag, stem);
         }
-        let said = self.comments();
+        let told = self.comments();
         let scopes = &self.input.analysis.context.scopes;
-        project.aois = self.definitions(&mut bodies, &mut locals, &said);
+        project.aois = self.definitions(&mut bodies, &mut locals, &told);
         let mut tags = Vec::new();
         if let Some(scope) = scopes.iter().find(|scope| scope.block.is_none()) {
-            for (is_global, tag) in self.tags(scope, "", &said) {
+            for (is_global, tag) in self.tags(scope, "", &told) {
                 if is_global {
                     project.tags.push(tag);
                 } else {
@@ -227,22 +227,22 @@ impl Writer<'_> {
         if !self.input.is_own {
             return;
         }
-        let said = self.comments();
+        let told = self.comments();
         for (number, tag) in self.input.program.tags.iter().enumerate() {
             let block = tag
                 .block
                 .map(|block| self.input.program.blocks[block].name.to_ascii_uppercase());
             let key = (block.unwrap_or_default(), Name::new(&tag.name));
-            if said
+            if told
                 .get(&key)
-                .is_some_and(|said| said.ends_with("ends the loop that calls it"))
+                .is_some_and(|told| told.ends_with("ends the loop that calls it"))
             {
                 self.facts
                     .leaves
                     .insert(ladder_analysis::program::TagId(number as u32));
                 self.facts.absorbed_names.insert(Name::new(&tag.name));
             }
-            let is_helper = said.get(&key).is_some_and(|said| said.starts_with("helper: "));
+            let is_helper = told.get(&key).is_some_and(|told| told.starts_with("helper: "));
             if is_helper && count.get(&(number as u32)) == Some(&2) {
                 self.facts
                     .helpers
@@ -256,7 +256,7 @@ impl Writer<'_> {
         self.report.translated(place, "network");
     }
 
-    /// A network as rungs, with what is said of it on the first.
+    /// A network as rungs, with what is reported of it on the first.
     fn rungs_of(&mut self, network: &Network, mut comment: Option<String>) -> Vec<Rung> {
         let place = self.at(network.location.range.start().into());
         self.sheet.note = None;
@@ -290,10 +290,10 @@ impl Writer<'_> {
                 self.scope.first_scan.truncate(made.1);
                 self.report.refused(place, "network", &why);
                 let drawing = self.source(network.location.range);
-                let said = comment.map_or_else(String::new, |said| format!("{said}\n"));
+                let told = comment.map_or_else(String::new, |told| format!("{told}\n"));
                 vec![Rung {
                     text: text(&[it("NOP", &[])]),
-                    comment: Some(format!("{said}not written: {why}\n{drawing}")),
+                    comment: Some(format!("{told}not written: {why}\n{drawing}")),
                     ..Rung::default()
                 }]
             }
@@ -371,24 +371,24 @@ fn function(network: &Network) -> Option<ladder_syntax::TextRange> {
 /// The comments on a line, without those for the tools.
 fn comments_on(parse: &ladder_syntax::Parse, line: usize) -> Vec<String> {
     let all = comments::on_line(parse, line).into_iter();
-    all.filter(|said| !said.trim_start().starts_with("ladder:"))
-        .map(|said| {
-            let lines: Vec<&str> = said.lines().map(str::trim).collect();
+    all.filter(|told| !told.trim_start().starts_with("ladder:"))
+        .map(|told| {
+            let lines: Vec<&str> = told.lines().map(str::trim).collect();
             lines.join("\n").trim().to_owned()
         })
         .collect()
 }
 
 /// The name of a controller, as the reader says it.
-fn controller(said: &str) -> Option<&str> {
-    let name = said.strip_prefix("Controller ")?;
+fn controller(told: &str) -> Option<&str> {
+    let name = told.strip_prefix("Controller ")?;
     (!name.contains(char::is_whitespace)).then_some(name)
 }
 
 /// What waits as one comment.
 fn comment(waiting: &mut Vec<String>) -> Option<String> {
-    let said = std::mem::take(waiting).join("\n").trim().to_owned();
-    (!said.is_empty()).then_some(said)
+    let told = std::mem::take(waiting).join("\n").trim().to_owned();
+    (!told.is_empty()).then_some(told)
 }
 
 /// A period in milliseconds.

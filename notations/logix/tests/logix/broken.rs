@@ -70,7 +70,7 @@ fn begun(texts: impl Iterator<Item = String>) -> HashMap<String, usize> {
     names
 }
 
-/// The pieces that leave no operand list open: what is inside of another's operands is no instruction.
+/// The pieces that leave no operand list open: what is inside of another's operands is not an instruction.
 fn closed() -> Vec<&'static str> {
     let is_closed = |piece: &&str| !matches!(*piece, "XIC(t" | "(" | "'");
     PIECES.into_iter().filter(is_closed).collect()

@@ -122,7 +122,7 @@ impl Declared<'_> {
         self.plain.len() - self.plain.trim_start_matches('\u{feff}').trim_start().len()
     }
 
-    /// The variables of all sections. What stands outside of them is an error, unless it is `known`.
+    /// The variables of all sections. What is outside of them is an error, unless it is `known`.
     fn variables(&self, report: &mut Report, mut known: impl FnMut(&str) -> bool) -> Vec<Variable> {
         let mut variables = Vec::new();
         let mut section: Option<(Role, Option<Qualifier>)> = None;
@@ -149,7 +149,7 @@ impl Declared<'_> {
         variables
     }
 
-    /// The variables that a statement declares, with what is said of them behind it.
+    /// The variables that a statement declares, with what is reported of them behind it.
     fn variable(
         &self,
         (offset, statement): (usize, &str),
@@ -161,32 +161,32 @@ impl Declared<'_> {
             report.refused(at, statement, "this is no declaration: `name : TYPE;` is one");
             return Vec::new();
         };
-        let said = self.comment_behind(offset + statement.len());
+        let told = self.comment_behind(offset + statement.len());
         for variable in &mut all {
-            variable.comment.clone_from(&said);
+            variable.comment.clone_from(&told);
         }
         all
     }
 
-    /// What is said on the rest of a line.
+    /// What is reported on the rest of a line.
     fn comment_behind(&self, end: usize) -> Option<String> {
         let rest = self.text[end..].lines().next()?;
         let rest = rest.trim_start().trim_start_matches(';').trim_start();
-        said(rest)
+        told(rest)
     }
 
-    /// What is said on the lines above.
+    /// What is reported on the lines above.
     fn comment_above(&self, at: usize) -> Option<String> {
         let lines: Vec<String> = self.text[..at]
             .lines()
-            .filter_map(|line| said(line.trim()))
+            .filter_map(|line| told(line.trim()))
             .collect();
         (!lines.is_empty()).then(|| lines.join("\n"))
     }
 }
 
 /// The words of a text that is a comment.
-fn said(text: &str) -> Option<String> {
+fn told(text: &str) -> Option<String> {
     let inside = match text.strip_prefix("(*") {
         Some(inside) => inside.split("*)").next()?,
         None => text.strip_prefix("//")?,

@@ -98,15 +98,15 @@ fn variable(out: &mut String, variable: &Variable) {
         out.push_str(&format!(" := {}", initial(value)));
     }
     out.push(';');
-    if let Some(said) = &variable.comment {
-        let words: Vec<&str> = said.split_whitespace().collect();
+    if let Some(told) = &variable.comment {
+        let words: Vec<&str> = told.split_whitespace().collect();
         out.push_str(&format!(" // {}", words.join(" ")));
     }
     out.push('\n');
 }
 
-fn said_above(out: &mut String, said: Option<&str>) {
-    for line in said.iter().flat_map(|said| said.lines()) {
+fn said_above(out: &mut String, told: Option<&str>) {
+    for line in told.iter().flat_map(|told| told.lines()) {
         out.push_str(&format!("// {line}\n"));
     }
 }

@@ -241,9 +241,9 @@ fn element(xml: &mut XmlText, graph: &Graph, number: usize, node: &Node, rails: 
             position(xml, "position", node.position);
             point_in(xml, graph, node, 0);
         }),
-        Kind::Comment(said) => around(xml, "comment", &attributes, |xml| {
+        Kind::Comment(told) => around(xml, "comment", &attributes, |xml| {
             position(xml, "position", node.position);
-            xml.around("content", &[], |xml| xml.words("xhtml:p", &[], said));
+            xml.around("content", &[], |xml| xml.words("xhtml:p", &[], told));
         }),
         // The writer makes none of them.
         Kind::RightRail | Kind::Joint | Kind::Other(_) => {}

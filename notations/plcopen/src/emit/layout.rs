@@ -1,4 +1,4 @@
-//! Where the elements of a drawing stand. What is done stands from top to bottom in its order: that is the order in which
+//! Where the elements of a drawing stand. What is done is from top to bottom in its order: that is the order in which
 //! generators take it.
 
 use crate::graph::{End, Graph, Kind, Node};
@@ -174,7 +174,7 @@ impl Layout<'_> {
             .collect()
     }
 
-    /// The line that an element stands on: that of what feeds it, where nothing else stands there yet; else a new one
+    /// The line that an element is on: that of what feeds it, where nothing else is there yet; else a new one
     /// below.
     fn line(&self, node: usize, (x, above): (f64, f64), first: Option<End>) -> f64 {
         let below = self.bottom.max(self.lines[self.rail.unwrap_or(0)] - GAP) + GAP;

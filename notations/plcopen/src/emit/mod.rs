@@ -49,7 +49,7 @@ pub(super) fn project(project: Project) -> String {
                     xml.around("dataType", &[("name", declared.name.as_str())], |xml| {
                         xml.around("baseType", &[], |xml| ty(xml, &declared.ty));
                         initial(xml, declared.initial.as_ref());
-                        said(xml, "documentation", declared.comment.as_deref());
+                        told(xml, "documentation", declared.comment.as_deref());
                     });
                 }
             });
@@ -115,7 +115,7 @@ fn unit(xml: &mut XmlText, unit: Unit) {
             Body::Text("ST", text) => xml.around("ST", &[], |xml| xml.words("xhtml:p", &[], &text)),
             _ => xml.empty("LD", &[]),
         });
-        said(xml, "documentation", unit.comment.as_deref());
+        told(xml, "documentation", unit.comment.as_deref());
     });
 }
 
@@ -139,14 +139,14 @@ fn lists(xml: &mut XmlText, variables: &[Variable], name: impl Fn(Role) -> &'sta
                 xml.around("variable", &attributes, |xml| {
                     xml.around("type", &[], |xml| ty(xml, &variable.ty));
                     initial(xml, variable.initial.as_ref());
-                    said(xml, "documentation", variable.comment.as_deref());
+                    told(xml, "documentation", variable.comment.as_deref());
                 });
             }
         });
     }
 }
 
-fn said(xml: &mut XmlText, name: &str, words: Option<&str>) {
+fn told(xml: &mut XmlText, name: &str, words: Option<&str>) {
     if let Some(words) = words {
         xml.around(name, &[], |xml| xml.words("xhtml:p", &[], words));
     }
@@ -180,7 +180,7 @@ fn ty(xml: &mut XmlText, of: &Type) {
                 xml.around("variable", &[("name", member.name.as_str())], |xml| {
                     xml.around("type", &[], |xml| ty(xml, &member.ty));
                     initial(xml, member.initial.as_ref());
-                    said(xml, "documentation", member.comment.as_deref());
+                    told(xml, "documentation", member.comment.as_deref());
                 });
             }
         }),

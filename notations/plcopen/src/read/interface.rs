@@ -123,8 +123,8 @@ impl<'x> Reader<'x, '_> {
 }
 
 pub(super) fn comment(node: Node<'_, '_>) -> Option<String> {
-    let said = node.child("documentation")?.words();
-    (!said.is_empty()).then_some(said)
+    let told = node.child("documentation")?.words();
+    (!told.is_empty()).then_some(told)
 }
 
 /// The initial value of a variable, a type or a member.

@@ -98,9 +98,9 @@ impl<'x> Reader<'x, '_> {
         let name = attribute(root.child("contentHeader"), "name").filter(is_telling);
         let product = product.filter(|product| is_telling(product) && Some(product) != name.as_ref());
         let from = product.map(|product| format!("from {product}"));
-        let said: Vec<String> = name.into_iter().chain(from).collect();
-        if !said.is_empty() {
-            self.project.comments.push(said.join(", "));
+        let told: Vec<String> = name.into_iter().chain(from).collect();
+        if !told.is_empty() {
+            self.project.comments.push(told.join(", "));
         }
         if let Some(comment) = root.child("contentHeader").and_then(|head| head.child("Comment")) {
             self.project.comments.push(comment.words());
@@ -168,7 +168,7 @@ impl<'x> Reader<'x, '_> {
                 variables.extend(self.variable_list(list, role, 0));
             }
         }
-        let said = node
+        let told = node
             .child("documentation")
             .or_else(|| interface?.child("documentation"));
         let mut parts = Vec::new();
@@ -213,7 +213,7 @@ impl<'x> Reader<'x, '_> {
             kind,
             returns,
             variables,
-            comment: said.map(|node| node.words()).filter(|said| !said.is_empty()),
+            comment: told.map(|node| node.words()).filter(|told| !told.is_empty()),
             body,
             parts,
         });

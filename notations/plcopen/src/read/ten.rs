@@ -19,8 +19,8 @@ const DEEPEST: usize = 16;
 
 /// What an element says that it is.
 fn kind<'a>(node: Node<'a, '_>) -> &'a str {
-    let said = node.attribute((INSTANCE, "type")).unwrap_or_default();
-    said.rsplit(':').next().unwrap_or_default()
+    let told = node.attribute((INSTANCE, "type")).unwrap_or_default();
+    told.rsplit(':').next().unwrap_or_default()
 }
 
 fn text(node: Node<'_, '_>, attribute: &str) -> String {

@@ -133,7 +133,7 @@ impl<'b> Body<'b> {
         match &drawn.kind {
             Kind::LeftRail | Kind::RightRail => {}
             Kind::Comment(text) if text.is_empty() => {}
-            // What is said after something was begun is about what comes next.
+            // What is reported after something was begun is about what comes next.
             Kind::Comment(text) if !self.next.group.is_empty() => self.next.further.push(text.clone()),
             Kind::Comment(text) => self.next.comments.push(text.clone()),
             Kind::Label(name) => {
@@ -209,7 +209,7 @@ impl<'b> Body<'b> {
         self.next.group.push(node);
     }
 
-    /// Whether what feeds an element belongs into the network so far: something of it stands there, and reads nothing
+    /// Whether what feeds an element belongs into the network so far: something of it is there, and reads nothing
     /// that is written in it before. Else all of it is read again.
     fn goes_on(&self, node: usize, own: &HashSet<usize>) -> bool {
         let mut both = own.intersection(&self.next.shown).peekable();
@@ -452,7 +452,7 @@ impl<'b> Body<'b> {
         matches!(self.state.outcomes[node], Some(Outcome::Refused(_)))
     }
 
-    /// An element that stands in no network.
+    /// An element that is in no network.
     pub(super) fn lose(&mut self, node: usize, why: &str) {
         self.refuse(node, why);
         self.next.comments.push(format!(
@@ -473,7 +473,7 @@ impl<'b> Body<'b> {
         blocks::class(self, node)
     }
 
-    /// What stands nowhere is not left out in silence.
+    /// What is nowhere is not left out in silence.
     fn lost(&mut self) {
         for node in 0..self.graph.nodes.len() {
             let is_told =

@@ -373,15 +373,15 @@ impl Sections {
         };
         let mut declaration = Declaration::new(known.path.root.clone(), ty);
         let mut comment = variable.comment.clone();
-        let mut note = |reading: &mut Reading, said: String, why: &str| {
+        let mut note = |reading: &mut Reading, told: String, why: &str| {
             reading
                 .report
-                .approximated(variable.place, format!("{shown} {said}"), why);
+                .approximated(variable.place, format!("{shown} {told}"), why);
             let before = comment
                 .take()
                 .map(|comment| format!("{comment}; "))
                 .unwrap_or_default();
-            comment = Some(format!("{before}{said} in the project"));
+            comment = Some(format!("{before}{told} in the project"));
         };
         if let Some(address) = &variable.address {
             declaration.address = address_of(address).filter(|_| kind != SectionKind::VarInOut);

@@ -59,7 +59,7 @@ pub(super) fn contact_on(tag: impl Into<Expression>, is_negated: bool) -> Block 
 
 /// A network that was drawn.
 pub(super) struct Drawn {
-    /// None: nothing stands in it.
+    /// None: nothing is in it.
     pub(super) circuit: Option<Circuit<Element>>,
     /// The blocks in it.
     pub(super) executed: Vec<usize>,

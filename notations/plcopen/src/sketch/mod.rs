@@ -58,7 +58,7 @@ pub fn reading(project: Project) -> Reading {
         let place = (place, run.when);
         let inside = unit_items(&shared, project, run.unit, own, place, &mut unread, &mut reading);
         if !told_of.insert(std::ptr::from_ref(run.unit)) {
-            // What there is to say of another instance was said of the first.
+            // What there is to say of another instance was reported of the first.
             reading.report.entries.truncate(told.0);
             reading.findings.truncate(told.1);
         }
@@ -289,7 +289,7 @@ fn files(
         project
             .comments
             .first()
-            .map_or("A project", |said| said.trim())
+            .map_or("A project", |told| told.trim())
             .replace(char::is_control, " ")
     );
     if let Some(interval) = interval {

@@ -414,7 +414,7 @@ impl Body<'_> {
         Ok(Typed::of(tag, Some(ty)))
     }
 
-    /// The tag that holds what leaves an output of a block that stands above.
+    /// The tag that holds what leaves an output of a block that is above.
     pub(super) fn reference(&self, end: End) -> Result<Path, String> {
         let node = &self.graph.nodes[end.node];
         let output = node

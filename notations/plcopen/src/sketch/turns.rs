@@ -1,6 +1,6 @@
 //! Whose turn it is. A generator runs the blocks and the edge detectors that feed an element one after the other, each before
 //! what it feeds, and reads contacts only then; in a network they run where they stand. Where that is not the same, because
-//! something reads by name what a block in the same network writes, each stands in a network of its own, in their order.
+//! something reads by name what a block in the same network writes, each is in a network of its own, in their order.
 
 use super::blocks::{Class, power_output, power_pins};
 use super::body::Body;
@@ -322,7 +322,7 @@ impl Body<'_> {
         seen
     }
 
-    /// Whether power that leaves an output comes to something that stands in no network yet, and not in this one.
+    /// Whether power that leaves an output comes to something that is in no network yet, and not in this one.
     pub(super) fn goes_on_from(&self, end: End, here: &HashSet<usize>) -> bool {
         let mut met = HashSet::new();
         let mut waiting: Vec<usize> = self.facts.uses.get(&end).cloned().unwrap_or_default();

@@ -27,7 +27,7 @@ pub(super) struct Inside {
     pub(super) items: Vec<Item>,
     /// With the names that its networks took.
     pub(super) scope: Scope,
-    /// What is said of it, where nothing of its body is read.
+    /// What is reported of it, where nothing of its body is read.
     pub(super) about: Option<String>,
 }
 
@@ -135,7 +135,7 @@ fn whole(
     let (language, text) = match &unit.body {
         Body::Text(language, text) => (*language, text.clone()),
         Body::Chart(shown) => {
-            let lines: Vec<&str> = shown.iter().map(|(_, said)| said.as_str()).collect();
+            let lines: Vec<&str> = shown.iter().map(|(_, told)| told.as_str()).collect();
             ("SFC", lines.join("\n"))
         }
         body if bodies.any(may_leave) => ("LD", text_of(shared, body, scope, reading)),
@@ -216,7 +216,7 @@ fn text_of(shared: &Shared<'_>, body: &Body, scope: &Scope, reading: &mut Readin
         Body::Empty => String::new(),
         Body::Text(_, text) | Body::Ladder(text) => text.clone(),
         Body::Chart(shown) => {
-            let lines: Vec<&str> = shown.iter().map(|(_, said)| said.as_str()).collect();
+            let lines: Vec<&str> = shown.iter().map(|(_, told)| told.as_str()).collect();
             lines.join("\n")
         }
         Body::Graph(graph) => {
@@ -234,7 +234,7 @@ fn text_of(shared: &Shared<'_>, body: &Body, scope: &Scope, reading: &mut Readin
     }
 }
 
-/// A further body, or an action, which is a function that nothing calls, and in a block stands after its end.
+/// A further body, or an action, which is a function that nothing calls, and in a block is after its end.
 fn part_items(
     shared: &Shared<'_>,
     (unit, part): (&Unit, &Part),

@@ -190,9 +190,9 @@ pub(super) fn type_in(source: &Source<'_>, spec: &TypeSpec) -> Result<Type, Stri
         SpecKind::Enumeration(values) => {
             let mut next = 0;
             let values = values.iter().map(|(name, _, number)| {
-                let said = (*number != next).then(|| number.to_string());
+                let told = (*number != next).then(|| number.to_string());
                 next = number + 1;
-                (identifier(name), said)
+                (identifier(name), told)
             });
             Type::Enumeration(values.collect())
         }
@@ -205,7 +205,7 @@ pub(super) fn type_in(source: &Source<'_>, spec: &TypeSpec) -> Result<Type, Stri
                     type_in(source, &declared.spec)?,
                 );
                 variable.initial = declared_initial(source, declared)?.or_else(|| lowest(&declared.spec));
-                variable.comment = said(source.context, member.at.start());
+                variable.comment = told(source.context, member.at.start());
                 Ok(variable)
             });
             Type::Structure(members.collect::<Result<_, String>>()?)
@@ -227,10 +227,10 @@ pub(super) fn place(context: &Context, offset: ladder_syntax::TextSize) -> LineC
 }
 
 /// What the comments on a line say of what is declared on it.
-pub(super) fn said(context: &Context, offset: ladder_syntax::TextSize) -> Option<String> {
+pub(super) fn told(context: &Context, offset: ladder_syntax::TextSize) -> Option<String> {
     let line = context.parse.line_at(offset)?;
     let all = comments::on_line(&context.parse, line);
-    let words: Vec<&str> = all.iter().flat_map(|comment| comments::said(comment)).collect();
+    let words: Vec<&str> = all.iter().flat_map(|comment| comments::told(comment)).collect();
     (!words.is_empty()).then(|| words.join(" "))
 }
 
@@ -371,7 +371,7 @@ pub(super) fn in_members(ty: &mut Type, initial: Initial) -> Result<Option<Initi
         for member in members.iter_mut().filter(|member| member.name == *name) {
             if matches!(member.initial, Some(Initial::Structure(_))) {
                 return Err(
-                    "what it begins with is said of its members there: say it there here, too".to_owned(),
+                    "what it begins with is told of its members there: say it there here, too".to_owned(),
                 );
             }
             member.initial = Some(value.clone());
@@ -415,7 +415,7 @@ pub(super) fn variable(
         has_no_name(initial, ty)?;
     }
     if tag.is_declared() {
-        variable.comment = said(source.context, at);
+        variable.comment = told(source.context, at);
     }
     Ok(variable)
 }

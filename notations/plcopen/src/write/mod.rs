@@ -196,7 +196,7 @@ fn system_tags(own: &Unit<'_>, shared: &mut Shared<'_>) -> Vec<(SystemTag, Strin
     globals.collect()
 }
 
-/// A file in which every block of its own is used: what nothing uses is not in a program. What is added stands at the end of the
+/// A file in which every block of its own is used: what nothing uses is not in a program. What is added is at the end of the
 /// text. None: nothing had to be.
 fn with_all_blocks(analysis: &Analysis, program: &Program, text: &str) -> Option<Analysis> {
     let context = &analysis.context;
@@ -259,7 +259,7 @@ fn types(own: &Unit<'_>, shared: &Shared<'_>, report: &mut Report) -> Vec<TypeDe
                 name: identifier(&ty.declaration.name),
                 ty: made,
                 initial,
-                comment: declare::said(context, ty.declaration.at.start()),
+                comment: declare::told(context, ty.declaration.at.start()),
             }),
             Err(why) => report.refused(at, format!("type {}", ty.declaration.name), why),
         }

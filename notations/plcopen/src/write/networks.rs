@@ -92,7 +92,7 @@ impl Networks<'_, '_> {
         let mut networks = context.networks.iter();
         let first = networks.find(|network| context.bodies[network.index] == OwnBody::Block(block));
         let Some(first) = first else { return false };
-        let said: Vec<String> = first
+        let told: Vec<String> = first
             .blocks()
             .map(|block| {
                 self.unit.text[block.range()]
@@ -100,10 +100,10 @@ impl Networks<'_, '_> {
                     .to_ascii_uppercase()
             })
             .collect();
-        said == ["[](EN)", "()(ENO)"]
+        told == ["[](EN)", "()(ENO)"]
     }
 
-    /// All networks; comes back what is said of the unit as a whole.
+    /// All networks; comes back what is reported of the unit as a whole.
     pub(super) fn draw(&mut self, block: Option<usize>) -> Option<String> {
         let context = self.unit.context();
         let parse = &context.parse;
@@ -150,9 +150,9 @@ impl Networks<'_, '_> {
                 Item::Stray(_) => continue,
             };
             for comment in lines.flat_map(|line| comments::on_line(parse, line)) {
-                let said: Vec<&str> = comments::said(&comment).collect();
-                if !said.is_empty() {
-                    above.push(said.join("\n"));
+                let told: Vec<&str> = comments::told(&comment).collect();
+                if !told.is_empty() {
+                    above.push(told.join("\n"));
                 }
             }
             let Item::Network(number) = *item else { continue };
@@ -175,16 +175,16 @@ impl Networks<'_, '_> {
     }
 
     fn leave_comments(&mut self, above: &mut Vec<String>) {
-        for said in above.drain(..) {
-            self.comment(said);
+        for told in above.drain(..) {
+            self.comment(told);
         }
     }
 
-    fn comment(&mut self, said: String) {
+    fn comment(&mut self, told: String) {
         let at = self.unit.place(TextSize::default());
         self.graph
             .nodes
-            .push(Node::new(at, Kind::Comment(said), Vec::new()));
+            .push(Node::new(at, Kind::Comment(told), Vec::new()));
     }
 
     fn network(&mut self, facts: NetworkAt<'_>, network: Option<&Network>, under: &mut Under) {

@@ -121,13 +121,13 @@ impl<'u> Unit<'u> {
         facts.unread.as_ref()?;
         let lines = context.parse.frame().blocks.get(block)?.lines.clone();
         let text_on = |line: usize| context.parse.lines()[line].text();
-        let said = text_on(lines.start.checked_sub(1)?);
+        let told = text_on(lines.start.checked_sub(1)?);
         let definition: String = lines.map(text_on).collect();
         let is_renamed = definition.contains(" in the project");
         let is_result = |tag: &TagFacts| facts.name[1..].eq_ignore_ascii_case(&tag.name);
         let is_other = |tag: &TagFacts| is_result(tag) || !tag.name.is_ascii();
         let is_whole = !is_renamed && !self.tags(block + 1).any(is_other);
-        foreign_text_of(&definition).filter(|_| is_whole && said.contains("(ST) is not read"))
+        foreign_text_of(&definition).filter(|_| is_whole && told.contains("(ST) is not read"))
     }
 
     /// Names for the tags of a scope: 0 the file's, else that of block definition `scope - 1`.
@@ -295,7 +295,7 @@ impl<'u> Unit<'u> {
         }
     }
 
-    /// The networks of a unit, and what is said of it as a whole. What they need is added to its variables.
+    /// The networks of a unit, and what is reported of it as a whole. What they need is added to its variables.
     fn networks(
         &self,
         (project, block): (&Project<'_>, Option<usize>),

@@ -255,7 +255,7 @@ fn holds(text: &str) {
     let errors = ladder_syntax::parse(written).errors();
     assert!(errors.is_empty(), "{errors:?}\n{written}\nof\n{text}");
     assert_eq!(format_text(written, &options), *written);
-    // Every element of a body is told, and what is said to be the same stands in the text.
+    // Every element of a body is told, and what is said to be the same is in the text.
     let told: HashSet<_> = converted.report.entries.iter().map(|entry| entry.place).collect();
     let drawn: HashSet<_> = converted
         .written

@@ -78,7 +78,7 @@ fn declaration(
     cursor.expect(";")?;
     let comment = comment_after(cursor)
         .map(str::to_owned)
-        .or_else(|| texts.said(&pragma, ["S7_MLC"]).into_iter().next());
+        .or_else(|| texts.told(&pragma, ["S7_MLC"]).into_iter().next());
     out.extend(names.into_iter().map(|name| Variable {
         place,
         name,
@@ -94,11 +94,11 @@ fn declaration(
 /// A comment on what is left of a line.
 fn comment_after<'t>(cursor: &Cursor<'t>) -> Option<&'t str> {
     let line = cursor.rest().lines().next()?;
-    let said = line.trim().strip_prefix("//")?.trim();
-    (!said.is_empty()).then_some(said)
+    let told = line.trim().strip_prefix("//")?.trim();
+    (!told.is_empty()).then_some(told)
 }
 
-/// A type. `texts`: what is said of the members of a structure.
+/// A type. `texts`: what is reported of the members of a structure.
 pub(crate) fn type_of(cursor: &mut Cursor<'_>, texts: &Texts, depth: usize) -> Result<Type> {
     if depth > DEEPEST {
         return cursor.error(format!("types nest deeper than {DEEPEST}"));

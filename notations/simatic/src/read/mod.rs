@@ -26,7 +26,7 @@ pub(crate) fn recognises(head: &str) -> bool {
 ///
 /// # Errors
 ///
-/// If it is no block, or its frame is broken. A network that is broken stays as a text.
+/// If it is not a block, or its frame is broken. A network that is broken stays as a text.
 pub(crate) fn unit(text: &str, texts: &Texts) -> Result<Unit> {
     let lines = Lines::of(text);
     let mut cursor = Cursor::new(text, &lines);
@@ -43,7 +43,7 @@ pub(crate) fn unit(text: &str, texts: &Texts) -> Result<Unit> {
         place,
         kind,
         name: cursor.name()?,
-        said: texts.said(&pragma, ["S7_BlockTitle", "S7_BlockComment"]),
+        told: texts.told(&pragma, ["S7_BlockTitle", "S7_BlockComment"]),
         ..Unit::default()
     };
     if kind == Kind::Function && cursor.eat(":") {

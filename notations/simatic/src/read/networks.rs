@@ -17,7 +17,7 @@ pub(super) fn network(cursor: &mut Cursor<'_>, pragma: &Pragma, texts: &Texts) -
     cursor.at = end + "END_NETWORK".len();
     let mut network = Network {
         place,
-        said: texts.said(pragma, ["S7_NetworkTitle", "S7_NetworkComment"]),
+        told: texts.told(pragma, ["S7_NetworkTitle", "S7_NetworkComment"]),
         ..Network::default()
     };
     network.text = unindented(inside.rest());

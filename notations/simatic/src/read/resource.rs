@@ -36,20 +36,20 @@ impl Texts {
         Texts(texts)
     }
 
-    /// What is said by a pragma under these names; text in the place of an id is taken as it is.
-    pub(super) fn said<const N: usize>(&self, pragma: &Pragma, names: [&str; N]) -> Vec<String> {
-        let mut said: Vec<String> = Vec::new();
+    /// What is reported by a pragma under these names; text in the place of an id is taken as it is.
+    pub(super) fn told<const N: usize>(&self, pragma: &Pragma, names: [&str; N]) -> Vec<String> {
+        let mut told: Vec<String> = Vec::new();
         for value in names.iter().filter_map(|name| pragma.get(name)) {
             let text = match self.0.get(value) {
                 Some(text) => text.as_str(),
                 None if value.starts_with(ID) => continue,
                 None => value,
             };
-            if !text.trim().is_empty() && !said.iter().any(|other| other == text) {
-                said.push(text.to_owned());
+            if !text.trim().is_empty() && !told.iter().any(|other| other == text) {
+                told.push(text.to_owned());
             }
         }
-        said
+        told
     }
 }
 

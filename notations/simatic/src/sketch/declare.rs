@@ -243,7 +243,7 @@ impl Sketcher<'_> {
                 text.push_str(&format!(" := {initial}"));
             }
             let comment = with_first_name(&variable.name, &name, variable.comment.as_deref());
-            let comment = comment.map(|said| format!("  {}", comment_on_line(&said)));
+            let comment = comment.map(|told| format!("  {}", comment_on_line(&told)));
             text.push_str(&format!(";{}\n", comment.unwrap_or_default()));
         }
         let mut declaration = Declaration::new(spelled.clone(), text + "END_STRUCT");

@@ -121,14 +121,14 @@ impl Sketcher<'_> {
                 continue;
             }
             if let Some(Ok(unit)) = library.get(&name.to_lowercase()) {
-                // What there is to say of it is said where it is read itself.
+                // What there is to say of it is reported where it is read itself.
                 let before = (self.reading.report.clone(), self.reading.findings.clone());
                 let places = self.reading.places.len();
                 let body = self.unit(unit, true);
                 (self.reading.report, self.reading.findings) = before;
                 self.reading.places[places..].fill(LineColumn::START);
                 blocks.push(Item::Blank);
-                blocks.extend(unit.said.iter().cloned().map(Item::Comment));
+                blocks.extend(unit.told.iter().cloned().map(Item::Comment));
                 blocks.push(block(unit, body));
             }
         }
@@ -139,7 +139,7 @@ impl Sketcher<'_> {
             let first = first.unwrap_or(body.len());
             body.splice(first..first, events);
         }
-        let mut items: Vec<Item> = unit.said.iter().cloned().map(Item::Comment).collect();
+        let mut items: Vec<Item> = unit.told.iter().cloned().map(Item::Comment).collect();
         if !self.type_section.declarations.is_empty() {
             items.extend([Item::Blank, Item::Section(self.type_section.clone())]);
         }
@@ -179,7 +179,7 @@ impl Sketcher<'_> {
             labels: Labels::default(),
         };
         let mut networks = Vec::new();
-        let is_function = unit.said.iter().any(|said| is_function(said));
+        let is_function = unit.told.iter().any(|told| is_function(told));
         if is_block && (!unit.networks.is_empty() || is_function) {
             let guard = [Block::negated_contact(Path::tag("EN")), Block::ret()];
             let guard = guard.map(|block| Circuit::Element(Element::of(block, None)));

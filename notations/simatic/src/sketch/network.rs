@@ -12,14 +12,14 @@ use ladder_format::program::{self, Block, Drawing, Element, Item, Path};
 use ladder_instructions::Op;
 
 impl Sketcher<'_> {
-    /// A network of a block, which is the one of this number, with what is said of it.
+    /// A network of a block, which is the one of this number, with what is reported of it.
     pub(super) fn network(
         &mut self,
         translator: &mut Translator<'_, '_>,
         at: (&Unit, usize),
         network: &Network,
     ) -> Vec<Item> {
-        let mut comments = network.said.clone();
+        let mut comments = network.told.clone();
         let mut drawings = match &network.body {
             Body::Text(language, why) => {
                 self.called_in(translator.scope, &network.text);
@@ -227,7 +227,7 @@ fn coil(tag: &str) -> Element {
     Element::of(Block::coil(Path::tag(tag)), None)
 }
 
-/// A label stands at the beginning of its network, or in one of its own.
+/// A label is at the beginning of its network, or in one of its own.
 fn marked(drawings: &mut Vec<Drawing>, label: Element) {
     if let Some(Drawing::Circuit(circuit)) = drawings.first_mut() {
         let before = std::mem::replace(circuit, Circuit::Series(Vec::new()));

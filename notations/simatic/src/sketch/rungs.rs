@@ -199,7 +199,7 @@ fn placed<'s>(
     let ends_here = |join: &usize| joins[*join].lower == number;
     let first = incoming.iter().position(ends_here).unwrap_or(0);
     let here: Vec<usize> = incoming.iter().copied().filter(ends_here).collect();
-    // What ends here stands in one row, in the order of the rung.
+    // What ends here is in one row, in the order of the rung.
     if here != ups || incoming[first..].iter().take(here.len()).ne(here.iter()) {
         return None;
     }

@@ -225,7 +225,7 @@ fn is_read(items: &[Item]) -> bool {
 
 fn is_unread(items: &[Item]) -> bool {
     items.iter().any(|item| match item {
-        Item::Directive(said) => said.starts_with("unread"),
+        Item::Directive(told) => told.starts_with("unread"),
         Item::Block { items, .. } => is_unread(items),
         _ => false,
     })

@@ -111,8 +111,8 @@ fn written(context: &Context, at: TextSize) -> Written {
     let text = line.text();
     let slice = |range: TextRange| text[range].trim().to_owned();
     let comment = text.split_once(';').and_then(|(_, rest)| {
-        let said = rest.trim().strip_prefix('#')?.split('#').next()?.trim();
-        (!said.is_empty()).then(|| said.to_owned())
+        let told = rest.trim().strip_prefix('#')?.split('#').next()?.trim();
+        (!told.is_empty()).then(|| told.to_owned())
     });
     Written {
         initial: found.initial_value().map(|value| slice(value.range())),
@@ -230,12 +230,12 @@ fn declared(tags: &mut Tags<'_>, tag: &TagFacts, report: &mut Report) -> Option<
     let at = context.place_of(tag).start();
     let place = project.line(at);
     let shown = format!("tag `{}`", tag.name);
-    let said = written(context, at);
+    let told = written(context, at);
     let made = tag
         .ty
         .ok_or_else(|| "its type is not known".to_owned())
         .and_then(|ty| {
-            let initial = initial(ty, said.initial.as_deref(), &tag.cold.initial)?;
+            let initial = initial(ty, told.initial.as_deref(), &tag.cold.initial)?;
             Ok((ty, type_of(project, ty)?, initial))
         });
     let (ty, there, initial) = match made {
@@ -279,7 +279,7 @@ fn declared(tags: &mut Tags<'_>, tag: &TagFacts, report: &mut Report) -> Option<
         retain: tag.retain && role == Role::Static,
         ty: there,
         initial,
-        comment: said.comment,
+        comment: told.comment,
     })
 }
 
@@ -364,14 +364,14 @@ fn structure_member(project: &Project<'_>, of: Compound, own: &MemberSpec) -> Re
         _ => None,
     };
     let (_, found) = found.ok_or_else(|| format!("the type of its member `{}` is not known", own.name))?;
-    let said = written(&project.analysis.context, own.at.start());
+    let told = written(&project.analysis.context, own.at.start());
     let values = found.initial.as_deref().unwrap_or_default();
     Ok(Variable {
         place: project.line(own.at.start()),
         name: own.name.to_string(),
         ty: type_of(project, found.ty)?,
-        initial: initial(found.ty, said.initial.as_deref(), values)?,
-        comment: said.comment,
+        initial: initial(found.ty, told.initial.as_deref(), values)?,
+        comment: told.comment,
         ..Variable::default()
     })
 }

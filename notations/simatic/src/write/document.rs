@@ -48,8 +48,8 @@ impl Texts {
     }
 
     /// Title and comment as the values of a pragma, with these names.
-    fn titled(&mut self, said: &[String], [comment, title]: [&str; 2]) -> Vec<String> {
-        let [first, rest] = title_and_comment(said);
+    fn titled(&mut self, told: &[String], [comment, title]: [&str; 2]) -> Vec<String> {
+        let [first, rest] = title_and_comment(told);
         let values = [(comment, rest), (title, first)].into_iter();
         values
             .filter_map(|(name, text)| Some(format!("{name} := \"{}\"", self.id(text?))))
@@ -58,12 +58,12 @@ impl Texts {
 }
 
 /// The first line is the title.
-pub(super) fn title_and_comment(said: &[String]) -> [Option<String>; 2] {
-    match said {
+pub(super) fn title_and_comment(told: &[String]) -> [Option<String>; 2] {
+    match told {
         [] => [None, None],
         [title] => [Some(title.clone()), None],
         // Equal texts would be taken for one.
-        [title, comment] if title == comment => [None, Some(said.join("\n"))],
+        [title, comment] if title == comment => [None, Some(told.join("\n"))],
         [title, rest @ ..] => [Some(title.clone()), Some(rest.join("\n"))],
     }
 }
@@ -106,7 +106,7 @@ fn document(unit: &Unit) -> (Vec<u8>, Option<Vec<u8>>) {
             network(own, &mut texts, &mut body);
         }
     }
-    let mut pragma = texts.titled(&unit.said, ["S7_BlockComment", "S7_BlockTitle"]);
+    let mut pragma = texts.titled(&unit.told, ["S7_BlockComment", "S7_BlockTitle"]);
     if unit.kind != Kind::Type {
         pragma.push("S7_Optimized := \"TRUE\"".to_owned());
         pragma.push("S7_PreferredLanguage := \"LAD\"".to_owned());
@@ -126,7 +126,7 @@ fn document(unit: &Unit) -> (Vec<u8>, Option<Vec<u8>>) {
 /// A declaration with its comment.
 fn declaration(variable: &Variable, texts: &mut Texts) -> String {
     let pragma = variable.comment.as_ref();
-    let pragma = pragma.map(|said| format!("{{ S7_MLC := \"{}\" }} ", texts.id(said.clone())));
+    let pragma = pragma.map(|told| format!("{{ S7_MLC := \"{}\" }} ", texts.id(told.clone())));
     let initial = variable.initial.as_ref().map(|value| format!(" := {value}"));
     format!(
         "{}\"{}\" : {}{};",
@@ -149,7 +149,7 @@ fn network(network: &Network, texts: &mut Texts, out: &mut Vec<String>) {
         }
     };
     let mut pragma = vec![format!("S7_Language := \"{language}\"")];
-    pragma.extend(texts.titled(&network.said, ["S7_NetworkComment", "S7_NetworkTitle"]));
+    pragma.extend(texts.titled(&network.told, ["S7_NetworkComment", "S7_NetworkTitle"]));
     out.push("    {".to_owned());
     out.push(format!("        {}", pragma.join(";\r\n        ")));
     out.extend(["    }".to_owned(), "    NETWORK".to_owned()]);

@@ -17,7 +17,7 @@ pub(super) fn operand(text: &str, tags: &Tags<'_>) -> Result<String, String> {
     value(&Expression::read(text.trim())?, tags)
 }
 
-/// A value that is no formula.
+/// A value that is not a formula.
 ///
 /// # Errors
 ///

@@ -43,9 +43,9 @@ pub(super) type Stands = HashMap<usize, Part>;
 
 /// A network in two, parted at a step that calls a block.
 pub(super) struct Parted {
-    /// What runs before; the call stands where its power ends.
+    /// What runs before; the call is where its power ends.
     pub(super) before: Network,
-    /// What runs after; the call stands where the power that leaves it begins.
+    /// What runs after; the call is where the power that leaves it begins.
     pub(super) after: Network,
 }
 

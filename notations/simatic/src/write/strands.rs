@@ -22,7 +22,7 @@ struct Edge {
 ///
 /// # Errors
 ///
-/// If no power reaches a block, or a label stands where a document cannot have it.
+/// If no power reaches a block, or a label is where a document cannot have it.
 pub(super) fn of(network: &Network) -> Result<Vec<Wiring>, String> {
     let mut points: Vec<Option<usize>> = Vec::with_capacity(network.steps.len());
     let mut edges: Vec<Edge> = Vec::new();

@@ -20,10 +20,10 @@ pub(super) struct Source {
     pub(super) scope: usize,
     /// Whether its jumps go out of it.
     pub(super) leads_out: bool,
-    pub(super) said: Vec<String>,
+    pub(super) told: Vec<String>,
     /// Whether it declares tags.
     declares: bool,
-    /// Networks by their number in the structure, each with what is said above it.
+    /// Networks by their number in the structure, each with what is reported above it.
     pub(super) networks: Vec<(usize, Vec<String>)>,
     /// Of an unread part: its text in SCL, or why it is not written.
     pub(super) unread: Option<Result<String, String>>,
@@ -40,14 +40,14 @@ pub(super) fn sources(context: &Context) -> Vec<Source> {
     for item in &structure.items {
         match *item {
             Item::Decoration(line) => {
-                let said: Vec<String> = comments::on_line(parse, line)
+                let told: Vec<String> = comments::on_line(parse, line)
                     .iter()
-                    .flat_map(|comment| comments::said(comment).map(str::to_owned).collect::<Vec<_>>())
+                    .flat_map(|comment| comments::told(comment).map(str::to_owned).collect::<Vec<_>>())
                     .collect();
                 if parse.lines()[line].kind == LineKind::Blank {
                     groups.push(Vec::new());
                 } else if let Some(group) = groups.last_mut() {
-                    group.extend(said);
+                    group.extend(told);
                 }
             }
             Item::Network(number) => {
@@ -55,21 +55,21 @@ pub(super) fn sources(context: &Context) -> Vec<Source> {
                 let before: Vec<String> = std::mem::take(&mut groups).into_iter().flatten().collect();
                 groups.push(Vec::new());
                 let unit = &mut units[at];
-                let mut said = own;
+                let mut told = own;
                 if unit.networks.is_empty() && !unit.declares {
-                    unit.said.extend(before);
+                    unit.told.extend(before);
                 } else {
-                    said = before.into_iter().chain(said).collect();
+                    told = before.into_iter().chain(told).collect();
                 }
                 let lines = structure.networks[number].lines.clone();
                 for comment in lines.flat_map(|line| comments::on_line(parse, line)) {
-                    said.extend(comments::said(&comment).map(str::to_owned));
+                    told.extend(comments::told(&comment).map(str::to_owned));
                 }
-                unit.networks.push((number, said));
+                unit.networks.push((number, told));
             }
             Item::Section(number) => {
                 let unit = &mut units[at];
-                unit.said
+                unit.told
                     .extend(std::mem::take(&mut groups).into_iter().flatten());
                 groups.push(Vec::new());
                 let mut lines = structure.sections[number].lines.clone();
@@ -78,13 +78,13 @@ pub(super) fn sources(context: &Context) -> Vec<Source> {
             Item::BlockHeader(number) => {
                 let lines = structure.blocks[number].lines.clone();
                 let text = parse.lines()[lines.start].text();
-                let said: Vec<String> = std::mem::take(&mut groups).into_iter().flatten().collect();
+                let told: Vec<String> = std::mem::take(&mut groups).into_iter().flatten().collect();
                 units.push(Source {
                     name: context.user_blocks[number].name[1..].to_owned(),
                     scope: number + 1,
                     leads_out: text.contains('<'),
-                    unread: unread::text_of(parse, lines, &said),
-                    said,
+                    unread: unread::text_of(parse, lines, &told),
+                    told,
                     ..Source::default()
                 });
                 groups.push(Vec::new());
@@ -126,21 +126,21 @@ pub(super) fn unit(
         networks.extend(writes.then(power_passes));
     }
     let guard = usize::from(power == Some(Power::Guarded));
-    for (number, said) in source.networks.iter().skip(guard) {
-        networks.extend(made(&mut tags, *number, said, report));
+    for (number, told) in source.networks.iter().skip(guard) {
+        networks.extend(made(&mut tags, *number, told, report));
     }
     variables.extend(tags.made);
     Unit {
         name: name.to_owned(),
         variables,
-        said: source.said.clone(),
+        told: source.told.clone(),
         networks,
         ..Unit::default()
     }
 }
 
 /// The networks that one of the text becomes.
-fn made(tags: &mut Tags<'_>, number: usize, said: &[String], report: &mut Report) -> Vec<Network> {
+fn made(tags: &mut Tags<'_>, number: usize, told: &[String], report: &mut Report) -> Vec<Network> {
     let project = tags.project;
     let Some(network) = project.networks.get(&project.start(number)) else {
         let why = "it is part of a function that the program does not call";
@@ -166,10 +166,10 @@ fn made(tags: &mut Tags<'_>, number: usize, said: &[String], report: &mut Report
     };
     // Others may jump to it, also if it is refused.
     let mut label = network::label(project, network).map(|label| (place, label));
-    let mut said = said.to_vec();
+    let mut told = told.to_vec();
     let networks = bodies.into_iter().map(|body| Network {
         place,
-        said: std::mem::take(&mut said),
+        told: std::mem::take(&mut told),
         label: label
             .take()
             .filter(|_| !matches!(&body, Body::Text(language, _) if language == "SCL")),

@@ -7,12 +7,12 @@ use ladder_syntax::Parse;
 use std::ops::Range;
 
 /// The text of an unread part. None: the definition on these lines is none.
-pub(super) fn text_of(parse: &Parse, lines: Range<usize>, said: &[String]) -> Option<Result<String, String>> {
+pub(super) fn text_of(parse: &Parse, lines: Range<usize>, told: &[String]) -> Option<Result<String, String>> {
     let definition: String = lines.map(|line| parse.lines()[line].text()).collect();
     let is_unread = definition
         .lines()
         .any(|line| line.starts_with("# ladder: unread"));
-    let is_in_scl = said.iter().any(|said| said.contains("(SCL) is not read"));
+    let is_in_scl = told.iter().any(|told| told.contains("(SCL) is not read"));
     let text = foreign_text_of(&definition).filter(|_| is_in_scl);
     is_unread.then(|| {
         text.ok_or_else(|| "it is an unread part, and of these only networks in SCL are written".to_owned())

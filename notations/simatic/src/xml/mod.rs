@@ -61,7 +61,7 @@ pub(crate) fn unit(text: &str) -> Result<Unit> {
         place: xml.place(node),
         kind,
         name: attribute("Name").unwrap_or_default(),
-        said: said(node),
+        told: told(node),
         ..Unit::default()
     };
     if kind == Kind::Data {
@@ -91,8 +91,8 @@ pub(crate) fn unit(text: &str) -> Result<Unit> {
 }
 
 /// Title and comment of a block or a network.
-fn said(node: Node<'_, '_>) -> Vec<String> {
-    let mut said: Vec<String> = Vec::new();
+fn told(node: Node<'_, '_>) -> Vec<String> {
+    let mut told: Vec<String> = Vec::new();
     let texts = node.child("ObjectList");
     for name in ["Title", "Comment"] {
         let is = |text: &Node<'_, '_>| text.attribute("CompositionName") == Some(name);
@@ -110,13 +110,13 @@ fn said(node: Node<'_, '_>) -> Vec<String> {
             });
             let items: Vec<(bool, String)> = items.collect();
             let text = items.iter().find(|(is_english, _)| *is_english).or(items.first());
-            said.extend(
+            told.extend(
                 text.map(|(_, text)| text.clone())
-                    .filter(|text| !said.contains(text)),
+                    .filter(|text| !told.contains(text)),
             );
         }
     }
-    said
+    told
 }
 
 fn interface(xml: &Xml<'_>, section: Node<'_, '_>, unit: &mut Unit) -> Result<()> {

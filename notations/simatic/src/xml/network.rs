@@ -14,7 +14,7 @@ use std::collections::HashMap;
 pub(super) fn network(xml: &Xml<'_>, node: Node<'_, '_>, unit: &mut Unit) -> Network {
     let mut network = Network {
         place: xml.place(node),
-        said: super::said(node),
+        told: super::told(node),
         ..Network::default()
     };
     let attributes = node.child("AttributeList");

@@ -73,8 +73,8 @@ fn both(name: &str, text: &str) {
     let [document, export] = forms.map(|notation| {
         let writing = notation.write(&analysis(text));
         let writing = writing.unwrap_or_else(|error| panic!("{name}: {error}"));
-        let said: Vec<_> = writing.report.remarks().cloned().collect();
-        (again(notation, &writing), said)
+        let told: Vec<_> = writing.report.remarks().cloned().collect();
+        (again(notation, &writing), told)
     });
     assert_eq!(document, export, "{name}");
 }

@@ -130,7 +130,7 @@ fn counted(text: &str) -> Vec<(u32, u32, usize)> {
         plain.push(shown);
     }
     let mut found = Vec::new();
-    // A network in another language is open, too: what stands in it opens none.
+    // A network in another language is open, too: what is in it opens none.
     let mut open: Option<(u32, usize, i32, bool)> = None;
     let mut language_is_ladder = true;
     for (number, (line, original)) in plain.lines().zip(text.lines()).enumerate() {

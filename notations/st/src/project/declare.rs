@@ -84,10 +84,10 @@ impl Project<'_> {
                     out.push_str(&format!("TYPE\n    {name} : STRUCT\n"));
                     for member in structure.members.iter().filter(|member| !is_of_blocks(member.ty)) {
                         let ty = self.type_name(member.ty);
-                        let said = self.said_of_member(&structure.name, &member.name);
+                        let told = self.said_of_member(&structure.name, &member.name);
                         let value = self.of_type(member).map(|value| format!(" := {value}"));
                         out.push_str(&format!(
-                            "        {} : {ty}{};{said}\n",
+                            "        {} : {ty}{};{told}\n",
                             names::member(&member.name),
                             value.unwrap_or_default()
                         ));
@@ -118,8 +118,8 @@ impl Project<'_> {
             return String::new();
         };
         let found = members.iter().find(|own| own.name.eq_ignore_ascii_case(member));
-        let said = found.and_then(|found| comment::of_line(self.source.parse, found.at.start()));
-        said.map_or_else(String::new, |said| format!("  {}", comment::comment(&said)))
+        let told = found.and_then(|found| comment::of_line(self.source.parse, found.at.start()));
+        told.map_or_else(String::new, |told| format!("  {}", comment::comment(&told)))
     }
 
     fn number_of(&self, id: EnumId) -> String {

@@ -110,9 +110,9 @@ impl Archive {
     /// An object: in a field, or in a list that says its type for it.
     fn object(&mut self, field: Option<&str>, ty: Option<&'static str>, inside: impl FnOnce(&mut Archive)) {
         let field = field.map(|field| format!(" n=\"{field}\"")).unwrap_or_default();
-        let said = ty.map(|ty| format!(" t=\"{ty}\"")).unwrap_or_default();
+        let told = ty.map(|ty| format!(" t=\"{ty}\"")).unwrap_or_default();
         self.types.extend(ty);
-        self.line(&format!("<o{field}{said}>"));
+        self.line(&format!("<o{field}{told}>"));
         self.inside(inside);
         self.line("</o>");
     }
@@ -133,8 +133,8 @@ impl Archive {
         let first = known.next();
         let common = first.filter(|first| known.all(|other| other == *first));
         self.types.extend(common);
-        let said = common.map(|ty| format!(" cet=\"{ty}\"")).unwrap_or_default();
-        self.line(&format!("<l2 n=\"{field}\"{said}>"));
+        let told = common.map(|ty| format!(" cet=\"{ty}\"")).unwrap_or_default();
+        self.line(&format!("<l2 n=\"{field}\"{told}>"));
         self.inside(|archive| {
             for item in items {
                 match ty(item) {

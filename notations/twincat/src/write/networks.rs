@@ -1,7 +1,7 @@
 //! A drawing as networks of trees.
 //!
 //! A tree is evaluated from its inputs to its root, one tree after the other, and what two trees take is a wire that begins in the
-//! first. What is done must be done in the order of the drawing: a box that a tree would run too late or too early stands by itself,
+//! first. What is done must be done in the order of the drawing: a box that a tree would run too late or too early is by itself,
 //! before that tree.
 
 use super::tree::{Call, Item, Network, Target, Tree};
@@ -29,16 +29,16 @@ pub(super) fn networks(graph: &Graph, refused: &mut Vec<Refused>) -> (Vec<Networ
     while at < graph.nodes.len() {
         let rest = graph.nodes[at + 1..].iter().position(is_begin);
         let nodes = at..rest.map_or(graph.nodes.len(), |rest| at + 1 + rest);
-        let said = match &graph.nodes[at].kind {
-            Kind::Comment(said) => Some(said),
+        let told = match &graph.nodes[at].kind {
+            Kind::Comment(told) => Some(told),
             _ => None,
         };
-        if let Some(said) = said {
+        if let Some(told) = told {
             // A network has one comment.
             if !next.comment.is_empty() {
                 out.push(std::mem::take(&mut next));
             }
-            next.comment.clone_from(said);
+            next.comment.clone_from(told);
         }
         for node in &graph.nodes[nodes.clone()] {
             let Kind::Label(label) = &node.kind else { continue };
@@ -48,19 +48,19 @@ pub(super) fn networks(graph: &Graph, refused: &mut Vec<Refused>) -> (Vec<Networ
             }
             next.label.clone_from(label);
         }
-        if said.is_none() {
+        if told.is_none() {
             let mut trees = Trees::of(graph, nodes.clone(), wire);
             match trees.items() {
                 Ok(()) => next.items = trees.items,
                 Err(why) => {
-                    let said = format!("{}\nA network is not written: {why}", next.comment);
-                    said.trim_start().clone_into(&mut next.comment);
+                    let told = format!("{}\nA network is not written: {why}", next.comment);
+                    told.trim_start().clone_into(&mut next.comment);
                     refused.push((graph.nodes[at].place, why));
                 }
             }
             wire = trees.wire;
         }
-        if said.is_none() || !next.label.is_empty() {
+        if told.is_none() || !next.label.is_empty() {
             out.push(std::mem::take(&mut next));
         }
         at = nodes.end;

@@ -8,7 +8,7 @@ pub(super) struct Network {
     pub(super) items: Vec<Item>,
 }
 
-/// What stands in a network by itself.
+/// What is in a network by itself.
 #[derive(Debug)]
 pub(super) enum Item {
     /// Coils, or a jump, and the power that they have.

@@ -18,8 +18,8 @@ fn check(program: &str, rows: &str, watched: &[&str], expected: Expect) {
     client.body("configurationDone", json!({}));
     let mut shown = String::new();
     for _ in 0..9 {
-        let said = client.ask("continue", json!({"threadId": 1}));
-        let event = |name: &str| said.iter().find(|message| message["event"] == name);
+        let told = client.ask("continue", json!({"threadId": 1}));
+        let event = |name: &str| told.iter().find(|message| message["event"] == name);
         let Some(stopped) = event("stopped") else {
             let status = &event("exited").unwrap()["body"]["exitCode"];
             shown.push_str(&format!("exit status {status}\n"));

@@ -64,7 +64,7 @@ fn no_file_outside_of_the_workspace_is_read() {
         json!({"program": "$/own.clad", "retain": "//other/share/kept"}),
     ];
     for configuration in says {
-        let said = launched_with(&mut client, &configuration);
+        let told = launched_with(&mut client, &configuration);
         let refused = [
             "leads out of the workspace",
             "lies outside of",
@@ -72,12 +72,12 @@ fn no_file_outside_of_the_workspace_is_read() {
             "ending in .ladder-test",
         ];
         assert!(
-            refused.iter().any(|it| said.contains(it)),
-            "{configuration}: {said}"
+            refused.iter().any(|it| told.contains(it)),
+            "{configuration}: {told}"
         );
         assert!(
-            !said.contains("root") && !said.contains("secret )"),
-            "{configuration}: {said}"
+            !told.contains("root") && !told.contains("secret )"),
+            "{configuration}: {told}"
         );
     }
     let good = json!({"program": "$/own.clad", "scenarioFile": "good.ladder-test"});
@@ -196,11 +196,11 @@ fn every_request_is_answered_once_in_every_phase() {
         let program = client.program();
         for command in COMMANDS {
             for arguments in arguments(&program) {
-                let said = client.ask(command, arguments.clone());
-                let message = said[0]["message"].as_str().unwrap_or_default();
+                let told = client.ask(command, arguments.clone());
+                let message = told[0]["message"].as_str().unwrap_or_default();
                 assert!(!message.contains("error of its own"), "{command} {arguments}");
                 assert!(
-                    said[0]["success"] == true || !message.is_empty(),
+                    told[0]["success"] == true || !message.is_empty(),
                     "{command} {arguments}"
                 );
             }

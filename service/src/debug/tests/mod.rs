@@ -62,7 +62,7 @@ impl Client {
         self.folder.path().join("own.clad").to_str().unwrap().to_owned()
     }
 
-    /// Sends a request and runs the program until it is. What was said: the answer first.
+    /// Sends a request and runs the program until it is. What was reported: the answer first.
     fn ask(&mut self, command: &str, arguments: Json) -> Vec<Json> {
         self.seq += 1;
         let request = Request {
@@ -77,14 +77,14 @@ impl Client {
             }
             self.adapter.run_on();
         }
-        let said = self.written.take();
-        let answers = said.iter().filter(|message| message["type"] == "response");
+        let told = self.written.take();
+        let answers = told.iter().filter(|message| message["type"] == "response");
         let answers: Vec<&Json> = answers.collect();
-        assert_eq!(answers.len(), 1, "{command} {said:?}");
+        assert_eq!(answers.len(), 1, "{command} {told:?}");
         assert_eq!(answers[0]["request_seq"], self.seq);
         assert_eq!(answers[0]["command"], command);
-        assert_eq!(said[0]["type"], "response");
-        said
+        assert_eq!(told[0]["type"], "response");
+        told
     }
 
     /// The body of a good answer.
@@ -125,28 +125,28 @@ const LOOP: &str = "VAR n : LINT; END_VAR\n+--<LBL>( again )--[ADD]( n, n, 1 )--
 #[test]
 fn the_watchdog_stops_the_program_for_good() {
     let mut client = Client::launched(LOOP);
-    let said = client.ask("continue", json!({"threadId": 1}));
-    let stopped = said.iter().find(|message| message["event"] == "stopped").unwrap();
+    let told = client.ask("continue", json!({"threadId": 1}));
+    let stopped = told.iter().find(|message| message["event"] == "stopped").unwrap();
     assert_eq!(stopped["body"]["reason"], "exception");
     let text = stopped["body"]["text"].as_str().unwrap();
     assert!(text.contains("watchdog"), "{text}");
     let frames = client.body("stackTrace", json!({"threadId": 1}));
     assert_eq!(frames["stackFrames"][0]["line"], 2);
-    let said = client.ask("continue", json!({"threadId": 1}));
-    let exited = said.iter().find(|message| message["event"] == "exited").unwrap();
+    let told = client.ask("continue", json!({"threadId": 1}));
+    let exited = told.iter().find(|message| message["event"] == "exited").unwrap();
     assert_eq!(exited["body"]["exitCode"], 1);
 }
 
 #[test]
 fn a_program_that_ends_itself_is_shown_once_more() {
     let mut client = Client::launched("VAR n : INT; END_VAR\n+--[ADD]( n, n, 1 )--[GE]( n, 3 )--<END>--+\n");
-    let said = client.ask("continue", json!({"threadId": 1}));
-    let stopped = said.iter().find(|message| message["event"] == "stopped").unwrap();
+    let told = client.ask("continue", json!({"threadId": 1}));
+    let stopped = told.iter().find(|message| message["event"] == "stopped").unwrap();
     assert_eq!(stopped["body"]["reason"], "end");
     assert_eq!(client.evaluate("n", "watch"), "3");
-    let said = client.ask("continue", json!({"threadId": 1}));
-    assert!(said.iter().any(|message| message["event"] == "terminated"));
-    assert_eq!(said[1]["body"]["exitCode"], 0);
+    let told = client.ask("continue", json!({"threadId": 1}));
+    assert!(told.iter().any(|message| message["event"] == "terminated"));
+    assert_eq!(told[1]["body"]["exitCode"], 0);
 }
 
 /// An editor that asks a moment too late shows no error.
@@ -176,11 +176,11 @@ fn a_scenario_that_is_ended_by_hand_has_not_passed() {
         let body = json!({"filters": ["expectations"]});
         client.body("setExceptionBreakpoints", body);
         client.body("configurationDone", Json::Null);
-        let said = client.ask("terminate", json!({}));
-        let exited = said.iter().find(|message| message["event"] == "exited");
+        let told = client.ask("terminate", json!({}));
+        let exited = told.iter().find(|message| message["event"] == "exited");
         let exit_code = exited.map(|message| message["body"]["exitCode"].as_i64().unwrap());
         assert_eq!(exit_code, status, "{name}");
-        assert!(said.iter().any(|message| message["event"] == "terminated"));
+        assert!(told.iter().any(|message| message["event"] == "terminated"));
     }
 }
 

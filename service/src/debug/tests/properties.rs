@@ -36,16 +36,16 @@ fn client(scenarios: &str, launch: Json) -> Client {
     for (key, value) in launch.as_object().unwrap() {
         configuration[key] = value.clone();
     }
-    let said = client.ask("launch", configuration);
-    assert_eq!(said[0]["success"], true, "{said:?}");
+    let told = client.ask("launch", configuration);
+    assert_eq!(told[0]["success"], true, "{told:?}");
     client.body("configurationDone", Json::Null);
     client
 }
 
 /// What a client is shown: what is written with its place, why it is, and how it ends.
-fn shown(client: &Client, said: &[Json]) -> String {
+fn shown(client: &Client, told: &[Json]) -> String {
     let mut lines = String::new();
-    for message in said {
+    for message in told {
         let body = &message["body"];
         let text = |key: &str| body[key].as_str().unwrap_or_default().trim_end().to_owned();
         lines.push_str(&match message["event"].as_str() {
@@ -63,8 +63,8 @@ fn shown(client: &Client, said: &[Json]) -> String {
 fn check(mut client: Client, requests: &[&str], expected: Expect) {
     let mut all = String::new();
     for request in requests {
-        let said = client.ask(request, json!({"threadId": 1}));
-        all.push_str(&format!("{request}\n{}", shown(&client, &said)));
+        let told = client.ask(request, json!({"threadId": 1}));
+        all.push_str(&format!("{request}\n{}", shown(&client, &told)));
     }
     expected.assert_eq(&all);
 }
@@ -124,12 +124,12 @@ fn a_text_in_the_place_of_the_file_is_watched_for_the_properties_of_the_file() {
     let properties = "program own.clad\n\nnever up and down\n";
     let given = json!({"scenario": "found", "scenarioText": text});
     let mut client = client(properties, given);
-    let said = client.ask("continue", json!({"threadId": 1}));
+    let told = client.ask("continue", json!({"threadId": 1}));
     expect![[r#"
         stderr 3: the property "never up and down" is violated in scan 1 (at 10ms): up is TRUE, down is TRUE
         exception the property "never up and down" is violated in scan 1 (at 10ms): up is TRUE, down is TRUE
     "#]]
-    .assert_eq(&shown(&client, &said));
+    .assert_eq(&shown(&client, &told));
     let exception = client.body("exceptionInfo", json!({"threadId": 1}));
     assert_eq!(exception["exceptionId"], "Property violated");
 }
@@ -156,11 +156,11 @@ fn an_error_in_the_properties_is_told_and_the_program_runs() {
     std::fs::write(file, "program own.clad\nnever up and dwn\n").unwrap();
     client.body("initialize", json!({}));
     let program = client.program();
-    let said = client.ask("launch", json!({"program": program}));
+    let told = client.ask("launch", json!({"program": program}));
     expect![[r#"
         console null: /own.ladder-test:2: there is no tag `dwn`; did you mean down?; the properties are not watched
     "#]]
-    .assert_eq(&shown(&client, &said));
+    .assert_eq(&shown(&client, &told));
 }
 
 #[test]

@@ -153,11 +153,11 @@ fn scenarios(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
             }
         }
     }
-    let said = |ScenarioError { range, message, help }| {
+    let told = |ScenarioError { range, message, help }| {
         let help = help.map(|help| format!("\n{help}"));
         error_at(revision, range, BAD_SCENARIO, message + &help.unwrap_or_default())
     };
-    found.extend(errors.into_iter().map(said));
+    found.extend(errors.into_iter().map(told));
     found.sort_by_key(|it| (it.range.start.line, it.range.start.character));
     found
 }

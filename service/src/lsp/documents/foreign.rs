@@ -55,11 +55,11 @@ fn of_program(agreed: Agreed, revision: &Revision, opened: &Opened) -> Vec<Diagn
     let mut all: Vec<Said<'_>> = marks.iter().map(Said::Mark).collect();
     all.extend(opened.findings().iter().map(Said::Finding));
     all.sort_by_key(Said::start);
-    let (chosen, left_out) = shown::chosen(&all, revision.edited(), |said| (said.is_error(), said.start()));
+    let (chosen, left_out) = shown::chosen(&all, revision.edited(), |told| (told.is_error(), told.start()));
     let mut findings = Findings::of(agreed, revision);
     let mut items: Vec<Diagnostic> = Vec::with_capacity(chosen.len() + 1);
-    for said in chosen {
-        match said {
+    for told in chosen {
+        match told {
             Said::Mark(mark) => {
                 let range = convert::range_in(revision, mark.range);
                 items.push(convert::diagnostic(

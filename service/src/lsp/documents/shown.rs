@@ -71,7 +71,7 @@ mod tests {
         expected.extend(2_501..=3_498);
         expected.push(4_999);
         assert_eq!((shown, left_out), (expected, 4_000));
-        let said = rest(4_000).expect("some are left out").message;
-        assert!(said.starts_with("4000 more findings"), "{said}");
+        let told = rest(4_000).expect("some are left out").message;
+        assert!(told.starts_with("4000 more findings"), "{told}");
     }
 }

@@ -131,7 +131,7 @@ pub(crate) fn compare_with(revision: &Revision, asked: &Compare) -> Option<Compa
     if !base_fits || !revision.fits() {
         return None;
     }
-    // Both among the other files as they are now: what changed in those is said where they are compared.
+    // Both among the other files as they are now: what changed in those is reported where they are compared.
     let outline = |text: &str| {
         let (analysis, linked) = revision.earlier(text);
         let context = Arc::clone(&analysis.context);

@@ -115,14 +115,14 @@ fn appended(text: &str, suite: &Suite, property: &PropertyProved) -> Option<Stri
     Some(format!("{between}{scenario}"))
 }
 
-/// The rows of a scenario whose steps are scans, for a file that has other steps: how long each is, is said.
+/// The rows of a scenario whose steps are scans, for a file that has other steps: how long each is, is reported.
 fn with_times(rows: &str, scan: &str, steps: usize) -> String {
     let is_time = |line: &str| line.split_whitespace().next() == Some(scenario::TIME);
     if !rows.lines().any(is_time) {
         let durations = vec![scan; steps].join(" ");
         return format!("\n{} {durations}{rows}", scenario::TIME);
     }
-    let said = |line: &str| {
+    let told = |line: &str| {
         if !is_time(line) {
             return line.to_owned();
         }
@@ -130,7 +130,7 @@ fn with_times(rows: &str, scan: &str, steps: usize) -> String {
         let cells = cells.map(|cell| if cell == "." { scan } else { cell });
         cells.collect::<Vec<_>>().join(" ")
     };
-    let lines: Vec<String> = rows.lines().map(said).collect();
+    let lines: Vec<String> = rows.lines().map(told).collect();
     lines.join("\n") + "\n"
 }
 

@@ -83,7 +83,7 @@ impl Typed {
         });
     }
 
-    /// A client says where its cursor is in a document. Gives the line of the change that waits there.
+    /// A client says where its cursor is in a document. Returns the line of the change that waits there.
     pub(crate) fn follow(&self, revision: &Revision) -> Option<u32> {
         let begin = || Typing {
             line_ends: revision.last_line(),

@@ -115,7 +115,7 @@ fn read(body: &[u8]) -> Kind {
         let message = "a message is an object; several at once are not read, send one after the other";
         return invalid(message.into(), Id::Null);
     };
-    let (said, is_request) = (fields.get("id").cloned(), fields.contains_key("method"));
+    let (told, is_request) = (fields.get("id").cloned(), fields.contains_key("method"));
     let wrong = if fields.get("jsonrpc").and_then(Value::as_str) != Some("2.0") {
         "the message does not say \"jsonrpc\": \"2.0\""
     } else if is_request {
@@ -129,7 +129,7 @@ fn read(body: &[u8]) -> Kind {
             Err(_) => "the message is neither a request nor an answer",
         }
     };
-    invalid(wrong.into(), id(said))
+    invalid(wrong.into(), id(told))
 }
 
 #[cfg(test)]

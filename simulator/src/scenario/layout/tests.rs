@@ -13,7 +13,7 @@ fn check(text: &str, expected: Expect) {
 }
 
 /// What a suite says, without its places.
-fn said(suite: &Suite) -> String {
+fn told(suite: &Suite) -> String {
     let mut out = format!(
         "{:?} {:?} {:?} {:?}\n",
         suite.program.as_ref().map(|it| &it.0),
@@ -45,7 +45,7 @@ fn said(suite: &Suite) -> String {
 
 /// The laid out text says the same, with all comments, and is in its layout.
 fn keeps(text: &str, out: &str) {
-    assert_eq!(said(&parse(text)), said(&parse(out)), "{text:?}\n{out:?}");
+    assert_eq!(told(&parse(text)), told(&parse(out)), "{text:?}\n{out:?}");
     let letters = |text: &str| text.chars().filter(|c| !c.is_whitespace()).collect::<String>();
     assert_eq!(letters(text), letters(out));
     assert_eq!(layout(out), out, "once more, of {text:?}");

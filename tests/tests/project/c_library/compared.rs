@@ -47,7 +47,7 @@ pub(super) fn complaints(folder: &Path, analysis: &Analysis) -> String {
     let source = header.strip_suffix('h').expect("a header").to_owned() + "c";
     std::fs::write(folder.join(header), &writing.companions[0].bytes).expect("a folder");
     std::fs::write(folder.join(&source), &writing.bytes).expect("a folder");
-    let mut said = String::new();
+    let mut told = String::new();
     for compiler in compilers() {
         for options in OPTIONS {
             let mut command = Command::new(&compiler);
@@ -57,14 +57,14 @@ pub(super) fn complaints(folder: &Path, analysis: &Analysis) -> String {
                 .args(*options);
             let output = command.output().expect("a compiler");
             if !output.status.success() || !output.stderr.is_empty() {
-                said += &format!(
+                told += &format!(
                     "{compiler} {options:?}\n{}",
                     String::from_utf8_lossy(&output.stderr)
                 );
             }
         }
     }
-    said
+    told
 }
 
 /// Without any, and all warnings in each of the languages.
@@ -127,15 +127,15 @@ pub(super) fn check(folder: &Path, compiler: &str, analysis: &Analysis, told: &T
     let ran = Command::new(folder.join("main"))
         .output()
         .map_err(|error| error.to_string())?;
-    let said = String::from_utf8_lossy(&ran.stdout);
-    if said == *shown && ran.stderr.is_empty() {
+    let told = String::from_utf8_lossy(&ran.stdout);
+    if told == *shown && ran.stderr.is_empty() {
         return Ok(true);
     }
     let line = shown
         .lines()
-        .zip(said.lines())
+        .zip(told.lines())
         .find(|(own, other)| !is_same(own, other));
-    if line.is_none() && shown.lines().count() == said.lines().count() && ran.stderr.is_empty() {
+    if line.is_none() && shown.lines().count() == told.lines().count() && ran.stderr.is_empty() {
         return Ok(true);
     }
     let differs = line.map(|(own, other)| {
@@ -152,7 +152,7 @@ pub(super) fn check(folder: &Path, compiler: &str, analysis: &Analysis, told: &T
     });
     Err(format!(
         "{}\n{}",
-        differs.unwrap_or_else(|| format!("{} lines, in C {}", shown.lines().count(), said.lines().count())),
+        differs.unwrap_or_else(|| format!("{} lines, in C {}", shown.lines().count(), told.lines().count())),
         String::from_utf8_lossy(&ran.stderr)
     ))
 }

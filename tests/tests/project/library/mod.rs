@@ -48,7 +48,7 @@ fn nothing_is_found_in_them_and_they_stand_in_the_canonical_layout() {
     }
 }
 
-/// The definition stands above the example here, so that what the scenarios reach in it is seen.
+/// The definition is above the example here, so that what the scenarios reach in it is seen.
 #[test]
 fn their_scenarios_pass_and_reach_all_of_them() {
     let mut problems = Vec::new();

@@ -61,7 +61,7 @@ fn programs_of_the_language_do_the_same_in_logix() {
         let writing = notation
             .write(&analysis)
             .unwrap_or_else(|error| panic!("{error}\n{text}"));
-        // What cannot be written is said.
+        // What cannot be written is reported.
         if writing.report.tally().refused > 0 {
             continue;
         }

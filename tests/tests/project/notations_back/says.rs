@@ -49,7 +49,7 @@ impl Says {
         let mut networks = Vec::new();
         for _ in 0..=dice.below(6) {
             networks.push(Item::Blank);
-            // What is above the first network may be said of the whole program.
+            // What is above the first network may be reported of the whole program.
             let comments = if networks.len() > 1 && dice.one_in(4) {
                 vec!["What this one does".to_owned()]
             } else {

@@ -23,14 +23,14 @@ fn simatic_says_what_it_cannot() {
             continue;
         };
         let remarks = |writing: &Writing| writing.report.remarks().cloned().collect::<Vec<_>>();
-        let said = remarks(&writing);
+        let told = remarks(&writing);
         let (ladder, shown) = read(notation, writing, &text);
         let writing = export.write(&analysis).expect("it is written as a document");
         let said_there = remarks(&writing);
         let (ladder_there, shown_there) = read(export, writing, &text);
         let analysis = analyze(&Arc::new(parse(&ladder)), "test.clad");
         let errors: Vec<&str> = analysis.errors().map(|error| error.message.as_str()).collect();
-        if said.is_empty() {
+        if told.is_empty() {
             written += 1;
             // First values are written one by one there, and wires that join the rail come first.
             same_there += usize::from(drawn(&ladder_there).0 == drawn(&ladder).0);
@@ -46,7 +46,10 @@ fn simatic_says_what_it_cannot() {
         }
     }
     println!("{written} of 400 programs without a remark, {same_there} of them drawn the same as SimaticML");
-    assert!(written > 80 && same_there * 10 > written * 9, "{written} {same_there}");
+    assert!(
+        written > 80 && same_there * 10 > written * 9,
+        "{written} {same_there}"
+    );
 }
 
 /// What is written of a text, read again, and as it is written.
@@ -61,7 +64,7 @@ fn read(notation: &'static dyn Notation, writing: Writing, text: &str) -> (Strin
     (back.written.text, shown)
 }
 
-/// The rungs of a text and what it declares, without what is said. The states of functions are declared in a section of their own: where
+/// The rungs of a text and what it declares, without what is reported. The states of functions are declared in a section of their own: where
 /// it is does not matter.
 fn drawn(text: &str) -> (String, String) {
     let lines = text

@@ -36,9 +36,9 @@ fn check(notation: &str, files: &[(&str, &str)]) -> (String, String) {
     let notation = by_name(notation).expect("the notation is registered");
     let writing = write_checked(notation, &linked(files), "plant").unwrap_or_else(|error| panic!("{error}"));
     let shown = String::from_utf8_lossy(&writing.bytes).into_owned();
-    let said = writing.report.remarks();
-    let said = said.map(|entry| format!("{} {}: {:?}\n", entry.place, entry.element, entry.outcome));
-    let said: String = said.collect();
+    let told = writing.report.remarks();
+    let told = told.map(|entry| format!("{} {}: {:?}\n", entry.place, entry.element, entry.outcome));
+    let told: String = told.collect();
     let source = Source {
         companions: writing.companions,
         ..Source::alone("plant", &writing.bytes)
@@ -57,9 +57,9 @@ fn check(notation: &str, files: &[(&str, &str)]) -> (String, String) {
     for seed in 0..20 {
         let programs = (Arc::clone(&program), Arc::clone(&read));
         let different = programs_next_to(programs, &named, Stimulus { seed, scans: 60 });
-        assert_eq!(different, None, "{ladder}\nof\n{shown}\n{said}");
+        assert_eq!(different, None, "{ladder}\nof\n{shown}\n{told}");
     }
-    (ladder, said)
+    (ladder, told)
 }
 
 const PLANT: &[(&str, &str)] = &[
@@ -93,8 +93,8 @@ fn blocks_and_types_of_other_files_are_written_along() {
             "11:15 [$Late]: Approximated(\"there a time is a DINT in milliseconds\")\n",
         ),
     ] {
-        let (_, said) = check(notation, PLANT);
-        assert_eq!(said, expected, "{notation}");
+        let (_, told) = check(notation, PLANT);
+        assert_eq!(told, expected, "{notation}");
     }
 }
 
@@ -167,8 +167,8 @@ const SHARED: &[(&str, &str)] = &[
 #[test]
 fn functions_of_other_files_are_written_along() {
     for notation in ["plcopen", "simatic", "l5x", "twincat"] {
-        let (ladder, said) = check(notation, SHARED);
-        expect_test::expect_file![format!("{notation}_shared.txt")].assert_eq(&format!("{said}{ladder}"));
+        let (ladder, told) = check(notation, SHARED);
+        expect_test::expect_file![format!("{notation}_shared.txt")].assert_eq(&format!("{told}{ladder}"));
     }
 }
 
@@ -206,8 +206,8 @@ END_VAR
 #[test]
 fn functions_are_blocks_and_functions_again() {
     for notation in ["plcopen", "simatic", "twincat"] {
-        let (ladder, said) = check(notation, &[("plant.clad", FUNCTIONS)]);
-        expect_test::expect_file![format!("{notation}_functions.txt")].assert_eq(&format!("{said}{ladder}"));
+        let (ladder, told) = check(notation, &[("plant.clad", FUNCTIONS)]);
+        expect_test::expect_file![format!("{notation}_functions.txt")].assert_eq(&format!("{told}{ladder}"));
     }
 }
 

@@ -38,7 +38,7 @@ pub(super) struct Tested {
 const MORE_WORK: u64 = 20;
 const LEAST_WORK: u64 = 100_000;
 
-/// The programs that files of scenarios test, each once. Files with errors are left out: what is wrong with them is said elsewhere.
+/// The programs that files of scenarios test, each once. Files with errors are left out: what is wrong with them is reported elsewhere.
 pub(super) fn subjects(files: &[PathBuf], wishes: &Wishes) -> Vec<Subject> {
     let mut subjects: Vec<Subject> = Vec::new();
     for file in files {

@@ -59,7 +59,7 @@ struct Element {
     kind: String,
     at: (i64, i64),
     order: u32,
-    said: String,
+    told: String,
     type_name: String,
     instance: Option<String>,
     modifier: Modifier,
@@ -72,7 +72,7 @@ fn kids<'x>(node: Node<'x, 'x>, name: &'static str) -> impl Iterator<Item = Node
         .filter(move |child| child.tag_name().name() == name)
 }
 
-fn said(node: Node<'_, '_>, name: &'static str) -> String {
+fn told(node: Node<'_, '_>, name: &'static str) -> String {
     let words = node.descendants().find(|inner| inner.tag_name().name() == name);
     words
         .and_then(|words| words.text())
@@ -82,11 +82,11 @@ fn said(node: Node<'_, '_>, name: &'static str) -> String {
 }
 
 fn modifier(node: Node<'_, '_>) -> Modifier {
-    let said = |name: &str| node.attribute(name).unwrap_or_default().to_owned();
+    let told = |name: &str| node.attribute(name).unwrap_or_default().to_owned();
     Modifier {
-        negated: said("negated") == "true",
-        storage: said("storage"),
-        edge: said("edge"),
+        negated: told("negated") == "true",
+        storage: told("storage"),
+        edge: told("edge"),
     }
 }
 
@@ -94,12 +94,12 @@ fn pin(node: Node<'_, '_>, named: Node<'_, '_>) -> Pin {
     let connections = node
         .descendants()
         .filter(|inner| inner.tag_name().name() == "connection");
-    let said = |node: Node<'_, '_>, name: &str| node.attribute(name).unwrap_or_default().to_owned();
+    let told = |node: Node<'_, '_>, name: &str| node.attribute(name).unwrap_or_default().to_owned();
     Pin {
-        name: said(named, "formalParameter").to_lowercase(),
+        name: told(named, "formalParameter").to_lowercase(),
         modifier: modifier(named),
         from: connections
-            .map(|it| (said(it, "refLocalId"), said(it, "formalParameter").to_lowercase()))
+            .map(|it| (told(it, "refLocalId"), told(it, "formalParameter").to_lowercase()))
             .collect(),
     }
 }
@@ -138,10 +138,10 @@ fn element(node: Node<'_, '_>) -> Element {
             .attribute("executionOrderId")
             .and_then(|it| it.parse().ok())
             .unwrap_or(0),
-        said: if kind == "block" {
+        told: if kind == "block" {
             String::new()
         } else {
-            said(node, words)
+            told(node, words)
         },
         type_name: node.attribute("typeName").unwrap_or_default().to_uppercase(),
         instance: node.attribute("instanceName").map(str::to_lowercase),
@@ -311,7 +311,7 @@ impl<'e> Generator<'e> {
         let Some(power) = self.pin(&coil.inputs, 0, false)? else {
             return Ok(());
         };
-        let to = coil.said.clone();
+        let to = coil.told.clone();
         if coil.modifier.negated {
             self.steps.push(Step::Write(to, Term::Not(Box::new(power))));
         } else if matches!(coil.modifier.storage.as_str(), "set" | "reset") {
@@ -338,7 +338,7 @@ impl<'e> Generator<'e> {
                 .iter()
                 .any(|pin| pin.name == "en" && !pin.from.is_empty())
         });
-        let to = variable.said.clone();
+        let to = variable.told.clone();
         self.steps.push(match eno {
             Some(source) => {
                 let eno = match &source.instance {
@@ -389,22 +389,22 @@ impl<'e> Generator<'e> {
             match source.kind.as_str() {
                 "leftPowerRail" => paths.push(None),
                 "inVariable" | "inOutVariable" => {
-                    let term = match literal(&source.said) {
+                    let term = match literal(&source.told) {
                         Some(value) => Term::Literal(value),
                         None if source
-                            .said
+                            .told
                             .chars()
                             .all(|c| c.is_alphanumeric() || "._".contains(c)) =>
                         {
-                            Term::Read(source.said.clone())
+                            Term::Read(source.told.clone())
                         }
-                        None => return Err(format!("a formula {}", source.said)),
+                        None => return Err(format!("a formula {}", source.told)),
                     };
                     paths.push(Some(term));
                 }
                 "block" => paths.push(Some(self.block(id, output, order)?.ok_or("no such output")?)),
                 "contact" => {
-                    let contact = self.modified(&source.modifier, Term::Read(source.said.clone()));
+                    let contact = self.modified(&source.modifier, Term::Read(source.told.clone()));
                     let before = self.paths(source.inputs.first().map_or(&[][..], |pin| &pin.from), order)?;
                     if before.is_empty() {
                         return Err("a contact that nothing is wired to".to_owned());

@@ -14,31 +14,31 @@ pub(super) fn xml(text: &str) -> (String, String) {
         Ok(writing) => writing,
         Err(error) => return (String::new(), format!("{error}\n")),
     };
-    let mut said = String::new();
+    let mut told = String::new();
     for entry in writing.report.remarks() {
         match &entry.outcome {
             Outcome::Translated => {}
-            Outcome::Approximated(why) => said.push_str(&format!(
+            Outcome::Approximated(why) => told.push_str(&format!(
                 "{}: approximated {}: {why}\n",
                 entry.place, entry.element
             )),
             Outcome::Refused(why) => {
-                said.push_str(&format!("{}: refused {}: {why}\n", entry.place, entry.element));
+                told.push_str(&format!("{}: refused {}: {why}\n", entry.place, entry.element));
             }
         }
     }
-    (String::from_utf8(writing.bytes).expect("it is UTF-8"), said)
+    (String::from_utf8(writing.bytes).expect("it is UTF-8"), told)
 }
 
 #[track_caller]
 pub(super) fn check(text: &str, expected: Expect) {
-    let (xml, said) = xml(text);
+    let (xml, told) = xml(text);
     let again = if xml.is_empty() {
         String::new()
     } else {
         harness::text(&xml)
     };
-    expected.assert_eq(&(said + &again));
+    expected.assert_eq(&(told + &again));
 }
 
 #[test]

@@ -97,7 +97,7 @@ fn file<'u>(unit: &'u Unit, number: usize, library: &Library<'u>, report: &mut R
                     xml.words("SetENOAutomatically", &[], "false");
                 }
             });
-            let [title, comment] = title_and_comment(&unit.said);
+            let [title, comment] = title_and_comment(&unit.told);
             xml.around("ObjectList", &[], |xml| {
                 text(xml, &mut ids, "Comment", comment.as_deref());
                 let mut scope = Scope::of(unit, library);
@@ -223,7 +223,7 @@ fn compile_unit<'u>(
     (unit, scope): (&'u Unit, &mut Scope<'u>),
     report: &mut Report,
 ) {
-    let [title, mut comment] = title_and_comment(&own.said);
+    let [title, mut comment] = title_and_comment(&own.told);
     let label = own.label.as_ref().map(|(_, label)| label.as_str());
     let mut source = XmlText::within(DEPTH);
     let drawn = match &own.body {

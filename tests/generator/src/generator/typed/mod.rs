@@ -56,7 +56,7 @@ pub struct Declared {
     pub name: String,
     /// Its type.
     pub ty: Ty,
-    /// What it starts with, if that is said.
+    /// What it starts with, if that is reported.
     pub initial: Option<Initial>,
 }
 
@@ -77,7 +77,7 @@ pub struct Enumeration {
     pub name: String,
     /// Its values with their numbers.
     pub values: Vec<(String, i64)>,
-    /// The value that it starts with, if that is said.
+    /// The value that it starts with, if that is reported.
     pub initial: Option<String>,
 }
 
