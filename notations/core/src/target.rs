@@ -1,4 +1,4 @@
-//! What a system has of ladder text, and programs in which what it lacks is reported by what it has.
+//! What a system has of ladder text, and programs in which what it lacks is expressed by what it has.
 
 use crate::rewritten::Rewritten;
 use crate::whole::{Added, whole};
@@ -26,7 +26,7 @@ pub struct Stays {
     pub turns: HashSet<Name>,
 }
 
-/// What a system has. What it lacks is reported by other means before its writer sees a program: each pass makes a sketch of the program
+/// What a system has. What it lacks is expressed by other means before its writer sees a program: each pass makes a sketch of the program
 /// that the one before has made. Functions and blocks of other files are the program's own in what they make.
 #[derive(Clone, Copy)]
 pub struct Target {
@@ -72,7 +72,7 @@ impl Target {
         ..Target::BLOCKS_ALONE
     };
 
-    /// Writes a program in which what the system lacks is reported by other means. If part of a block of another file has no form,
+    /// Writes a program in which what the system lacks is expressed by other means. If part of a block of another file has no form,
     /// `write` is handed the same again, with that block among the [`Unwritable`]. The report is about the program itself.
     ///
     /// # Errors
