@@ -42,7 +42,7 @@
 
 mod carry;
 pub mod chart;
-#[allow(missing_docs, reason = "operands and members are told at what has them")]
+#[allow(missing_docs, reason = "operands and members are described at what has them")]
 mod code;
 mod compile;
 mod compile_error;
@@ -55,19 +55,19 @@ mod fault;
 mod fuse;
 mod groups;
 mod inputs;
-#[allow(missing_docs, reason = "operands and members are told at what has them")]
+#[allow(missing_docs, reason = "operands and members are described at what has them")]
 mod layout;
 mod machine;
 mod members;
-#[allow(missing_docs, reason = "operands and members are told at what has them")]
+#[allow(missing_docs, reason = "operands and members are described at what has them")]
 mod memory;
-#[allow(missing_docs, reason = "operands and members are told at what has them")]
+#[allow(missing_docs, reason = "operands and members are described at what has them")]
 mod operation;
 mod overlap;
-#[allow(missing_docs, reason = "operands and members are told at what has them")]
+#[allow(missing_docs, reason = "operands and members are described at what has them")]
 mod places;
 mod retain;
-#[allow(missing_docs, reason = "operands and members are told at what has them")]
+#[allow(missing_docs, reason = "operands and members are described at what has them")]
 mod routine;
 pub mod scenario;
 mod session;

@@ -10,9 +10,9 @@ const EXAMPLES: &str = "\
 Examples:
   ladder lsp                                    what an editor starts
   ladder lsp --mirror session.rec               the same, recorded
-  ladder lsp --replay session.rec > told.jsonl  what the server told, to compare
+  ladder lsp --replay session.rec > said.jsonl  what the server said, to compare
 
-Exit status: 0 the editor told goodbye before it left, 1 it did not, 2 the arguments or a file cannot be used.";
+Exit status: 0 the editor said goodbye before it left, 1 it did not, 2 the arguments or a file cannot be used.";
 
 /// Run the language server over stdin and stdout
 ///

@@ -67,7 +67,7 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
             _ => String::new(),
         };
         return Err(WriteError::new(format!(
-            "no network of the program can be told in the textbook grammar{why}"
+            "no network of the program can be written in the textbook grammar{why}"
         )));
     }
     writer.renamed();

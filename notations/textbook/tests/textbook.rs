@@ -247,7 +247,7 @@ END_VAR
 #[test]
 fn nothing_to_write() {
     expect![[r#"
-        no network of the program can be told in the textbook grammar: it does not begin with a contact
+        no network of the program can be written in the textbook grammar: it does not begin with a contact
     "#]]
     .assert_eq(&write("+--( )( y )--+\n"));
 }

@@ -65,7 +65,7 @@ pub(crate) fn wrong_proof(
     }
     let run = runs::violated(case, properties, &told, seed)?;
     Some(format!(
-        "seed {seed}: this never happens, it is told: {run}\n{case}\n{properties}"
+        "seed {seed}: this never happens, it is reported: {run}\n{case}\n{properties}"
     ))
 }
 
@@ -106,6 +106,6 @@ pub(crate) fn wrong_sameness(
     }
     let run = runs::differing(old, new, seed)?;
     Some(format!(
-        "seed {seed}: they do the same, it is told, and differ: {run}\n{old}\nand\n{new}"
+        "seed {seed}: they do the same, it is reported, and differ: {run}\n{old}\nand\n{new}"
     ))
 }

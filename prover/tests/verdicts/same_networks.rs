@@ -106,7 +106,7 @@ fn edits(mode: Mode) -> (usize, usize) {
             tally.1 += usize::from(told.iter().any(|meaning| matches!(meaning, Meaning::Other(_))));
             assert!(
                 !is_same || !differ(&text, &new, seed),
-                "seed {seed}, {word} to {other}: told to be the same\n{text}\n{new}"
+                "seed {seed}, {word} to {other}: reported to be the same\n{text}\n{new}"
             );
         }
     }

@@ -145,7 +145,7 @@ mod tests {
         assert_eq!(
             called.tell_neighbours(),
             Affected::default(),
-            "it says what it told on disk"
+            "it says what it said on disk"
         );
     }
 

@@ -106,7 +106,7 @@ impl Point {
 
 /// Where a point lives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[allow(missing_docs, reason = "operands and members are told at what has them")]
+#[allow(missing_docs, reason = "operands and members are described at what has them")]
 pub enum PointSlot {
     Bit(Bit),
     Word(Word),

@@ -113,7 +113,7 @@ fn what_is_called_the_same_in_another_order_never_differs_in_a_run() {
                     same += 1;
                     if let Some(what) = differs(&old, &new, seed) {
                         panic!(
-                            "{mode:?}, seed {seed}: told to be the same, and differs: {what}\n{old}\n{new}"
+                            "{mode:?}, seed {seed}: reported to be the same, and differs: {what}\n{old}\n{new}"
                         );
                     }
                 }

@@ -23,7 +23,7 @@ Examples:
   git difftool -t ladder         what changed, network by network
   git merge feature              merges programs by network
 
-Exit status: 0 done, 1 nothing was written, for nobody told yes, 2 it could not be done.";
+Exit status: 0 done, 1 nothing was written, for nobody said yes, 2 it could not be done.";
 
 /// Let git show and merge programs by network
 ///

@@ -251,7 +251,7 @@ fn programs_come_back_from_ladder_text() {
             );
         }
     }
-    assert!(whole > 15, "only {whole} programs could be told whole");
+    assert!(whole > 15, "only {whole} programs could be written whole");
 }
 
 /// What is under power in the rungs of a file: which output, and whether.

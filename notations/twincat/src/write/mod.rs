@@ -28,7 +28,7 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     Target::BLOCKS_ALONE.write(analysis, |analysis, unwritable| {
         let (project, mut report) = project(analysis, unwritable, Compiler::TwinCat)?;
         if analysis.context.cycle.is_some_and(|cycle| cycle != CYCLE) {
-            let why = "how often a program runs is told of its task there: set its cycle time";
+            let why = "how often a program runs is set at its task there: set its cycle time";
             report.approximated(LineColumn::START, "time of a scan", why);
         }
         let mut refused = Vec::new();
