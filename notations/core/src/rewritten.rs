@@ -157,7 +157,9 @@ impl Rewritten {
         });
         report.entries.extend(self.report.entries.iter().cloned());
         report.entries.sort_by_key(|entry| entry.place);
-        report.entries.dedup();
+        if self.from.is_some() {
+            report.entries.dedup();
+        }
         added
     }
 }

@@ -57,7 +57,7 @@ impl Unit<'_, '_> {
 
             Op::Shift => self.shift_range(block, en, step)?,
             Op::Lbl | Op::Fun | Op::Next | Op::Persist => {
-                self.rungs.powers[step] = self.rungs.powers[en].clone()
+                self.rungs.powers[step] = self.rungs.powers[en].clone();
             }
             Op::Jmp => return self.jump(block, en, step),
             Op::Ret | Op::End => self.leave(row.op, en, step)?,

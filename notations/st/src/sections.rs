@@ -82,7 +82,7 @@ pub(crate) fn program_variables(
 ) {
     let mut sections: BTreeMap<(u8, &str), String> = BTreeMap::new();
     for variable in project.variables(None) {
-        let Some(name) = body.declared.variables.get(variable.root) else {
+        let Some(name) = body.declared.of_tags.get(variable.root) else {
             continue;
         };
         if shared.contains_key(name) && project.is_shared(variable.root) && !project.is_passed(variable.root)
@@ -148,7 +148,7 @@ pub(crate) fn block_variables(project: &Project<'_>, block: usize, body: &Body, 
     }
     let mut sections: BTreeMap<&str, String> = BTreeMap::new();
     for variable in &variables {
-        let Some(name) = body.declared.variables.get(variable.root) else {
+        let Some(name) = body.declared.of_tags.get(variable.root) else {
             continue;
         };
         let head = match (variable.tag.constant, variable.tag.retain) {

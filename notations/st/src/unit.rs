@@ -32,7 +32,7 @@ pub(crate) struct Variables {
     /// The names that are taken in it.
     pub(crate) names: Names,
     /// The variables of tags by the name of the tag.
-    pub(crate) variables: BTreeMap<String, String>,
+    pub(crate) of_tags: BTreeMap<String, String>,
     /// Variables of others that it uses: their names and types.
     pub(crate) externals: BTreeMap<String, String>,
     /// Variables that stay, over a warm restart too.
@@ -152,7 +152,7 @@ impl<'a, 'p> Unit<'a, 'p> {
             let shared = self.project.name_of_shared(name);
             self.declared.in_outs.insert(shared.clone());
             if self.kind == UnitKind::Program {
-                self.declared.variables.insert(name.to_owned(), shared.clone());
+                self.declared.of_tags.insert(name.to_owned(), shared.clone());
             }
             return shared;
         } else if self.project.is_shared(name) {
@@ -166,11 +166,11 @@ impl<'a, 'p> Unit<'a, 'p> {
             }
             return shared;
         }
-        if let Some(variable) = self.declared.variables.get(name) {
+        if let Some(variable) = self.declared.of_tags.get(name) {
             return variable.clone();
         }
         let variable = self.declared.names.name(name, "tag");
-        self.declared.variables.insert(name.to_owned(), variable.clone());
+        self.declared.of_tags.insert(name.to_owned(), variable.clone());
         variable
     }
 

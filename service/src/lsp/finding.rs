@@ -101,6 +101,14 @@ impl<'r> Findings<'r> {
     }
 }
 
+/// The scheme of the addresses that findings link: they are no files, and the server has their text.
+const SCHEME: &str = "ladder-rule";
+
+/// The address of a rule's page. Links between pages, which are relative, lead from one such address to another.
+fn address(rule: Rule) -> String {
+    format!("{SCHEME}:/{}.md", rule.name())
+}
+
 #[cfg(test)]
 mod tests {
     use expect_test::{Expect, expect};
@@ -159,12 +167,4 @@ mod tests {
         "#]],
         );
     }
-}
-
-/// The scheme of the addresses that findings link: they are no files, and the server has their text.
-const SCHEME: &str = "ladder-rule";
-
-/// The address of a rule's page. Links between pages, which are relative, lead from one such address to another.
-fn address(rule: Rule) -> String {
-    format!("{SCHEME}:/{}.md", rule.name())
 }

@@ -8,7 +8,7 @@ fn sources() -> impl Iterator<Item = PathBuf> {
     let files = project::files(&project::root().join("notations"), "rs").into_iter();
     files.filter(|path| {
         let path = path.display().to_string();
-        !path.contains("/tests/") && !path.ends_with("/tests.rs")
+        path.contains("/src/") && !path.contains("/tests/") && !path.ends_with("/tests.rs")
     })
 }
 

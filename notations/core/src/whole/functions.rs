@@ -148,10 +148,12 @@ pub(super) fn globals(own: &Context, files: &[Arc<Analysis>]) -> Vec<Item> {
 /// A section with one tag. None: its type is not known.
 fn declaration(context: &Context, tag: &TagFacts, name: &str) -> Option<Item> {
     let kind = match (tag.origin, tag.role) {
-        (Origin::Declared(SectionKind::Var), _) | (_, Role::Internal) => program::SectionKind::Var,
         (Origin::Declared(SectionKind::InOut), _) => program::SectionKind::VarInOut,
         (Origin::Declared(SectionKind::Global), _) => program::SectionKind::VarGlobal,
         (Origin::Declared(SectionKind::External), _) => program::SectionKind::VarExternal,
+        (Origin::Declared(SectionKind::Input), _) => program::SectionKind::VarInput,
+        (Origin::Declared(SectionKind::Output), _) => program::SectionKind::VarOutput,
+        (Origin::Declared(SectionKind::Var), _) | (_, Role::Internal) => program::SectionKind::Var,
         (_, Role::Input) => program::SectionKind::VarInput,
         (_, Role::Output) => program::SectionKind::VarOutput,
     };

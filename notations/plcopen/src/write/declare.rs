@@ -371,7 +371,8 @@ pub(super) fn in_members(ty: &mut Type, initial: Initial) -> Result<Option<Initi
         for member in members.iter_mut().filter(|member| member.name == *name) {
             if matches!(member.initial, Some(Initial::Structure(_))) {
                 return Err(
-                    "what it begins with is declared with its members there: declare it so here, too".to_owned(),
+                    "what it begins with is declared with its members there: declare it so here, too"
+                        .to_owned(),
                 );
             }
             member.initial = Some(value.clone());
