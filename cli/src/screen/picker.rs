@@ -13,7 +13,7 @@ const OFFERED: usize = 100;
 pub(super) struct Picker {
     pub(super) purpose: Purpose,
     pub(super) text: String,
-    /// The best match first; while nothing is typed the tags of the program as a tree. What a block names is before what none does.
+    /// The best match first; while nothing is typed the tags of the program as a tree.
     pub(super) matches: Vec<Row>,
     /// The match that Enter takes.
     pub(super) chosen: usize,
@@ -21,7 +21,7 @@ pub(super) struct Picker {
     near: Vec<Point>,
     /// The paths of those that are open.
     open: HashSet<String>,
-    /// What blocks name, without indices.
+    /// What blocks name, which is offered before what none does.
     in_blocks: HashSet<String>,
 }
 
@@ -158,21 +158,11 @@ impl Picker {
     }
 
     /// Whether a block names a tag, or the timer, array or structure that it is a part of.
-    fn is_in_block(&self, name: &str) -> bool {
-        let name = without_indices(name);
-        let mut wholes = wholes(&name);
-        self.in_blocks.contains(&name) || wholes.any(|whole| self.in_blocks.contains(whole))
-    }
-
-    /// Whether a block names a tag, or a part of it.
-    fn has_part_in_block(&self, entry: &Entry) -> bool {
-        match entry {
-            Entry::Value(point) => self.is_in_block(&point.name),
-            Entry::Group(Group { name, .. }) => {
-                let mut names = self.in_blocks.iter();
-                self.is_in_block(name) || names.any(|named| wholes(named).any(|whole| whole == name))
-            }
-        }
+    fn is_in_block(&self, point: &Point) -> bool {
+        let name = point.name.as_str();
+        let ends = name.match_indices(['.', '[']).map(|(end, _)| end);
+        let mut wholes = ends.map(|end| &name[..end]);
+        self.in_blocks.contains(name) || wholes.any(|whole| self.in_blocks.contains(whole))
     }
 
     fn search(&mut self, plant: &Plant) {
@@ -181,21 +171,13 @@ impl Picker {
         let wanted = self.text.trim().to_lowercase();
         if wanted.is_empty() {
             self.matches = self.near.iter().cloned().map(Row::of).collect();
-            let mut all = simulation.entries("");
-            all.sort_by_key(|entry| !self.has_part_in_block(entry));
-            self.add(all, 0, plant);
+            self.add(simulation.entries(""), 0, plant);
             return;
         }
         let mut found: Vec<(Likeness, bool, &Point)> = simulation
             .points()
             .iter()
-            .filter_map(|point| {
-                Some((
-                    likeness(&point.name, &wanted)?,
-                    !self.is_in_block(&point.name),
-                    point,
-                ))
-            })
+            .filter_map(|point| Some((likeness(&point.name, &wanted)?, !self.is_in_block(point), point)))
             .collect();
         found.sort_by_key(|(likeness, is_in_none, _)| (*likeness, *is_in_none));
         found.truncate(OFFERED);
@@ -217,22 +199,6 @@ impl Picker {
     }
 }
 
-/// What a member or an element is a part of: `cell` and `cell[]` for `cell[].run`.
-fn wholes(name: &str) -> impl Iterator<Item = &str> {
-    name.match_indices(['.', '[']).map(|(end, _)| &name[..end])
-}
-
-/// `cell[].run` for `cell[2].run`.
-fn without_indices(name: &str) -> String {
-    let mut parts = name.split('[');
-    let mut out = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        out.push_str("[]");
-        out.push_str(part.split_once(']').map_or("", |(_, after)| after));
-    }
-    out
-}
-
 /// What the blocks of a program name.
 fn named_in_blocks(program: &Program) -> HashSet<String> {
     let blocks = program.networks.iter().flat_map(|network| &network.blocks);
@@ -247,7 +213,7 @@ fn named_in_blocks(program: &Program) -> HashSet<String> {
             });
         }
     }
-    names.iter().map(|name| without_indices(name)).collect()
+    names
 }
 
 /// How a name matches, the best first.

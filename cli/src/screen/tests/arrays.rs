@@ -179,13 +179,3 @@ fn the_element_of_now_is_what_keys_act_on() {
     "#]],
     );
 }
-
-#[test]
-fn what_blocks_name_is_offered_before_what_none_does() {
-    let types = "TYPE\n    Pump : STRUCT\n        spare, run : BOOL;\n    END_STRUCT;\nEND_TYPE\n";
-    let tags = "VAR spare : BOOL; pump : ARRAY[1..2] OF Pump; row : BOOL; END_VAR\n";
-    let rung = "+--[ ]( row )--( )( pump[1].run )--+\n";
-    let bench = Bench::new(&format!("{types}{tags}{rung}")).size(60, 14);
-    bench.check("/", expect![""]);
-    bench.check("/ r", expect![""]);
-}
