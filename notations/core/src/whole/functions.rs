@@ -104,7 +104,7 @@ impl Functions {
                 continue;
             }
             let name = taken.fresh(&tag.name);
-            self.declarations.extend(declaration(context, tag, &name));
+            self.declarations.extend(declaration(context, tag, &name, None));
             if *name != *tag.name {
                 renamed.insert(Name::new(&tag.name), name);
             }
@@ -137,16 +137,23 @@ pub(super) fn globals(own: &Context, files: &[Arc<Analysis>]) -> Vec<Item> {
         files.iter().find_map(|file| {
             let mut tags = file.context.scopes[0].tags.iter();
             let global = Origin::Declared(SectionKind::Global);
-            let own =
+            let shared =
                 tags.find(|own| own.origin == global && Name::new(&own.name) == Name::new(&tag.name))?;
-            declaration(&file.context, own, &own.name)
+            // A remark on it is one on its first use.
+            let first = own.uses(tag).next().map(|place| place.range.start().into());
+            declaration(&file.context, shared, &shared.name, first)
         })
     });
     declared.collect()
 }
 
 /// A section with one tag. None: its type is not known.
-fn declaration(context: &Context, tag: &TagFacts, name: &str) -> Option<Item> {
+fn declaration(
+    context: &Context,
+    tag: &TagFacts,
+    name: &str,
+    origin: Option<program::Origin>,
+) -> Option<Item> {
     let kind = match (tag.origin, tag.role) {
         (Origin::Declared(SectionKind::InOut), _) => program::SectionKind::VarInOut,
         (Origin::Declared(SectionKind::Global), _) => program::SectionKind::VarGlobal,
@@ -178,6 +185,7 @@ fn declaration(context: &Context, tag: &TagFacts, name: &str) -> Option<Item> {
         address: tag.cold.address.as_deref().map(str::to_owned),
         initial,
         comment: comment.filter(|comment| !comment.trim().is_empty()),
+        origin,
         ..Declared::new(name, tag.ty?.to_string())
     });
     Some(Item::Section(section))
