@@ -25,7 +25,7 @@ export async function writing(site) {
         await it.picture('typed');
     }, failed);
     await step('Tab takes the first proposal, and goes through what it asks for', async () => {
-        // The right rail is behind the cursor, and does not come along.
+        // The right rail is after the cursor, and does not come along.
         await it.type('\n');
         await it.until('the rung that Enter begins', async () => (await it.lines())[2] === '+--');
         await it.type('[ ]( run )--[TO', 60);

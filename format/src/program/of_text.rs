@@ -23,8 +23,9 @@ impl ProgramSketch {
                 ladder_syntax::Item::BlockHeader(block) => {
                     let line = parse.structure().blocks[block].lines.start;
                     let text = parse.lines()[line].text().trim();
-                    let header = text.split_once('[').map_or("", |(_, header)| header);
-                    outside = Some((format!("[{header}"), std::mem::take(&mut items)));
+                    // In the brackets that its calls have.
+                    let header = text.find(['[', '(', '<']).map_or("", |at| &text[at..]);
+                    outside = Some((header.to_owned(), std::mem::take(&mut items)));
                 }
                 ladder_syntax::Item::BlockEnd(_) => {
                     if let Some((header, before)) = outside.take() {

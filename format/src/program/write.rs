@@ -44,6 +44,15 @@ impl WrittenProgram {
         place.filter(|(range, _)| range.contains(offset))
     }
 
+    /// What the first place that is in a range was made from.
+    pub fn first_in(&self, range: TextRange) -> Option<Origin> {
+        let at = self
+            .places
+            .partition_point(|(place, _)| place.start() < range.start());
+        let (place, origin) = self.places.get(at)?;
+        range.contains_range(*place).then_some(*origin)
+    }
+
     /// The last place that begins at an offset or before it.
     fn nearest(&self, offset: TextSize) -> Option<&(TextRange, Origin)> {
         self.places.get(self.begun(offset).checked_sub(1)?)

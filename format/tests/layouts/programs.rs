@@ -215,30 +215,40 @@ END_VAR
 |  # Above. #  |
 +--\--[ ]( a )--# relay #--\--( )( y )--+  # behind #
 |  /--[ ]( b )-------------/            |
+
+FUNCTION_BLOCK ($Flash)  # of a lamp #
++--[ ]( EN )--( )( ENO )--+
+END_FUNCTION_BLOCK
 ";
     let sketch = ProgramSketch::of_text(&ladder_syntax::parse(text));
     check(
         sketch.items,
         expect![[r#"
-        # ladder: profile iec #
-        VAR_INPUT
-            a, b : BOOL;  # both doors #
-        END_VAR
+            # ladder: profile iec #
+            VAR_INPUT
+                a, b : BOOL;  # both doors #
+            END_VAR
 
-        # Above. #
-        # behind #
-        +--\--[ ]( a )--# relay #--\-----------------------------------------( )( y )--+
-        |  /--[ ]( b )-------------/                                                   |
-        0: # ladder: profile iec #
-        24: VAR_INPUT
-        38: a, b : BOOL;  # both doors #
-        67: END_VAR
-        79: # Above. #
-        136: # behind #
-        99: [ ]( a )
-        109: # relay #
-        123: ( )( y )
-        153: [ ]( b )
-    "#]],
+            # Above. #
+            # behind #
+            +--\--[ ]( a )--# relay #--\-----------------------------------------( )( y )--+
+            |  /--[ ]( b )-------------/                                                   |
+
+            FUNCTION_BLOCK ($Flash)  # of a lamp #
+            +--[ ]( EN )-------------------------------------------------------( )( ENO )--+
+            END_FUNCTION_BLOCK
+            0: # ladder: profile iec #
+            24: VAR_INPUT
+            38: a, b : BOOL;  # both doors #
+            67: END_VAR
+            79: # Above. #
+            136: # behind #
+            99: [ ]( a )
+            109: # relay #
+            123: ( )( y )
+            153: [ ]( b )
+            232: [ ]( EN )
+            243: ( )( ENO )
+        "#]],
     );
 }

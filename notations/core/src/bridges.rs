@@ -2,10 +2,10 @@
 //! kept by a tag, and the parts between are networks, in the order in which their blocks run.
 
 use crate::circuit::series_parallel;
-use crate::elements::{Around, by_origin, comments, declare, put_around};
+use crate::elements::{Around, Declared, by_origin, comments, networks, put_around};
+use crate::fresh::Fresh;
 use crate::rewritten::own_networks;
 use ladder_analysis::Analysis;
-use ladder_analysis::context::Body;
 use ladder_analysis::program::{BlockKind, Network, Step};
 use ladder_format::Circuit;
 use ladder_format::program::{
@@ -20,23 +20,17 @@ const POWER: &str = "power at a point of a network";
 /// A program of series and branches. Networks that jump, or with blocks that no power reaches, stay. None: it is one.
 pub(crate) fn as_branches(analysis: &Analysis) -> Option<ProgramSketch> {
     let context = &analysis.context;
-    let networks: Vec<(&Network, Body)> = (own_networks(analysis)?.into_iter())
+    let bridges: Vec<(&Network, usize)> = (own_networks(analysis)?.into_iter())
         .filter(|(network, _)| !jumps(network) && series_parallel(network).is_none())
         .collect();
-    if networks.is_empty() {
+    if bridges.is_empty() {
         return None;
     }
-    let starts: HashMap<_, usize> = (context.networks.iter())
-        .map(|network| (network.range.start(), network.index))
-        .collect();
     let mut sketch = ProgramSketch::of_text(&context.parse);
-    let drawn = by_origin(&sketch.items);
-    let mut names = Names {
-        text: context.parse.to_string().to_lowercase(),
-        number: 0,
-    };
-    let (mut around, mut declared) = (HashMap::new(), Vec::new());
-    for (network, body) in networks {
+    let (drawings, drawn) = (networks(&sketch.items), by_origin(&sketch.items));
+    let mut names = Fresh::of(context, "power_");
+    let (mut around, mut declared) = (HashMap::new(), Declared::default());
+    for (network, number) in bridges {
         let mut parts = Parts {
             network,
             drawn: &drawn,
@@ -49,9 +43,10 @@ pub(crate) fn as_branches(analysis: &Analysis) -> Option<ProgramSketch> {
         if parts.draw().is_none() {
             continue;
         }
-        declared.push((body, parts.declared));
-        let number = *starts.get(&network.location.range.start())?;
-        let mut below = comments(&sketch.items, number);
+        declared.add(context.bodies[number], parts.declared);
+        let mut below = drawings
+            .get(number)
+            .map_or_else(Vec::new, |drawing| comments(drawing));
         below.extend(parts.made);
         around.insert(
             number,
@@ -63,9 +58,7 @@ pub(crate) fn as_branches(analysis: &Analysis) -> Option<ProgramSketch> {
         );
     }
     put_around(&mut sketch.items, &mut around);
-    for (body, tags) in declared {
-        declare(&mut sketch.items, body, tags);
-    }
+    declared.put(&mut sketch.items);
     Some(sketch)
 }
 
@@ -75,24 +68,6 @@ fn jumps(network: &Network) -> bool {
     blocks.any(|block| matches!(block.kind, BlockKind::Instruction(row) if row.shape == Shape::Function))
 }
 
-/// Names that the text does not have.
-struct Names {
-    text: String,
-    number: usize,
-}
-
-impl Names {
-    fn fresh(&mut self) -> String {
-        loop {
-            self.number += 1;
-            let name = format!("power_{}", self.number);
-            if !self.text.contains(&name) {
-                return name;
-            }
-        }
-    }
-}
-
 /// What leads to a power from the rail.
 type Power = Vec<Circuit<Element>>;
 
@@ -100,7 +75,7 @@ type Power = Vec<Circuit<Element>>;
 struct Parts<'n> {
     network: &'n Network,
     drawn: &'n HashMap<Origin, &'n Block>,
-    names: &'n mut Names,
+    names: &'n mut Fresh,
     declared: Vec<Declaration>,
     made: Vec<Item>,
     /// None: there never is any.
@@ -168,7 +143,7 @@ impl Parts<'_> {
 
     /// Keeps a power in a tag.
     fn keep(&mut self, number: usize) {
-        let name = self.names.fresh();
+        let name = self.names.next();
         let tag = Expression::from(Path::tag(&name));
         let element = |block| Circuit::Element(Element::of(block, None));
         if let Some(parts) = &mut self.powers[number] {

@@ -44,25 +44,41 @@ fn in_series<'c>(circuit: &'c Circuit<Element>, found: &mut Vec<&'c Element>) ->
 
 /// Calls something with each block on a rung, those in the definitions of blocks among them.
 pub fn blocks<'i>(items: &'i [Item], found: &mut impl FnMut(&'i Block)) {
-    for item in items {
-        match item {
-            Item::Block { items, .. } => blocks(items, found),
-            Item::Network(network) => match &network.drawing {
-                Drawing::Circuit(circuit) => in_circuit(circuit, found),
-                Drawing::Rungs(rungs) => rungs.iter().flatten().for_each(|piece| {
-                    if let RungPiece::Element(element) = piece {
-                        element.as_block().into_iter().for_each(&mut *found);
-                    }
-                }),
-            },
-            _ => {}
-        }
+    for network in networks(items) {
+        elements(network, &mut |element| {
+            element.as_block().into_iter().for_each(&mut *found)
+        });
     }
 }
 
-fn in_circuit<'c>(circuit: &'c Circuit<Element>, found: &mut impl FnMut(&'c Block)) {
+/// The networks in the order of the text, those in the definitions of blocks among them.
+pub(crate) fn networks(items: &[Item]) -> Vec<&Network> {
+    let mut found = Vec::new();
+    for item in items {
+        match item {
+            Item::Block { items, .. } => found.extend(networks(items)),
+            Item::Network(network) => found.push(network),
+            _ => {}
+        }
+    }
+    found
+}
+
+/// Calls something with each element of a network.
+pub(crate) fn elements<'n>(network: &'n Network, found: &mut impl FnMut(&'n Element)) {
+    match &network.drawing {
+        Drawing::Circuit(circuit) => in_circuit(circuit, found),
+        Drawing::Rungs(rungs) => rungs.iter().flatten().for_each(|piece| {
+            if let RungPiece::Element(element) = piece {
+                found(element);
+            }
+        }),
+    }
+}
+
+fn in_circuit<'c>(circuit: &'c Circuit<Element>, found: &mut impl FnMut(&'c Element)) {
     match circuit {
-        Circuit::Element(element) => element.as_block().into_iter().for_each(found),
+        Circuit::Element(element) => found(element),
         Circuit::Series(parts) | Circuit::Parallel(parts) => {
             for part in parts {
                 in_circuit(part, found);
@@ -104,28 +120,12 @@ pub(crate) fn change(items: &mut [Item], with: &mut impl FnMut(usize, &mut Block
 
 /// The blocks on rungs by their origins.
 pub(crate) fn by_origin(items: &[Item]) -> HashMap<Origin, &Block> {
-    fn enter<'i>(items: &'i [Item], found: &mut HashMap<Origin, &'i Block>) {
-        for item in items {
-            match item {
-                Item::Block { items, .. } => enter(items, found),
-                Item::Network(Network {
-                    drawing: Drawing::Rungs(rungs),
-                    ..
-                }) => {
-                    for piece in rungs.iter().flatten() {
-                        if let RungPiece::Element(element) = piece
-                            && let (Some(block), Some(origin)) = (element.as_block(), element.origin)
-                        {
-                            found.insert(origin, block);
-                        }
-                    }
-                }
-                _ => {}
-            }
-        }
-    }
     let mut found = HashMap::new();
-    enter(items, &mut found);
+    for network in networks(items) {
+        elements(network, &mut |element| {
+            found.extend(element.origin.zip(element.as_block()));
+        });
+    }
     found
 }
 
@@ -206,29 +206,14 @@ pub(crate) fn put_around(items: &mut Vec<Item>, by: &mut HashMap<usize, Around>)
 }
 
 /// The comments in the wires of a network, on lines of their own.
-pub(crate) fn comments(items: &[Item], number: usize) -> Vec<Item> {
-    fn networks<'i>(items: &'i [Item], found: &mut Vec<&'i Network>) {
-        for item in items {
-            match item {
-                Item::Network(network) => found.push(network),
-                Item::Block { items, .. } => networks(items, found),
-                _ => {}
-            }
-        }
-    }
+pub(crate) fn comments(network: &Network) -> Vec<Item> {
     let mut found = Vec::new();
-    networks(items, &mut found);
-    let Some(Drawing::Rungs(rungs)) = found.get(number).map(|network| &network.drawing) else {
-        return Vec::new();
-    };
-    let comments = rungs.iter().flatten().filter_map(|piece| match piece {
-        RungPiece::Element(Element {
-            part: Part::Comment(text),
-            ..
-        }) => Some(Item::Comment(text.clone())),
-        _ => None,
+    elements(network, &mut |element| {
+        if let Part::Comment(text) = &element.part {
+            found.push(Item::Comment(text.clone()));
+        }
     });
-    comments.collect()
+    found
 }
 
 /// Whether a line of ladder text is a comment.
@@ -236,21 +221,38 @@ pub(crate) fn is_comment(item: &Item) -> bool {
     matches!(item, Item::Kept(line, _) if line.starts_with('#'))
 }
 
-/// Declares tags where the networks of a body see them.
-pub(crate) fn declare(items: &mut Vec<Item>, body: Body, declarations: Vec<Declaration>) {
-    let mut section = Section::new(SectionKind::Var);
-    section.declarations = declarations;
-    let blocks = items.iter_mut().filter_map(|item| match item {
-        Item::Block { items, .. } => Some(items),
-        _ => None,
-    });
-    match body {
-        Body::Block(block) => {
-            for items in blocks.skip(block).take(1) {
-                items.insert(0, Item::Section(section.clone()));
+/// Tags that are declared where the networks of a body see them.
+#[derive(Default)]
+pub(crate) struct Declared(Vec<(Body, Section)>);
+
+impl Declared {
+    pub(crate) fn add(&mut self, body: Body, tags: impl IntoIterator<Item = Declaration>) {
+        let at = self
+            .0
+            .iter()
+            .rposition(|(other, _)| *other == body)
+            .unwrap_or_else(|| {
+                self.0.push((body, Section::new(SectionKind::Var)));
+                self.0.len() - 1
+            });
+        self.0[at].1.declarations.extend(tags);
+    }
+
+    /// Puts them into a program: at the beginning of blocks, and at its end.
+    pub(crate) fn put(self, items: &mut Vec<Item>) {
+        for (body, section) in self.0 {
+            let Body::Block(block) = body else {
+                items.extend([Item::Blank, Item::Section(section)]);
+                continue;
+            };
+            let mut blocks = items.iter_mut().filter_map(|item| match item {
+                Item::Block { items, .. } => Some(items),
+                _ => None,
+            });
+            if let Some(items) = blocks.nth(block) {
+                items.insert(0, Item::Section(section));
             }
         }
-        _ => items.extend([Item::Blank, Item::Section(section)]),
     }
 }
 

@@ -1,7 +1,8 @@
 //! Formulas that call functions (`[CALC]( y, a + MIN(b, c * 2) )`), for systems whose formulas have others: what they call becomes
 //! an instruction of its own, in front of the formula, and tags hold the parts.
 
-use crate::elements::{Replaced, by_origin, declare, replace};
+use crate::elements::{Declared, Replaced, by_origin, replace};
+use crate::fresh::Fresh;
 use crate::rewritten::own_networks;
 use ladder_analysis::Analysis;
 use ladder_analysis::context::Body;
@@ -18,9 +19,10 @@ const FUNCTIONS: [Op; 5] = [Op::Min, Op::Max, Op::Limit, Op::Sel, Op::Mux];
 /// A program in whose formulas none of `MIN`, `MAX`, `LIMIT`, `SEL` and `MUX` is called. None: it has none of them.
 pub(crate) fn by_instructions(analysis: &Analysis) -> Option<ProgramSketch> {
     let networks = own_networks(analysis)?;
+    let bodies = &analysis.context.bodies;
     let blocks = networks
         .iter()
-        .flat_map(|(network, body)| network.blocks.iter().map(move |block| (block, *body)));
+        .flat_map(|(network, number)| network.blocks.iter().map(|block| (block, bodies[*number])));
     let formulas: Vec<(&Block, &Expr, Body)> = blocks
         .filter_map(|(block, body)| Some((block, formula(block)?, body)))
         .collect();
@@ -30,22 +32,19 @@ pub(crate) fn by_instructions(analysis: &Analysis) -> Option<ProgramSketch> {
     let mut sketch = ProgramSketch::of_text(&analysis.context.parse);
     let drawn = by_origin(&sketch.items);
     let mut parts = Parts {
-        text: analysis.context.parse.to_string().to_lowercase(),
-        number: 0,
+        names: Fresh::of(&analysis.context, "part_"),
         declared: Vec::new(),
     };
-    let (mut instead, mut declared) = (Replaced::new(), Vec::new());
+    let (mut instead, mut declared) = (Replaced::new(), Declared::default());
     for (block, formula, body) in formulas {
         let at = block.location.range.start().into();
         if let Some(chain) = drawn.get(&at).and_then(|drawn| parts.of(formula, drawn)) {
             instead.insert(at, chain);
-            declared.push((body, std::mem::take(&mut parts.declared)));
+            declared.add(body, parts.declared.drain(..));
         }
     }
     replace(&mut sketch.items, &instead);
-    for (body, parts) in declared {
-        declare(&mut sketch.items, body, parts);
-    }
+    declared.put(&mut sketch.items);
     Some(sketch)
 }
 
@@ -62,9 +61,7 @@ fn formula(block: &Block) -> Option<&Expr> {
 
 /// The parts of formulas.
 struct Parts {
-    /// The program in small letters.
-    text: String,
-    number: usize,
+    names: Fresh,
     declared: Vec<Declaration>,
 }
 
@@ -163,13 +160,7 @@ impl Parts {
         operands: Vec<Expression>,
         chain: &mut Vec<program::Block>,
     ) -> Option<Expression> {
-        let name = loop {
-            self.number += 1;
-            let part = format!("part_{}", self.number);
-            if !self.text.contains(&part) {
-                break part;
-            }
-        };
+        let name = self.names.next();
         let part = Expression::from(Path::tag(&name));
         self.declared.push(Declaration {
             comment: Some(PART.to_owned()),

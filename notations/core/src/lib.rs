@@ -23,6 +23,7 @@ mod file_name;
 mod finding;
 mod foreign;
 mod formulas;
+mod fresh;
 mod functions;
 pub mod guard;
 mod iec_names;

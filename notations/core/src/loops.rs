@@ -1,10 +1,11 @@
 //! Programs with loops (`<FOR>` .. `<NEXT>`), for systems that have jumps: two tags count the turns, and the networks of the loop
-//! stand between two labels. The comment on the tag that holds how many turns there are says so, for people and for [`again`], which
+//! are between two labels. The comment on the tag that holds how many turns there are says so, for people and for [`again`], which
 //! makes a loop of it where such a program is read.
 
 pub(crate) mod again;
 
-use crate::elements::{Around, Replaced, by_origin, declare, put_around, replace, rung};
+use crate::elements::{Around, Declared, Replaced, by_origin, put_around, replace, rung};
+use crate::fresh::Fresh;
 use crate::functions::head;
 use crate::rewritten::own_networks;
 use crate::target::Stays;
@@ -42,57 +43,46 @@ struct Loop {
 pub(crate) fn as_jumps(analysis: &Analysis, stays: fn(&Context) -> Stays) -> Option<ProgramSketch> {
     let context = &analysis.context;
     let networks = own_networks(analysis)?;
-    let mut loops = loops(context, &networks);
+    let loops = loops(context, &networks);
     if loops.is_empty() {
         return None;
     }
     let stays = stays(context);
     let mut sketch = ProgramSketch::of_text(&context.parse);
     let drawn = by_origin(&sketch.items);
-    // How many turns each has, and the tag with their number.
-    let mut turns = HashMap::new();
-    loops.retain(|it| {
+    let (mut around, mut instead, mut declared) = (HashMap::new(), Replaced::new(), Declared::default());
+    for it in loops {
         let operands = drawn
             .get(&it.begin.into())
             .map_or(&[][..], |block| block.operands());
         let Some(Operand::Value(count)) = operands.first() else {
-            return false;
+            continue;
         };
+        let body = context.bodies[it.first];
+        let is_instruction = match body {
+            Body::Block(block) => stays.blocks.contains(&block),
+            _ => false,
+        };
+        if is_instruction || stays.turns.contains(&Name::new(&count.to_string())) {
+            continue;
+        }
         let turn = operands.iter().find_map(|operand| match operand {
             Operand::Taken(_, tag) => Some(tag.clone()),
             _ => None,
         });
-        let is_instruction = match context.bodies[it.first] {
-            Body::Block(block) => stays.blocks.contains(&block),
-            _ => false,
-        };
-        let is_jump = !is_instruction && !stays.turns.contains(&Name::new(&count.to_string()));
-        turns.insert(it.first, (count.clone(), turn));
-        is_jump
-    });
-    if loops.is_empty() {
-        return None;
-    }
-    let (mut around, mut instead) = (HashMap::new(), Replaced::new());
-    let mut declared: Vec<(Body, Vec<Declaration>)> = Vec::new();
-    for it in &loops {
-        let (count, turn) = turns.remove(&it.first)?;
-        draw(it, context, (count, turn), &mut around, &mut instead)?;
+        draw(&it, context, (count.clone(), turn), &mut around, &mut instead)?;
         let tags = [("count", MARK), ("turn", TURN)].map(|(what, comment)| Declaration {
             comment: Some(comment.to_owned()),
             ..Declaration::new(format!("{}_{what}", it.name), it.ty.name())
         });
-        let body = context.bodies[it.first];
-        match declared.iter_mut().find(|(other, _)| *other == body) {
-            Some((_, all)) => all.extend(tags),
-            None => declared.push((body, tags.into())),
-        }
+        declared.add(body, tags);
+    }
+    if instead.is_empty() {
+        return None;
     }
     replace(&mut sketch.items, &instead);
     put_around(&mut sketch.items, &mut around);
-    for (body, tags) in declared {
-        declare(&mut sketch.items, body, tags);
-    }
+    declared.put(&mut sketch.items);
     Some(sketch)
 }
 
@@ -142,7 +132,7 @@ fn draw(
 }
 
 /// The loops of a file that can be jumps.
-fn loops(context: &Context, networks: &[(&Network, Body)]) -> Vec<Loop> {
+fn loops(context: &Context, networks: &[(&Network, usize)]) -> Vec<Loop> {
     let begins: Vec<_> = (context.networks.iter())
         .flat_map(|network| network.blocks().map(move |block| (network.index, block)))
         .filter(|(_, block)| head(*block) == "<FOR>")
@@ -155,9 +145,8 @@ fn loops(context: &Context, networks: &[(&Network, Body)]) -> Vec<Loop> {
         .map(|block| (block.location.range.start(), block))
         .collect();
     let marks = marks(context);
-    let text = context.parse.to_string().to_lowercase();
+    let mut names = Fresh::of(context, "loop_");
     let mut loops = Vec::new();
-    let mut number = 0;
     for (at, (first, begin)) in begins.iter().enumerate() {
         let (first, body) = (*first, context.bodies[*first]);
         let is_next_to = |other: Option<&(usize, _)>| other.is_some_and(|(other, _)| *other == first);
@@ -188,15 +177,8 @@ fn loops(context: &Context, networks: &[(&Network, Body)]) -> Vec<Loop> {
         else {
             continue;
         };
-        let name = loop {
-            number += 1;
-            let name = format!("loop_{number}");
-            if !text.contains(&name) {
-                break name;
-            }
-        };
         loops.push(Loop {
-            name,
+            name: names.next(),
             ty,
             first,
             last,

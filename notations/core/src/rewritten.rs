@@ -1,7 +1,6 @@
 //! A program that passes have rewritten for a system that lacks something, and where its parts come from.
 
 use crate::{Entry, LineColumn, Lines, Outcome, Report};
-use ladder_analysis::context::Body;
 use ladder_analysis::program::Network;
 use ladder_analysis::{Analysis, AnalyzeOptions, analyze};
 use ladder_format::Options;
@@ -30,21 +29,23 @@ struct Text {
     lines: Lines,
 }
 
-impl Text {
-    fn of(text: String) -> Text {
-        let lines = Lines::of(&text);
-        Text { text, lines }
-    }
+/// Where the parts of a rewritten program come from.
+struct From {
+    /// The text of the program itself.
+    first: Rc<Text>,
+    /// The rewritten text, and for each part of it where it was in the first.
+    written: WrittenProgram,
+    lines: Lines,
 }
 
 /// A program on its way through the passes.
 pub(crate) struct Rewritten {
     pub(crate) analysis: Analysis,
-    text: Text,
-    /// The text of the program itself, and for each part of the rewritten text where it was there. None: nothing is rewritten.
-    from: Option<(Rc<Text>, WrittenProgram)>,
-    /// What passes report, at places of the program itself.
+    /// None: nothing is rewritten.
+    from: Option<From>,
+    /// What passes report, at places of the program itself, and of what was added of other files, with its number.
     report: Report,
+    of_others: Vec<(usize, Entry)>,
 }
 
 impl Rewritten {
@@ -52,9 +53,9 @@ impl Rewritten {
     pub(crate) fn of(analysis: &Analysis) -> Rewritten {
         Rewritten {
             analysis: analysis.clone(),
-            text: Text::of(analysis.context.parse.to_string()),
             from: None,
             report: Report::default(),
+            of_others: Vec::new(),
         }
     }
 
@@ -64,25 +65,34 @@ impl Rewritten {
         let context = &self.analysis.context;
         let options = AnalyzeOptions::new(&context.name).among(&context.others);
         let first = match &self.from {
-            None => Rc::new(Text::of(self.text.text.clone())),
-            Some((first, before)) => {
+            None => {
+                let text = context.parse.to_string();
+                let lines = Lines::of(&text);
+                Rc::new(Text { text, lines })
+            }
+            Some(before) => {
                 written.places.retain_mut(|(_, origin)| {
                     if *origin < ADDED {
-                        let Some(before) = before.origin_around(TextSize::new(*origin)) else {
+                        let Some(before) = before.written.origin_around(TextSize::new(*origin)) else {
                             return false;
                         };
                         *origin = before;
                     }
                     true
                 });
-                Rc::clone(first)
+                Rc::clone(&before.first)
             }
         };
+        let lines = Lines::of(&written.text);
         Rewritten {
             analysis: analyze(&parse(&written.text).into(), options),
-            text: Text::of(written.text.clone()),
-            from: Some((first, written)),
+            from: Some(From {
+                first,
+                written,
+                lines,
+            }),
             report: self.report.clone(),
+            of_others: self.of_others.clone(),
         }
     }
 
@@ -99,55 +109,25 @@ impl Rewritten {
         if after.analysis.program().is_none() {
             return self;
         }
-        self.restore(&mut report);
+        after.of_others = self.restore(&mut report);
         after.report = report;
         after
-    }
-
-    /// Where a place of the rewritten text comes from.
-    fn source(&self, place: LineColumn) -> Source {
-        let Some((first, written)) = &self.from else {
-            return Source::Own(place);
-        };
-        let at = TextSize::new(self.text.lines.offset(&self.text.text, place) as u32);
-        let own = |origin: Origin| first.lines.place(&first.text, origin as usize);
-        match written.place_around(at) {
-            Some((_, origin)) if origin >= ADDED => return Source::Added((origin - ADDED) as usize),
-            Some((range, origin)) => {
-                // As far into it as there, where that is spelled the same.
-                let into = usize::from(at - range.start());
-                let is_same = self.text.text[range].get(..into) == first.text[origin as usize..].get(..into);
-                return Source::Own(own(if is_same { origin + into as Origin } else { origin }));
-            }
-            None => {}
-        }
-        // Next to something on its line.
-        let line = line_around(&self.text.text, at);
-        let mut near = written
-            .places
-            .iter()
-            .filter(|(range, _)| line.contains_range(*range));
-        match near.next() {
-            Some((_, origin)) if *origin >= ADDED => Source::Added((origin - ADDED) as usize),
-            Some((_, origin)) => Source::Own(LineColumn {
-                column: place.column,
-                ..own(*origin)
-            }),
-            None => Source::Pass,
-        }
     }
 
     /// Makes the places of a report on the rewritten program those of the program, and adds what passes report. What is about parts
     /// of other files comes back, with their numbers. Of what passes made only that stays which has no counterpart.
     pub(crate) fn restore(&self, report: &mut Report) -> Vec<(usize, Entry)> {
-        let mut added = Vec::new();
-        report.entries.retain_mut(|entry| match self.source(entry.place) {
+        let mut of_others = self.of_others.clone();
+        let Some(from) = &self.from else {
+            return of_others;
+        };
+        report.entries.retain_mut(|entry| match from.source(entry.place) {
             Source::Own(place) => {
                 entry.place = place;
                 true
             }
             Source::Added(number) => {
-                added.push((number, entry.clone()));
+                of_others.push((number, entry.clone()));
                 false
             }
             Source::Pass => {
@@ -157,21 +137,52 @@ impl Rewritten {
         });
         report.entries.extend(self.report.entries.iter().cloned());
         report.entries.sort_by_key(|entry| entry.place);
-        if self.from.is_some() {
-            report.entries.dedup();
-        }
-        added
+        report.entries.dedup();
+        of_others
     }
 }
 
-/// The networks of the file itself, and what each is in. None: the program has errors.
-pub(crate) fn own_networks(analysis: &Analysis) -> Option<Vec<(&Network, Body)>> {
-    let context = &analysis.context;
-    let bodies: HashMap<TextSize, Body> = (context.networks.iter())
-        .map(|network| (network.range.start(), context.bodies[network.index]))
+impl From {
+    /// Where a place of the rewritten text comes from.
+    fn source(&self, place: LineColumn) -> Source {
+        let From {
+            first,
+            written,
+            lines,
+        } = self;
+        let at = TextSize::new(lines.offset(&written.text, place) as u32);
+        let of = |origin: Origin, own: &dyn Fn(Origin) -> LineColumn| match origin.checked_sub(ADDED) {
+            Some(number) => Source::Added(number as usize),
+            None => Source::Own(own(origin)),
+        };
+        let place_of = |origin: Origin| first.lines.place(&first.text, origin as usize);
+        if let Some((range, origin)) = written.place_around(at) {
+            return of(origin, &|origin| {
+                // As far into it as there, where that is spelled the same.
+                let into = usize::from(at - range.start());
+                let is_same = written.text[range].get(..into) == first.text[origin as usize..].get(..into);
+                place_of(if is_same { origin + into as Origin } else { origin })
+            });
+        }
+        // Next to something on its line.
+        let line = line_around(&written.text, at);
+        match written.first_in(line) {
+            Some(origin) => of(origin, &|origin| LineColumn {
+                column: place.column,
+                ..place_of(origin)
+            }),
+            None => Source::Pass,
+        }
+    }
+}
+
+/// The networks of the file itself, and the number of each. None: the program has errors.
+pub(crate) fn own_networks(analysis: &Analysis) -> Option<Vec<(&Network, usize)>> {
+    let numbers: HashMap<TextSize, usize> = (analysis.context.networks.iter())
+        .map(|network| (network.range.start(), network.index))
         .collect();
     let networks = analysis.program()?.networks.iter();
     let own = networks.filter(|network| network.location.file == 0);
-    own.map(|network| Some((network, *bodies.get(&network.location.range.start())?)))
+    own.map(|network| Some((network, *numbers.get(&network.location.range.start())?)))
         .collect()
 }

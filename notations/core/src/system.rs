@@ -4,7 +4,7 @@
 
 pub(crate) mod again;
 
-use crate::elements::{Around, change, declare, put_around, rung};
+use crate::elements::{Around, Declared, change, put_around, rung};
 use crate::rewritten::own_networks;
 use crate::target::Target;
 use crate::{Lines, Report};
@@ -44,14 +44,16 @@ pub(crate) fn with_block(analysis: &Analysis, target: &Target, report: &mut Repo
     }
     let stays = (target.stays)(context);
     let is_instruction = |body| matches!(body, Body::Block(block) if stays.blocks.contains(&block));
+    // A function is run by the program.
+    let body_of = |network: usize| match context.bodies[network] {
+        Body::Function(_) => Body::Main,
+        body => body,
+    };
     let mut named = HashSet::new();
     let text = context.parse.to_string();
     let places = Lines::of(&text);
-    for (network, body) in own_networks(analysis)? {
-        let body = match body {
-            Body::Function(_) => Body::Main,
-            body => body,
-        };
+    for (network, number) in own_networks(analysis)? {
+        let body = body_of(number);
         let bound = network.blocks.iter().flat_map(|block| &block.arguments);
         for (place, at) in bound.flat_map(|bound| bound.places()) {
             if let Place::System(tag) = place
@@ -74,10 +76,6 @@ pub(crate) fn with_block(analysis: &Analysis, target: &Target, report: &mut Repo
     }
     let mut tags: Vec<SystemTag> = SystemTag::ALL.to_vec();
     tags.retain(|tag| named.iter().any(|(_, other)| other == tag));
-    let body_of = |network: usize| match context.bodies[network] {
-        Body::Function(_) => Body::Main,
-        body => body,
-    };
     let mut sketch = ProgramSketch::of_text(&context.parse);
     change(&mut sketch.items, &mut |network, block| {
         block.change_paths(|path| {
@@ -89,21 +87,22 @@ pub(crate) fn with_block(analysis: &Analysis, target: &Target, report: &mut Repo
             }
         });
     });
-    let bodies: HashSet<Body> = named.iter().map(|(body, _)| *body).collect();
-    let mut around = HashMap::new();
-    for body in &bodies {
-        let first = context
-            .networks
-            .iter()
-            .find(|network| body_of(network.index) == *body)?;
+    let (mut around, mut declared) = (HashMap::new(), Declared::default());
+    for body in named.iter().map(|(body, _)| *body).collect::<HashSet<Body>>() {
+        let mut networks = context.networks.iter();
+        let first = networks.find(|network| body_of(network.index) == body)?;
         let above = vec![rung([call()?], None), Item::Blank];
-        let around: &mut Around = around.entry(first.index).or_default();
-        around.above = above;
+        around.insert(
+            first.index,
+            Around {
+                above,
+                ..Around::default()
+            },
+        );
+        declared.add(body, [Declaration::new(INSTANCE, BLOCK)]);
     }
     put_around(&mut sketch.items, &mut around);
-    for body in bodies {
-        declare(&mut sketch.items, body, vec![Declaration::new(INSTANCE, BLOCK)]);
-    }
+    declared.put(&mut sketch.items);
     sketch
         .items
         .extend([Item::Blank, Item::Comment(ABOUT.to_owned()), block(&tags).ok()?]);

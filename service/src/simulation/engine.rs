@@ -48,7 +48,7 @@ pub(super) struct Engine {
     pub(super) drawing: OnceCell<Drawing>,
     /// What the client shows, if it says so.
     pub(super) view: Option<View>,
-    /// What it reported last.
+    /// What it said that it shows, last.
     pub(super) shown: Option<messages::Shown>,
     /// What the client is sent next is all of what it shows: what it knows is of another text, or of another program.
     pub(super) is_new: bool,

@@ -143,13 +143,13 @@ impl Declared<'_> {
                 variables.extend(self.variable((offset, statement), section, report));
             } else if !known(statement) {
                 let at = (self.place)(offset);
-                report.refused(at, statement, "it stands outside of a section of variables");
+                report.refused(at, statement, "it is outside of a section of variables");
             }
         }
         variables
     }
 
-    /// The variables that a statement declares, with what is reported of them behind it.
+    /// The variables that a statement declares, with what is reported of them after it.
     fn variable(
         &self,
         (offset, statement): (usize, &str),
@@ -158,7 +158,7 @@ impl Declared<'_> {
     ) -> Vec<Variable> {
         let at = (self.place)(offset);
         let Some(mut all) = variables(statement, role, qualifier, at) else {
-            report.refused(at, statement, "this is no declaration: `name : TYPE;` is one");
+            report.refused(at, statement, "this is not a declaration: `name : TYPE;` is one");
             return Vec::new();
         };
         let told = self.comment_behind(offset + statement.len());

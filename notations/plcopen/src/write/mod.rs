@@ -62,7 +62,7 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     })
 }
 
-/// The project that a program is, with what a compiler of projects lacks said by what it has: see [`Target::BLOCKS_ALONE`].
+/// The project that a program is, with what a compiler of projects lacks expressed by what it has: see [`Target::BLOCKS_ALONE`].
 ///
 /// # Errors
 ///

@@ -264,7 +264,7 @@ impl<'g> Trees<'g> {
         }
     }
 
-    /// A wire that begins where this tree stands.
+    /// A wire that begins where this tree is.
     fn begun(&mut self, from: Vec<End>, tree: Tree) -> Tree {
         let number = self.wire;
         self.wire += 1;

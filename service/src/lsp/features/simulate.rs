@@ -104,7 +104,7 @@ fn given(tag: &str, value: Option<Value>, text: Option<String>) -> Result<Given>
     }
 }
 
-/// How fast a run is to go; none if nothing is reported of it.
+/// How fast a run is to go; None if neither is set.
 fn pace(real_time: Option<bool>, speed: Option<f64>) -> Result<Option<Pace>> {
     match (real_time, speed) {
         (Some(false), None) => Ok(Some(Pace::Full)),

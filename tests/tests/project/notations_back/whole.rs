@@ -172,6 +172,33 @@ fn functions_of_other_files_are_written_along() {
     }
 }
 
+/// A block of another file counts scans, which only ladder text has.
+const COUNTS: &[(&str, &str)] = &[
+    (
+        "plant.clad",
+        "VAR_INPUT\n    go : BOOL;\nEND_VAR\nVAR_OUTPUT\n    y : BOOL;\nEND_VAR\nVAR\n    w : $Wait;\nEND_VAR\n\n\
+         +--[$Wait]( w )--( )( y )--+\n",
+    ),
+    (
+        "wait.clad",
+        "FUNCTION_BLOCK [$Wait]\nVAR_OUTPUT\n    n : DINT;\nEND_VAR\n+--[TYP]( n, SYS.SCAN )--+\nEND_FUNCTION_BLOCK\n",
+    ),
+];
+
+#[test]
+fn what_a_pass_remarks_on_a_block_of_another_file_is_told_at_its_call() {
+    for notation in ["simatic", "simaticml"] {
+        let notation = by_name(notation).expect("the notation is registered");
+        let writing = write_checked(notation, &linked(COUNTS), "plant").expect("it is written");
+        let remarks = writing.report.remarks();
+        let remarks: Vec<String> = remarks
+            .map(|entry| format!("{} {}: {:?}", entry.place, entry.element, entry.outcome))
+            .collect();
+        let why = "the block counts scans and time only while it runs";
+        assert_eq!(remarks, [format!("11:4 [$Wait]: Approximated({why:?})")]);
+    }
+}
+
 const FUNCTIONS: &str = "VAR_INPUT
     go, wash : BOOL;
     n        : INT;
