@@ -8,7 +8,7 @@ use crate::networks::named::Named;
 use crate::networks::network::Meaning;
 use crate::networks::unread_line::identifiers;
 use crate::networks::use_kind::Extent;
-use crate::other_files::outward::{Outward, TagUse};
+use crate::other_files::outward::{Handed, Outward, TagUse};
 use crate::program::Access;
 use crate::program::{Unread, root_of};
 use crate::written::facts::NodeKind;
@@ -34,7 +34,7 @@ pub(super) fn of(context: &Context) -> Outward {
     for word in unread_words(context) {
         outward.members.insert(word.clone(), TagUse::BOTH);
         outward.tags.insert(word.clone(), TagUse::BOTH);
-        outward.blocks.insert(word.clone());
+        outward.blocks.entry(word.clone()).or_default();
         outward.calls.insert(word);
     }
     outward
@@ -123,10 +123,16 @@ fn calls(context: &Context, network: NetworkAt<'_>, calls: &mut FxHashSet<Name>)
 }
 
 /// The user-defined blocks on a network that the file does not hold.
-fn blocks(context: &Context, network: NetworkAt<'_>, blocks: &mut FxHashSet<Name>) {
+fn blocks(context: &Context, network: NetworkAt<'_>, blocks: &mut FxHashMap<Name, FxHashSet<Handed>>) {
     let is_own = |meaning: Meaning| matches!(meaning, Meaning::User(block) if context.user_blocks[block].import.is_none());
-    let others = network.blocks().filter(|bound| !is_own(bound.meaning));
-    blocks.extend(others.filter_map(|bound| bound.user_name().map(Name::new)));
+    for bound in network.blocks().filter(|bound| !is_own(bound.meaning)) {
+        let Some(name) = bound.user_name() else { continue };
+        let names = bound.facts.operands.iter().filter_map(|operand| operand.name());
+        let by_name: Vec<Name> = names.map(|word| Name::new(&word.text)).collect();
+        let by_place = bound.facts.operands.len() - by_name.len();
+        let entry = blocks.entry(Name::new(name)).or_default();
+        entry.insert(Handed { by_place, by_name });
+    }
 }
 
 /// The words on lines that cannot be read.

@@ -8,7 +8,8 @@ use crate::networks::network::{Formal, Meaning};
 use crate::program::ParameterKind;
 use crate::values::compound::{Compound, EnumId};
 use crate::values::types::{Scalar, Type};
-use crate::written::facts::{Node, NodeKind};
+use crate::written::facts::{Node, NodeKind, Word};
+use crate::written::user_block::Parameter;
 use ladder_instructions::Semantics;
 use ladder_syntax::Name;
 
@@ -44,7 +45,7 @@ impl<F: FnMut(&Node) -> Option<Type>> Roots for InScope<'_, F> {
     }
 
     fn parameter(&mut self, block: &str, name: &str) -> Option<Type> {
-        self.context.block_parameter(block, name)
+        self.context.block_parameter(block, name)?.ty
     }
 }
 
@@ -98,13 +99,36 @@ impl Context {
         found.filter(|(_, given)| *given == 0).map(|(ty, _)| ty)
     }
 
-    /// The parameter of a user-defined block that others read by the name of its state: `m1.running`.
-    fn block_parameter(&self, block: &str, name: &str) -> Option<Type> {
+    /// The parameter of a user-defined block that others reach by the name of its state: `m1.running`.
+    pub(crate) fn block_parameter(&self, block: &str, name: &str) -> Option<&Parameter> {
         let (block, name) = (Name::new(block), Name::new(name));
         let own = self.user_blocks.iter().find(|facts| facts.key == block);
         let facts = own.or_else(|| self.others.blocks(&block).next().map(|(_, block)| &block.facts))?;
         let parameter = facts.parameters.iter().find(|parameter| parameter.key == name);
-        parameter.filter(|it| it.kind != ParameterKind::InOut)?.ty
+        parameter.filter(|it| it.kind != ParameterKind::InOut)
+    }
+
+    /// The innermost step of a path that reaches into the state of a user-defined block: the path of that state, the block, and the
+    /// word behind it. `m1.speed.3` reaches into `m1`.
+    pub(crate) fn into_instance(
+        node: &Node,
+        ty: impl Fn(&Node) -> Option<Type>,
+    ) -> Option<(&Node, String, &Word)> {
+        let mut at = node;
+        loop {
+            at = match &at.kind {
+                NodeKind::Member(base, word) => {
+                    if let Some(Type::Compound(id)) = ty(base)
+                        && let Some(block) = id.block()
+                    {
+                        return Some((base, block.to_string(), word));
+                    }
+                    base
+                }
+                NodeKind::Index(base, _) | NodeKind::Range(base, ..) | NodeKind::Paren(base) => base,
+                _ => return None,
+            };
+        }
     }
 
     /// The enumeration of whose values a name is one, where it is an operand of a block and no tag.

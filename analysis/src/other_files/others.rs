@@ -84,7 +84,7 @@ impl Exported {
         let is_global = |name: &Name| self.globals.contains_key(name);
         !before.offers_the_same(after)
             || old.calls.symmetric_difference(&new.calls).any(is_called)
-            || old.blocks.symmetric_difference(&new.blocks).any(is_block)
+            || old.differing_blocks(new).any(is_block)
             || (!self.globals.is_empty() && old.differing_tags(new).any(is_global))
             || old.all_tags != new.all_tags
             || (self.have_types() && !old.uses_parts_like(new))

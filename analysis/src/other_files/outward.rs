@@ -38,6 +38,22 @@ impl TagUse {
     }
 }
 
+/// The operands of a block that another file defines.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub(crate) struct Handed {
+    /// How many are given by their place.
+    pub(crate) by_place: usize,
+    pub(crate) by_name: Vec<Name>,
+}
+
+impl Handed {
+    /// Whether the block's state may be a tag, and keep the parameter of this number and name. Which of the first operands is a state
+    /// is known where the block is.
+    pub(crate) fn may_keep(&self, number: usize, name: &Name) -> bool {
+        (1..=number + 1).contains(&self.by_place) && !self.by_name.contains(name)
+    }
+}
+
 /// What a file does with what other files may hold.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Outward {
@@ -48,8 +64,9 @@ pub(crate) struct Outward {
     pub(crate) all_tags: TagUse,
     /// Functions that it calls and does not hold.
     pub(crate) calls: FxHashSet<Name>,
-    /// User-defined blocks that it uses and does not hold.
-    pub(crate) blocks: FxHashSet<Name>,
+    /// User-defined blocks that it uses and does not hold, with what they are handed. Nothing is known of a word on a line that
+    /// cannot be read.
+    pub(crate) blocks: FxHashMap<Name, FxHashSet<Handed>>,
     /// Members of whatever structures, and the words on lines that cannot be read.
     pub(crate) members: FxHashMap<Name, TagUse>,
     /// Tags that may be structures and are used as a whole, or an element of them.
@@ -62,13 +79,25 @@ impl Outward {
         self.members == other.members && self.wholes == other.wholes
     }
 
+    /// The blocks that two texts of a file do not use alike.
+    pub(crate) fn differing_blocks<'o>(&'o self, other: &'o Outward) -> impl Iterator<Item = &'o Name> {
+        differing(&self.blocks, &other.blocks)
+    }
+
     /// The tags that two texts of a file do not use alike.
     pub(crate) fn differing_tags<'o>(&'o self, other: &'o Outward) -> impl Iterator<Item = &'o Name> {
-        let only_here = self
-            .tags
-            .iter()
-            .filter(|(name, used)| other.tags.get(*name) != Some(*used));
-        let only_there = other.tags.keys().filter(|name| !self.tags.contains_key(*name));
-        only_here.map(|(name, _)| name).chain(only_there)
+        differing(&self.tags, &other.tags)
     }
+}
+
+/// The names that only one of two maps has, or that mean something else there.
+fn differing<'m, T: PartialEq>(
+    one: &'m FxHashMap<Name, T>,
+    other: &'m FxHashMap<Name, T>,
+) -> impl Iterator<Item = &'m Name> {
+    let only_here = one
+        .iter()
+        .filter(|(name, value)| other.get(*name) != Some(*value));
+    let only_there = other.keys().filter(|name| !one.contains_key(*name));
+    only_here.map(|(name, _)| name).chain(only_there)
 }

@@ -133,7 +133,7 @@ fn written_elsewhere(units: &[Unit<'_>]) -> Elsewhere {
             let blocks = unit.context.user_blocks[..unit.context.own_blocks]
                 .iter()
                 .enumerate();
-            let used = blocks.filter(|(_, block)| file.outward.blocks.contains(&block.key));
+            let used = blocks.filter(|(_, block)| file.outward.blocks.contains_key(&block.key));
             open.extend(used.map(|(item, _)| (number, Body::Block(item))));
         }
     }

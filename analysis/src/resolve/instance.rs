@@ -2,12 +2,13 @@
 
 use super::Resolver;
 use super::numbers::{Numbers, Unit};
+use crate::names::context::Context;
 use crate::program::{
     Argument, Chosen, ColumnOf, Disagreement, Instance, ParameterKind, Place, Program, Tag, TagId,
 };
 use crate::rules::{constant_write, type_mismatch, unknown_member};
 use crate::values::types::{Scalar, Type};
-use crate::written::facts::{Node, NodeKind, Word};
+use crate::written::facts::{Node, Word};
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
 
@@ -59,17 +60,23 @@ impl Resolver<'_, '_> {
         Some((place, scalar))
     }
 
-    /// Says so if a place is an input or output of a block, which that alone writes.
-    pub(super) fn is_of_instance(&mut self, node: &Node) -> bool {
-        let NodeKind::Member(base, _) = &node.kind else {
+    /// Reports a place in the state of a block that the block alone writes: anything but an input.
+    pub(super) fn is_written_by_block(&mut self, node: &Node) -> bool {
+        let ty = |base: &Node| {
+            self.part_type(base)
+                .filter(|(_, given)| *given == 0)
+                .map(|(ty, _)| ty)
+        };
+        let Some((_, block, word)) = Context::into_instance(node, ty) else {
             return false;
         };
-        let is_block = matches!(self.part_type(base), Some((Type::Compound(id), 0)) if id.block().is_some());
-        if is_block {
-            let found = constant_write::of_instance(&self.text_of(node), self.at(node.range));
-            self.report(found);
+        let parameter = self.context.block_parameter(&block, &word.text);
+        if parameter.is_some_and(|parameter| parameter.kind == ParameterKind::Input) {
+            return false;
         }
-        is_block
+        let found = constant_write::of_instance(&self.text_of(node), self.at(node.range));
+        self.report(found);
+        true
     }
 }
 

@@ -299,7 +299,7 @@ impl Resolver<'_, '_> {
         if !access.writes() {
             return true;
         }
-        if self.is_of_instance(node) {
+        if self.is_written_by_block(node) {
             return false;
         }
         let range = self.at(node.range);

@@ -181,10 +181,19 @@ fn user_block(facts: &UserBlockFacts, bound: BlockAt<'_>, out: &mut Vec<Diagnost
             .iter()
             .any(|formal| matches!(formal, Formal::Parameter(given) if *given == index))
     };
+    let has_instance = bound
+        .formals
+        .iter()
+        .any(|formal| matches!(formal, Formal::Instance));
     let missing: Vec<String> = (0..facts.parameters.len())
         .filter(|&index| {
             let parameter = &facts.parameters[index];
-            let optional = parameter.kind == ParameterKind::Output || parameter.has_default;
+            let optional = match parameter.kind {
+                // A state that is a tag keeps what it is not given.
+                ParameterKind::Input => parameter.has_default || has_instance,
+                ParameterKind::Output => true,
+                ParameterKind::InOut => parameter.has_default,
+            };
             !optional && !is_given(index)
         })
         .map(|index| format!("`{}`", name_of(index)))

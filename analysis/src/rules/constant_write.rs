@@ -32,8 +32,8 @@ pub(crate) fn system(range: TextRange) -> Diagnostic {
     )
 }
 
-/// An input or output of a block, by the tag of its state.
+/// What a block alone writes, by the tag of its state: anything but its inputs.
 pub(crate) fn of_instance(name: &str, range: TextRange) -> Diagnostic {
     Diagnostic::new(RULE, range, format!("`{name}` is written by its block alone"))
-        .help("give the value as an operand of the block")
+        .help("write a tag of your own; of a block only the inputs are written from outside")
 }

@@ -41,7 +41,7 @@ fn set_without_reset() {
             member: `s.x` is set, and nothing resets it: once on, it stays on <+--[ ]( I1 )--(S)( s.x )--+>
             element: `a[1]` is set, and nothing resets it: once on, it stays on <+--[ ]( I1 )--(S)( a[1] )--+>
             computed:
-            instance:
+            instance: `m.x` is set, and nothing resets it: once on, it stays on <+--[ ]( I1 )--(S)( m.x )--+>
         "#]],
     );
     table(
@@ -52,7 +52,7 @@ fn set_without_reset() {
             member:
             element:
             computed:
-            instance:
+            instance: `m.x` is set, and nothing resets it: once on, it stays on <+--[ ]( I1 )--(S)( m.x )--+>
         "#]],
     );
 }
@@ -67,7 +67,7 @@ fn reset_without_set() {
             member: `s.y` is reset, and nothing sets it: it is never on <+--[ ]( I2 )--(R)( s.y )--+>
             element: `a[two]` is reset, and nothing sets it: it is never on <+--[ ]( I2 )--(R)( a[two] )--+>
             computed:
-            instance:
+            instance: `m.y` is reset, and nothing sets it: it is never on <+--[ ]( I2 )--(R)( m.y )--+>
         "#]],
     );
 }
@@ -168,7 +168,7 @@ fn never_written() {
             member: `i` is read, and nothing writes it: it stays 0 <+--[ ]( I2 )--( )( s.y )--( )( a[i] )--[MOV]( s, r )--+>; `r` is read, and nothing writes it: it stays 0 <+--[ ]( I2 )--( )( s.y )--( )( a[i] )--[MOV]( s, r )--+>
             element: `i` is read, and nothing writes it: it stays 0 <+--[ ]( I2 )--( )( a[two] )--( )( a[i] )--[MOV]( s, r )--+>; `r` is read, and nothing writes it: it stays 0 <+--[ ]( I2 )--( )( a[two] )--( )( a[i] )--[MOV]( s, r )--+>
             computed: `i` is read, and nothing writes it: it stays 0 <+--[ ]( a[i] )--( )( Q1 )--+>; `r` is read, and nothing writes it: it stays 0 <+--[ ]( I2 )--( )( a[i] )--( )( a[i] )--[MOV]( s, r )--+>
-            instance:
+            instance: `i` is read, and nothing writes it: it stays 0 <+--[ ]( I2 )--( )( m.y )--( )( a[i] )--[MOV]( s, r )--+>; `r` is read, and nothing writes it: it stays 0 <+--[ ]( I2 )--( )( m.y )--( )( a[i] )--[MOV]( s, r )--+>
         "#]],
     );
 }
@@ -194,7 +194,7 @@ fn never_read() {
             member: `r` is written, and nothing reads it <s, r : S;>
             element: `r` is written, and nothing reads it <s, r : S;>
             computed: `r` is written, and nothing reads it <s, r : S;>
-            instance:
+            instance: `r` is written, and nothing reads it <s, r : S;>
         "#]],
     );
 }
@@ -209,7 +209,7 @@ fn read_before_write() {
             member: `s.x` is written further down: this rung sees its value of the scan before <+--[ ]( s.x )--( )( Q1 )--+>
             element: `a[1]` is written further down: this rung sees its value of the scan before <+--[ ]( a[1] )--( )( Q1 )--+>
             computed:
-            instance:
+            instance: `m.x` is written further down: this rung sees its value of the scan before <+--[ ]( m.x )--( )( Q1 )--+>
         "#]],
     );
     table(
@@ -246,7 +246,7 @@ fn order_sensitive() {
             member: the order of this network matters: with I1 = 1, s.x = 0: `Q1` becomes 1, but 0 if all contacts were read first <+--[ ]( I1 )--( )( s.x )--[ ]( s.x )--( )( Q1 )--[/]( s.x )--( )( Q2 )--+>
             element: the order of this network matters: with I1 = 1, a[1] = 0: `Q1` becomes 1, but 0 if all contacts were read first <+--[ ]( I1 )--( )( a[1] )--[ ]( a[1] )--( )( Q1 )--[/]( a[1] )--( )( Q2 )--+>
             computed:
-            instance:
+            instance: the order of this network matters: with I1 = 1, m.x = 0: `Q1` becomes 1, but 0 if all contacts were read first <+--[ ]( I1 )--( )( m.x )--[ ]( m.x )--( )( Q1 )--[/]( m.x )--( )( Q2 )--+>
         "#]],
     );
     table(

@@ -141,3 +141,29 @@ END_FUNCTION_BLOCK
         "#]],
     );
 }
+
+/// Whether the states of a block keep what its body writes into an input follows from all files that use it.
+#[test]
+fn an_input_is_kept_if_no_file_gives_it() {
+    let block = "%% lib.clad\nFUNCTION_BLOCK [$Once]\nVAR_INPUT\n    go : BOOL;\n    more : BOOL;\nEND_VAR\n+--[ ]( go )--[ ]( more )--(R)( go )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n";
+    let uses = "%% use.clad\nVAR\n    once : $Once;\nEND_VAR\n+--[ ]( I1 )--(S)( once.go )--+\n";
+    check_files(
+        &format!("{block}{uses}+--[$Once]( once, more := I2 )--( )( Q1 )--+\n"),
+        expect![[r#""#]],
+    );
+    check_files(
+        &format!("{block}{uses}+--[$Once]( once, I3, I2 )--( )( Q1 )--+\n"),
+        expect![[r#"
+            == lib.clad
+            > +--[ ]( go )--[ ]( more )--(R)( go )--( )( ENO )--+
+                                              ^^ warning[input-written]: `go` is an input of the block, and is written here: its caller gives it again each time the block runs
+                help: write a tag of its own, and read that instead of the input where it is needed
+                at 3:5 `go`: `go` is declared as an input here
+            == use.clad
+            > +--[ ]( I1 )--(S)( once.go )--+
+                                 ^^^^ warning[input-written]: `once.go` is an input of $Once, and is written here: the block is given it again each time it runs
+                help: leave `go` out where the block is, or give it the value there
+                at 5:13 `once`: the block is given `go` here
+        "#]],
+    );
+}

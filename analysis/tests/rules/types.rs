@@ -385,7 +385,7 @@ fn instances() {
                 at 18:11 `a`: `a` is the state of this block
             > +--[MOV]( a.n, 5 )--[GT]( a.x, 1 )--[GT]( a.m, 1 )--[ ]( a )--[MOV]( i, a )--( )( a.on )--+
                         ^^^ error[constant-write]: `a.n` is written by its block alone
-                help: give the value as an operand of the block
+                help: write a tag of your own; of a block only the inputs are written from outside
             > +--[MOV]( a.n, 5 )--[GT]( a.x, 1 )--[GT]( a.m, 1 )--[ ]( a )--[MOV]( i, a )--( )( a.on )--+
                                           ^ error[unknown-member]: $Go has no input or output `x`
                 help: what a block declares in VAR, and its in-outs, is its own
@@ -399,8 +399,43 @@ fn instances() {
                                                                                       ^ error[type-mismatch]: `a` is a $Go, a value is expected here
                 help: name one of its members
             > +--[MOV]( a.n, 5 )--[GT]( a.x, 1 )--[GT]( a.m, 1 )--[ ]( a )--[MOV]( i, a )--( )( a.on )--+
-                                                                                                ^^^^ error[constant-write]: `a.on` is written by its block alone
-                help: give the value as an operand of the block
+                                                                                                ^ warning[input-written]: `a.on` is an input of $Go, and is written here: the block is given it again each time it runs
+                help: leave `on` out where the block is, or give it the value there
+                at 18:11 `a`: the block is given `on` here
+        "#]],
+    );
+}
+
+/// Inputs of a state that is a tag may be left out and written from outside, unless the block is given them as well.
+#[test]
+fn inputs_of_instances_are_written() {
+    const RAMP: &str = "FUNCTION_BLOCK [$Ramp]\nVAR_INPUT\n    go : BOOL;\n    step, most : INT;\nEND_VAR\nVAR_OUTPUT\n    n : INT;\nEND_VAR\n\
+         +--[ ]( go )--[ADD]( n, n, step )--[GT]( n, most )--[MOV]( most, 0 )--+\nEND_FUNCTION_BLOCK\n";
+    clean(&format!(
+        "{RAMP}VAR\n    a : $Ramp;\n    b : ARRAY[1..2] OF $Ramp;\n    i : INT;\nEND_VAR\n\
+         +--[ ]( I1 )--( )( a.go )--[MOV]( b[i].most, 5 )--(S)( b[1].go )--+\n+--[ ]( I2 )--(R)( b[1].go )--+\n\
+         +--[$Ramp]( a, step := 2 )--[$Ramp]( b[1] )--[$Ramp]( b[2], I2 )--[MOV]( i, a.n )--+\n"
+    ));
+    check(
+        &format!(
+            "{RAMP}VAR\n    a : $Ramp;\nEND_VAR\n+--[ ]( I1 )--( )( a.go )--+\n+--[$Ramp]( a, I2, step := 3, most := 2 )--[$Ramp]( I1 )--+\n+--[MOV]( a.n.3, 0 )--+\n"
+        ),
+        expect![[r#"
+            > +--[ ]( go )--[ADD]( n, n, step )--[GT]( n, most )--[MOV]( most, 0 )--+
+                                                                         ^^^^ warning[input-written]: `most` is an input of the block, and is written here: its caller gives it again each time the block runs
+                help: write a tag of its own, and read that instead of the input where it is needed
+                at 4:11 `most`: `most` is declared as an input here
+            > +--[ ]( I1 )--( )( a.go )--+
+                                 ^ warning[input-written]: `a.go` is an input of $Ramp, and is written here: the block is given it again each time it runs
+                help: leave `go` out where the block is, or give it the value there
+                at 15:13 `a`: the block is given `go` here
+            > +--[$Ramp]( a, I2, step := 3, most := 2 )--[$Ramp]( I1 )--+
+                                                         ^^^^^^^^^^^^^ error[bad-arity]: the operands `step`, `most` of [$Ramp] are missing
+                help: it is written [$Ramp]( go, step, most, n )
+                at 1:16 `[$Ramp]`: the block is defined here
+            > +--[MOV]( a.n.3, 0 )--+
+                        ^^^^^ error[constant-write]: `a.n.3` is written by its block alone
+                help: write a tag of your own; of a block only the inputs are written from outside
         "#]],
     );
 }

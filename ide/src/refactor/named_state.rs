@@ -8,10 +8,13 @@ use super::scenarios::{InScenarios, Place};
 use super::{Action, ActionKind};
 use crate::symbol::{Symbol, block_file};
 use ladder_analysis::context::Context;
+use ladder_analysis::library;
 use ladder_analysis::names::declaring::Places;
 use ladder_analysis::names::scope::SectionKind;
 use ladder_analysis::networks::network::{Formal, Meaning};
 use ladder_analysis::networks::{BlockAt, NetworkAt};
+use ladder_analysis::program::ParameterKind;
+use ladder_analysis::written::user_block::Parameter;
 use ladder_format::Edit;
 use ladder_syntax::{Name, TextRange};
 use std::sync::Arc;
@@ -47,6 +50,33 @@ fn has_state(block: &BlockAt<'_>) -> bool {
         .any(|formal| matches!(formal, Formal::Instance))
 }
 
+/// An input that is left out, and that the body may write: a state without a tag has the default again in each run.
+fn written_input<'c>(context: &'c Context, block: BlockAt<'c>) -> Option<&'c str> {
+    let Meaning::User(user) = block.meaning else {
+        return None;
+    };
+    let facts = &context.user_blocks[user];
+    if facts.file().is_some_and(|file| library::source(file).is_some()) {
+        return None;
+    }
+    let is_given = |number| {
+        let is_it = |formal: &Formal| matches!(formal, Formal::Parameter(given) if *given == number);
+        block.formals.iter().any(is_it)
+    };
+    let may_be_written = |parameter: &Parameter| match facts.import {
+        None => {
+            let tag = &context.scopes[user + 1].tags[parameter.tag];
+            context.uses(tag).any(|place| place.access.writes())
+        }
+        Some(_) => true,
+    };
+    let mut parameters = facts.parameters.iter().enumerate();
+    let left_out = parameters.find(|(number, parameter)| {
+        parameter.kind == ParameterKind::Input && !is_given(*number) && may_be_written(parameter)
+    });
+    left_out.map(|(_, parameter)| parameter.name.as_str())
+}
+
 fn named(
     place: &Selected<'_>,
     on: &OnNetwork<'_>,
@@ -57,6 +87,11 @@ fn named(
     let context = place.context;
     if place.analysis.has_errors() {
         return Err("fix the errors of the file first".to_owned());
+    }
+    if let Some(input) = written_input(context, block) {
+        return Err(format!(
+            "its body may write the input `{input}`, which a tag would keep from one run to the next: give `{input}` here first"
+        ));
     }
     let scope = on.facts.scope;
     let declared = [(SectionKind::Var, tag.to_owned(), name.to_owned())];

@@ -41,6 +41,8 @@ impl Unit<'_, '_> {
                     let value = self.settled(value, &mut checks)?;
                     arguments.push(format!("{parameter} := {}", value.text));
                 }
+                // An instance keeps there what it is not given, too.
+                (ParameterKind::Input, None) if state.is_some() => {}
                 (ParameterKind::Input, None) => {
                     let Some(scalar) = tag.ty.scalar() else {
                         return self.stop("an input that is a structure or an array, and is left out");

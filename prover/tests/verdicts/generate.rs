@@ -442,6 +442,13 @@ END_VAR
                 let out = self.dice.of(&["y0", "y1", "m0"]);
                 if self.dice.one_in(2) {
                     self.declare("VAR", format!("i{number} : $Count;"));
+                    if self.dice.one_in(2) {
+                        let (most, given) = (self.integer(), self.conditions());
+                        return format!(
+                            "+--{given}( )( i{number}.part )--[MOV]( i{number}.most, {most} )--+
++--{conditions}{INSTANCE}( i{number}, full => {out} )--{coil}--+\n"
+                        );
+                    }
                     return format!(
                         "+--{conditions}{INSTANCE}( i{number}, part := {part}, full => {out} )--{coil}--+\n"
                     );

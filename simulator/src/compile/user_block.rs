@@ -91,7 +91,9 @@ impl Compiler<'_> {
         }
         let mut inputs = Vec::new();
         for (number, &(tag, kind)) in user.parameters.iter().enumerate() {
-            if kind == ParameterKind::Input {
+            // A state that is a tag keeps what it is not given.
+            let is_kept = state.is_some() && given(number).is_none();
+            if kind == ParameterKind::Input && !is_kept {
                 match user.parts[number].as_slice() {
                     [] => inputs.push((Place::Tag(tag), self.input(tag, given(number), arguments)?)),
                     parts => inputs.extend(self.whole_input(parts, given(number), arguments)?),

@@ -129,6 +129,36 @@ fn named_instances() {
     );
 }
 
+/// What a call leaves out keeps what the tag holds: its default, what a call handed over, a member write, the body's own.
+#[test]
+fn inputs_that_are_left_out() {
+    check(
+        "FUNCTION_BLOCK [$Ramp]\nVAR_INPUT go : BOOL; step : INT := 2; most : INT; END_VAR\nVAR_OUTPUT n : INT; END_VAR\n\
+         +--[ ]( go )--[ADD]( n, n, step )--[GT]( n, most )--[MOV]( n, 0 )--[ADD]( most, most, 10 )--+\nEND_FUNCTION_BLOCK\n\
+         FUNCTION_BLOCK [$Pair]\nVAR_INPUT go : BOOL; END_VAR\nVAR r : $Ramp; END_VAR\n\
+         +--[MOV]( r.most, 20 )--[$Ramp]( r, go )--+\nEND_FUNCTION_BLOCK\n\
+         VAR a : $Ramp; all : ARRAY[0..1] OF $Ramp; p : $Pair; x, y, z : INT; END_VAR\nVAR_INPUT go, faster : BOOL; k : INT; END_VAR\n\
+         +--[ ]( faster )--[MOV]( a.step, 5 )--+\n\
+         +--[$Ramp]( a, go, n => x )--+\n\
+         +--( )( all[k].go )--[$Ramp]( all[0], most := 5, n => y )--[$Ramp]( all[1] )--+\n\
+         +--[$Pair]( p, go )--[MOV]( z, p.go )--[$Ramp]( go, 1, 50 )--+\n"
+            .replace("[MOV]( z, p.go )", "[TYP]( z, p.go )")
+            .as_str(),
+        "go ------\nfaster __-___\nk 1 1 0 0 0 0",
+        "x a.most a.step y all[1].n all[1].most z p.r.n",
+        expect![[r#"
+            x            0 2 7 0 5 10
+            a.most       10 10 10 20 20 20
+            a.step       2 2 5 5 5 5
+            y            0 0 2 4 0 2
+            all[1].n     0 2 4 6 8 10
+            all[1].most  10 10 10 10 10 10
+            z            1 1 1 1 1 1
+            p.r.n        2 4 6 8 10 12
+        "#]],
+    );
+}
+
 #[test]
 fn a_warm_restart_keeps_parts_by_their_path() {
     use crate::support::simulation;

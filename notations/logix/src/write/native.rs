@@ -283,6 +283,12 @@ impl Writer<'_> {
                     _ => self.argument(bound)?,
                 },
                 (Some(bound), _) => self.argument(bound)?,
+                // An instance keeps what it is not given: it is given its own.
+                (None, ParameterKind::Input) if instance.is_some() => {
+                    let own = &self.input.program.tags[tag.0 as usize].name;
+                    let own = own.rsplit_once('.').map_or(own.as_str(), |(_, own)| own);
+                    format!("{}.{}", operands[0], self.names.spell(Kind::Tag, own))
+                }
                 (None, ParameterKind::Input) => {
                     let initial = self.input.program.tags[tag.0 as usize].initial.first().cloned();
                     super::data::number_of(initial.as_ref(), ty.scalar())?

@@ -62,6 +62,7 @@ impl<'l> Call<'l> {
         part: &Part,
     ) -> Result<Translated, String> {
         let own = Scope::of(self.callee, translator.scope.library);
+        let has_instance = self.instance.is_some();
         let mut operands: Vec<Operand> = self.instance.into_iter().map(Operand::Value).collect();
         let mut note = None;
         let result = self
@@ -85,7 +86,8 @@ impl<'l> Call<'l> {
             match (parameter.role, given) {
                 (Role::Input | Role::InOut, Some(it)) => operands.push(Operand::Given(spelled, it.value)),
                 (Role::Output, Some(it)) => operands.push(Operand::Taken(spelled, it.value)),
-                (Role::Input, None) if parameter.initial.is_none() => {
+                // A block that has its own state keeps there what is open at its pin, as it does in ladder text.
+                (Role::Input, None) if parameter.initial.is_none() && !has_instance => {
                     let value = zero(&parameter.ty)
                         .ok_or_else(|| format!("nothing is at its pin `{}`", parameter.name))?;
                     operands.push(Operand::Given(spelled, Expression::literal(value)?));
