@@ -44,6 +44,7 @@ mod sim;
 mod sim_formats;
 mod sim_parts;
 mod sim_refused;
+mod structured_text;
 mod tags;
 mod tree;
 mod watch;

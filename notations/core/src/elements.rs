@@ -46,7 +46,7 @@ fn in_series<'c>(circuit: &'c Circuit<Element>, found: &mut Vec<&'c Element>) ->
 pub fn blocks<'i>(items: &'i [Item], found: &mut impl FnMut(&'i Block)) {
     for network in networks(items) {
         elements(network, &mut |element| {
-            element.as_block().into_iter().for_each(&mut *found)
+            element.as_block().into_iter().for_each(&mut *found);
         });
     }
 }

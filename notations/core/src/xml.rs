@@ -47,6 +47,19 @@ impl<'t> Xml<'t> {
     pub fn place(&self, node: Node<'_, '_>) -> LineColumn {
         self.lines.place(self.document.input_text(), node.range().start)
     }
+
+    /// Where the [words](Element::words) of an element begin.
+    pub fn place_of_words(&self, node: Node<'_, '_>) -> LineColumn {
+        let mut texts = node.descendants().filter(Node::is_text);
+        let first = texts.find(|text| text.text().is_some_and(|text| !text.trim().is_empty()));
+        let Some(first) = first else {
+            return self.place(node);
+        };
+        let text = self.document.input_text();
+        let rest = text[first.range().start..].trim_start();
+        let rest = rest.strip_prefix("<![CDATA[").unwrap_or(rest).trim_start();
+        self.lines.place(text, text.len() - rest.len())
+    }
 }
 
 fn why(error: &Error) -> String {

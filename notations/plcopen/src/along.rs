@@ -243,7 +243,7 @@ fn without(unit: &mut Unit, block: &str) {
 
 /// Whether two units have the same variables, and the same text but for how it is broken into lines.
 fn is_same(one: &Unit, other: &Unit) -> bool {
-    let (Body::Text("ST", own), Body::Text("ST", there)) = (&one.body, &other.body) else {
+    let (Body::Text("ST", own, _), Body::Text("ST", there, _)) = (&one.body, &other.body) else {
         return false;
     };
     let roles = |unit: &Unit| unit.variables.iter().map(|it| it.role).collect::<Vec<_>>();
@@ -376,7 +376,7 @@ fn unit(name: String, kind: UnitKind, variables: Vec<Variable>, text: String) ->
         returns: None,
         variables,
         comment: Some(ALONG.to_owned()),
-        body: Body::Text("ST", text),
+        body: Body::Text("ST", text, LineColumn::START),
         parts: Vec::new(),
     }
 }

@@ -195,8 +195,8 @@ pub enum Initial {
 pub enum Body {
     /// LD or FBD.
     Graph(Graph),
-    /// ST or IL: the language and the text.
-    Text(&'static str, String),
+    /// ST or IL: the language, the text, and where that begins.
+    Text(&'static str, String, LineColumn),
     /// In ladder text: a block that is brought along.
     Ladder(String),
     /// SFC: its steps and transitions as they are written, with their places.

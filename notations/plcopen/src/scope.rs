@@ -69,6 +69,16 @@ impl Scope {
         self.known.get(&name.to_lowercase())
     }
 
+    /// All variables, by their names in small letters.
+    pub(crate) fn all(&self) -> impl Iterator<Item = (&String, &Known)> {
+        self.known.iter()
+    }
+
+    /// The names that are taken.
+    pub(crate) fn names_mut(&mut self) -> &mut Names {
+        &mut self.names
+    }
+
     /// Whether one of the variables has a name that is more than a word.
     pub(crate) fn has_odd(&self) -> bool {
         self.has_odd

@@ -9,7 +9,7 @@
 //! says something else than the language does, a function or block of `runtime/` is written along; only those that a program
 //! needs. What cannot be expressed is refused, with its place.
 //!
-//! Structured Text is only written: it cannot be read as a ladder program again.
+//! What is read is a file of Structured Text, or a body in one that is in another file: see [`read`].
 #![forbid(unsafe_code)]
 
 mod arguments;
@@ -30,6 +30,7 @@ mod place;
 mod power;
 mod project;
 mod range;
+pub mod read;
 mod sections;
 mod states;
 mod term;
@@ -58,22 +59,20 @@ impl Notation for St {
         &["st"]
     }
 
-    fn is_read(&self) -> bool {
-        false
-    }
-
     fn writes_other_files(&self) -> bool {
         true
     }
 
-    fn recognises(&self, _bytes: &[u8]) -> bool {
-        false
+    fn owns_extension(&self) -> bool {
+        true
     }
 
-    fn read(&self, _source: &Source<'_>) -> Result<Reading, ReadError> {
-        Err(ReadError::whole(
-            "Structured Text is only written: a ladder program cannot be read from it",
-        ))
+    fn recognises(&self, bytes: &[u8]) -> bool {
+        std::str::from_utf8(bytes).is_ok_and(read::begins_program)
+    }
+
+    fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
+        read::read(source.text()?, read::Dialect::Iec)
     }
 
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {

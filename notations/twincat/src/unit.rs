@@ -43,8 +43,8 @@ pub(crate) fn unit(
         let body = match language {
             // What has variables of its own is not drawn as part of the unit.
             Some(language) if part.child("Declaration").is_none() => body(xml, language, report),
-            Some(language) if !language.is("ST") => Body::Text("LD", in_words(part)),
-            _ => Body::Text("ST", part.words()),
+            Some(language) if !language.is("ST") => Body::Text("LD", in_words(part), xml.place(part)),
+            _ => Body::Text("ST", part.words(), xml.place(part)),
         };
         unit.parts.push(Part {
             place: xml.place(part),
@@ -124,9 +124,9 @@ fn body(xml: &Xml<'_>, language: Node<'_, '_>, report: &mut Report) -> Body {
                 }
             }
         }
-        "ST" => Body::Text("ST", language.words()),
-        "CFC" => Body::Text("CFC", in_words(language)),
-        "SFC" => Body::Text("SFC", in_words(language)),
-        _ => Body::Text("a language of its own", in_words(language)),
+        "ST" => Body::Text("ST", language.words(), xml.place_of_words(language)),
+        "CFC" => Body::Text("CFC", in_words(language), xml.place(language)),
+        "SFC" => Body::Text("SFC", in_words(language), xml.place(language)),
+        _ => Body::Text("a language of its own", in_words(language), xml.place(language)),
     }
 }

@@ -317,15 +317,20 @@ fn other_bodies_and_files() {
     check(
         &body("<ST><![CDATA[x := a;]]></ST>"),
         expect![[r#"
-            # F (ST) is not read: a scan runs past it, and what it may write is not known. #
             FUNCTION_BLOCK [$F]
             VAR_INPUT
                 a : BOOL := FALSE;
             END_VAR
-            # ladder: unread #
-            # x := a; #
+
+            +-----------------------------------------------------------------[$line1OfF]--+
             END_FUNCTION_BLOCK
-            approximated body of F: ST is not read: a scan runs past it, and what it may write is not known
+
+            # line 1 of F: `x` is not declared here; it is not run here. #
+            FUNCTION_BLOCK [$line1OfF]
+            # ladder: unread #
+            # x := a #
+            END_FUNCTION_BLOCK
+            approximated x := a: `x` is not declared here: it is not run
         "#]],
     );
     check(

@@ -112,7 +112,7 @@ fn unit(xml: &mut XmlText, unit: Unit) {
         });
         xml.around("body", &[], |xml| match unit.body {
             Body::Graph(graph) => body::body(xml, graph),
-            Body::Text("ST", text) => xml.around("ST", &[], |xml| xml.words("xhtml:p", &[], &text)),
+            Body::Text("ST", text, _) => xml.around("ST", &[], |xml| xml.words("xhtml:p", &[], &text)),
             _ => xml.empty("LD", &[]),
         });
         told(xml, "documentation", unit.comment.as_deref());

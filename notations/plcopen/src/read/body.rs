@@ -38,14 +38,18 @@ impl<'x> Reader<'x, '_> {
         };
         match Element::name(&language) {
             "LD" | "FBD" => Body::Graph(self.graph(language.elements())),
-            "ST" => text("ST", &language.words()),
-            "IL" => text("IL", &language.words()),
+            "ST" => text("ST", &language.words(), self.xml.place_of_words(language)),
+            "IL" => text("IL", &language.words(), self.xml.place_of_words(language)),
             "SFC" => {
                 let parts = language.elements().filter(|node| !node.is("addData"));
                 let shown = parts.map(|node| (self.xml.place(node), in_words(node)));
                 Body::Chart(shown.collect())
             }
-            _ => Body::Text("a language of its own", in_words(language)),
+            _ => Body::Text(
+                "a language of its own",
+                in_words(language),
+                self.xml.place(language),
+            ),
         }
     }
 
@@ -302,11 +306,11 @@ impl<'x> Reader<'x, '_> {
     }
 }
 
-pub(super) fn text(language: &'static str, text: &str) -> Body {
+pub(super) fn text(language: &'static str, text: &str, place: LineColumn) -> Body {
     if text.is_empty() {
         Body::Empty
     } else {
-        Body::Text(language, text.to_owned())
+        Body::Text(language, text.to_owned(), place)
     }
 }
 

@@ -275,8 +275,8 @@ impl<'x> Reader<'x, '_> {
 
     fn body_of_ten(&mut self, node: Node<'x, '_>) -> Body {
         match kind(node) {
-            "ST" => super::body::text("ST", &node.words()),
-            "IL" => super::body::text("IL", &node.words()),
+            "ST" => super::body::text("ST", &node.words(), self.xml.place_of_words(node)),
+            "IL" => super::body::text("IL", &node.words(), self.xml.place_of_words(node)),
             "SFC" => {
                 let parts = node.elements().map(|part| (self.xml.place(part), in_words(part)));
                 Body::Chart(parts.collect())

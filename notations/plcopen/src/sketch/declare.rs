@@ -79,7 +79,7 @@ fn is_state_of_unknown(shared: &Shared<'_>, unit: &Unit, variable: &Variable) ->
         })
 }
 
-fn bound(shared: &Shared<'_>, text: &str) -> Result<String, String> {
+pub(super) fn bound(shared: &Shared<'_>, text: &str) -> Result<String, String> {
     let scope = Scope::default();
     let meaning = Meaning {
         shared,
@@ -327,7 +327,7 @@ impl Sections {
     /// A tag that the source does not have.
     pub(super) fn helper(&mut self, name: &str, ty: &str, comment: &str, origin: Option<u32>) {
         let mut declaration = Declaration::new(name, ty);
-        declaration.comment = Some(comment.to_owned());
+        declaration.comment = (!comment.is_empty()).then(|| comment.to_owned());
         declaration.origin = origin;
         self.push(SectionKind::Var, None, declaration);
     }

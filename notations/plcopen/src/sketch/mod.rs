@@ -11,6 +11,7 @@ mod initial;
 mod power;
 mod prepare;
 mod state;
+mod structured;
 mod tasks;
 mod turns;
 mod units;

@@ -2,6 +2,7 @@
 
 use super::body::{Body as Networks, Made};
 use super::declare;
+use super::structured;
 use super::tasks::When;
 use crate::model::{Body, Part, Project, Type, Unit, UnitKind, WORKSHEET};
 use crate::scope::{Scope, Shared};
@@ -59,10 +60,19 @@ pub(super) fn unit_items(
     if unit.kind == UnitKind::Program {
         made.items.extend(unit.comment.iter().cloned().map(Item::Comment));
     }
-    let whole = whole(shared, unit, &made.scope, reading);
+    let structured =
+        structured::text(unit).map(|text| structured::body(shared, project, unit, text, &mut made, reading));
+    let is_read = matches!(structured, Some(Ok(())));
+    let why = structured.and_then(Result::err);
+    let whole = if is_read {
+        None
+    } else {
+        whole(shared, unit, &made.scope, reading)
+    };
     let about = whole.as_ref().map(|(language, _)| {
         let what = format!("{} ({language})", unit.name);
-        (format!("{what} is not read: {UNREAD}."), what)
+        let because = why.as_ref().map_or_else(String::new, |why| format!(" ({why})"));
+        (format!("{what} is not read{because}: {UNREAD}."), what)
     });
     if let (Some((_, text)), Some((about, name))) = (&whole, &about) {
         match (place, when) {
@@ -82,7 +92,9 @@ pub(super) fn unit_items(
             }
         }
     } else {
-        made.actions = actions(shared, project, unit, reading);
+        if !is_read {
+            made.actions = actions(shared, project, unit, reading);
+        }
         if let Body::Graph(graph) = &unit.body {
             Networks::draw(shared, graph, &mut made, reading);
         }
@@ -133,7 +145,7 @@ fn whole(
     let sheets = unit.parts.iter().filter(|part| part.what == WORKSHEET);
     let mut bodies = sheets.map(|part| &part.body).chain([&unit.body]);
     let (language, text) = match &unit.body {
-        Body::Text(language, text) => (*language, text.clone()),
+        Body::Text(language, text, _) => (*language, text.clone()),
         Body::Chart(shown) => {
             let lines: Vec<&str> = shown.iter().map(|(_, told)| told.as_str()).collect();
             ("SFC", lines.join("\n"))
@@ -204,7 +216,7 @@ fn may_leave(body: &Body) -> bool {
         words.any(|word| ends.iter().any(|end| word.eq_ignore_ascii_case(end)))
     };
     match body {
-        Body::Text(_, text) => leaves(text),
+        Body::Text(_, text, _) => leaves(text),
         Body::Graph(graph) => graph.codes().any(leaves),
         _ => false,
     }
@@ -214,7 +226,7 @@ fn may_leave(body: &Body) -> bool {
 fn text_of(shared: &Shared<'_>, body: &Body, scope: &Scope, reading: &mut Reading) -> String {
     match body {
         Body::Empty => String::new(),
-        Body::Text(_, text) | Body::Ladder(text) => text.clone(),
+        Body::Text(_, text, _) | Body::Ladder(text) => text.clone(),
         Body::Chart(shown) => {
             let lines: Vec<&str> = shown.iter().map(|(_, told)| told.as_str()).collect();
             lines.join("\n")

@@ -277,7 +277,7 @@ impl<'u> Unit<'u> {
         let mut own = self.scope(project, scope);
         let mut variables = self.variables(project, scope, &mut own, report);
         let (body, comment) = match block.and_then(|block| self.unread_text(block)) {
-            Some(text) => (Body::Text("ST", text), None),
+            Some(text) => (Body::Text("ST", text, LineColumn::START), None),
             None => self.networks((project, block), own, &mut variables, report),
         };
         Made {

@@ -556,7 +556,6 @@ fn blocks_of_the_project() {
         &project("", &(motor + &average + &main), ""),
         expect![[r#"
             # Motor_2 in the project #
-            # Motor_2 (ST) is not read: a scan runs past it, and what it may write is not known. #
             FUNCTION_BLOCK [$Motor2]
             VAR_INPUT
                 start : BOOL := FALSE;
@@ -570,8 +569,8 @@ fn blocks_of_the_project() {
             VAR
                 delay : TON;
             END_VAR
-            # ladder: unread #
-            # run := start; #
+
+            +--[ ]( start )----------------------------------------------------( )( run )--+
             END_FUNCTION_BLOCK
 
             FUNCTION_BLOCK [$Average]
@@ -608,7 +607,6 @@ fn blocks_of_the_project() {
             +--[P]( a )---------------------------------------------------( )( M2_start )--+
 
             +--# Motor_2 M2: not translated #----------------------------------------------+
-            approximated body of Motor_2: ST is not read: a scan runs past it, and what it may write is not known
             refused Motor_2 M2: nothing is wired to `count`, which is read and written
         "#]],
     );

@@ -159,7 +159,7 @@ fn several_programs_in_one() {
 
             +--<FUN>( Idle )---------------------------------------------------------------+
 
-            # x := x + 1; #
+            +----------------------------------------------------------[CALC]( x, x + 1 )--+
             refused type Far: a pointer has no counterpart
             approximated variable out: it is spelled `First_out` here
             approximated variable deep AT %IX0.1.2: there is no such address here: the tag has none
@@ -169,7 +169,6 @@ fn several_programs_in_one() {
             refused variable gone: the project has no global of this name
             approximated input motor.speed: nothing is wired to it: it is a comment
             approximated program Idle: no task runs it: it is a function that nothing calls
-            approximated body of Idle: ST is not read: a scan runs past it, and what it may write is not known
             approximated task slow: it runs every 1s there, and in every scan here
             refused instance of Nothing: there is no such program
         "#]],
@@ -252,7 +251,7 @@ fn several_programs_as_files() {
             x : INT;
         END_VAR
 
-        # x := x + 1; #
+        +----------------------------------------------------------[CALC]( x, x + 1 )--+
         == ladder.toml
         # A project
 

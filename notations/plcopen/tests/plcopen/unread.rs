@@ -160,68 +160,69 @@ fn tasks_at_other_times() {
     check(
         &project("", &(fast + &once + &text), instances),
         expect![[r#"
-        # ladder: cycle 20ms #
+            # ladder: cycle 20ms #
 
-        VAR_GLOBAL
-            shared : BOOL;
-            other  : BOOL;
-        END_VAR
+            VAR_GLOBAL
+                shared : BOOL;
+                other  : BOOL;
+            END_VAR
 
-        # Text (ST) is not read: a scan runs past it, and what it may write is not known. #
-        FUNCTION_BLOCK [$TextST]
-        # ladder: unread, at any time #
-        # shared := FALSE; #
-        END_FUNCTION_BLOCK
+            # Once in task event: it runs when shared rises there, between any two networks of the other tasks. #
+            FUNCTION_BLOCK [$OnceInTaskEvent]
+            # ladder: unread, at any time, writes Once_a, Once_b, shared #
+            # when shared rises #
+            END_FUNCTION_BLOCK
 
-        # Once in task event: it runs when shared rises there, between any two networks of the other tasks. #
-        FUNCTION_BLOCK [$OnceInTaskEvent]
-        # ladder: unread, at any time, writes Once_a, Once_b, shared #
-        # when shared rises #
-        END_FUNCTION_BLOCK
+            # Text in task event: it runs when shared rises there, between any two networks of the other tasks. #
+            FUNCTION_BLOCK [$TextInTaskEvent]
+            # ladder: unread, at any time #
+            # when shared rises #
+            END_FUNCTION_BLOCK
 
-        # of Fast #
-        VAR
-            a : BOOL;
-            b : BOOL;
-        END_VAR
+            # of Fast #
+            VAR
+                a : BOOL;
+                b : BOOL;
+            END_VAR
 
-        # of Once #
-        VAR
-            Once_a : BOOL;  # a in the project #
-            Once_b : BOOL;  # b in the project #
-        END_VAR
+            # of Once #
+            VAR
+                Once_a : BOOL;  # a in the project #
+                Once_b : BOOL;  # b in the project #
+            END_VAR
 
-        # of Text #
-        VAR
-            Text_a : BOOL;  # a in the project #
-            Text_b : BOOL;  # b in the project #
-        END_VAR
+            # of Text #
+            VAR
+                Text_a : BOOL;  # a in the project #
+                Text_b : BOOL;  # b in the project #
+            END_VAR
 
-        +----------------------------------------------------------[$OnceInTaskEvent]--+
+            +----------------------------------------------------------[$OnceInTaskEvent]--+
 
-        +--------------------------------------------------------------<CALL>( Fast )--+
+            +----------------------------------------------------------[$TextInTaskEvent]--+
 
-        +--------------------------------------------------------------<CALL>( Once )--+
+            +--------------------------------------------------------------<CALL>( Fast )--+
 
-        +--------------------------------------------------------------<CALL>( Text )--+
+            +--------------------------------------------------------------<CALL>( Once )--+
 
-        +--<FUN>( Fast )---------------------------------------------------------------+
+            +--------------------------------------------------------------<CALL>( Text )--+
 
-        +--[ ]( a )-----------------------------------------------------( )( shared )--+
+            +--<FUN>( Fast )---------------------------------------------------------------+
 
-        +--<FUN>( Once )---------------------------------------------------------------+
+            +--[ ]( a )-----------------------------------------------------( )( shared )--+
 
-        +---------------------------------------------------------------( )( shared )--+
+            +--<FUN>( Once )---------------------------------------------------------------+
 
-        +--<FUN>( Text )---------------------------------------------------------------+
+            +---------------------------------------------------------------( )( shared )--+
 
-        +-------------------------------------------------------------------[$TextST]--+
-        approximated variable a: it is spelled `Once_a` here
-        approximated variable b: it is spelled `Once_b` here
-        approximated body of Text: ST is not read: a scan runs past it, and what it may write is not known
-        approximated variable a: it is spelled `Text_a` here
-        approximated variable b: it is spelled `Text_b` here
-        approximated task event: it runs when shared rises there, and in every scan here
-    "#]],
+            +--<FUN>( Text )---------------------------------------------------------------+
+
+            +------------------------------------------------------[MOV]( shared, FALSE )--+
+            approximated variable a: it is spelled `Once_a` here
+            approximated variable b: it is spelled `Once_b` here
+            approximated variable a: it is spelled `Text_a` here
+            approximated variable b: it is spelled `Text_b` here
+            approximated task event: it runs when shared rises there, and in every scan here
+        "#]],
     );
 }

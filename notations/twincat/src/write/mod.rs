@@ -78,7 +78,7 @@ fn body(unit: &Unit, refused: &mut Vec<networks::Refused>) -> String {
             let (networks, wire) = networks::networks(graph, refused);
             format!("      <NWL>\n{}      </NWL>\n", archive::body(&networks, wire))
         }
-        Body::Text("ST", text) => {
+        Body::Text("ST", text, _) => {
             let mut held = String::new();
             section(&mut held, text);
             format!("      <ST>{held}</ST>\n")

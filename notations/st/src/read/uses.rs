@@ -1,0 +1,214 @@
+//! What a body does with its tags, known before the first network of it is made.
+
+use super::scope::{ParameterRole, Scope, Type};
+use super::tree::{
+    Argument, Call, Direction, Expression, ExpressionKind, Place, Statement, StatementKind, Step,
+};
+use std::collections::{HashMap, HashSet};
+
+/// What is done with tags; names in small letters.
+pub(super) struct Uses<'s> {
+    scope: &'s Scope,
+    /// How often a tag or a part of it is assigned, also by the output of a call.
+    assigned: HashMap<String, u32>,
+    /// How often what is called is called; in a loop twice.
+    called: HashMap<String, u32>,
+    /// How often a tag is named at all, and how often in loops that count with it.
+    named: HashMap<String, u32>,
+    in_own_loops: HashMap<String, u32>,
+    /// The inputs that calls of an instance give: `t1.pt`.
+    given: HashSet<String>,
+    /// The members that are assigned: `t1.pt`.
+    members: HashSet<String>,
+    depth: u32,
+    loops: u32,
+}
+
+impl Uses<'_> {
+    pub(super) fn of<'s>(statements: &[Statement], scope: &'s Scope) -> Uses<'s> {
+        let mut uses = Uses {
+            scope,
+            assigned: HashMap::new(),
+            called: HashMap::new(),
+            named: HashMap::new(),
+            in_own_loops: HashMap::new(),
+            given: HashSet::new(),
+            members: HashSet::new(),
+            depth: 0,
+            loops: 0,
+        };
+        uses.statements(statements);
+        uses
+    }
+
+    /// The names of tags in small letters, with how often each is there.
+    pub(super) fn names(&self) -> impl Iterator<Item = (&String, u32)> {
+        self.named.iter().map(|(name, count)| (name, *count))
+    }
+
+    /// Whether a tag is assigned in one place only, which is always reached.
+    pub(super) fn is_assigned_once(&self, name: &str) -> bool {
+        self.assigned.get(&name.to_lowercase()) == Some(&1)
+    }
+
+    pub(super) fn calls(&self, name: &str) -> u32 {
+        self.called.get(&name.to_lowercase()).copied().unwrap_or(0)
+    }
+
+    /// Whether any call of an instance gives an input.
+    pub(super) fn gives(&self, name: &str, input: &str) -> bool {
+        self.given.contains(&format!("{name}.{input}").to_lowercase())
+    }
+
+    /// Whether a member of an instance is assigned.
+    pub(super) fn writes_member(&self, name: &str, member: &str) -> bool {
+        self.members.contains(&format!("{name}.{member}").to_lowercase())
+    }
+
+    /// Whether a tag that counts a loop is named outside of such loops, too.
+    pub(super) fn outlives_loops(&self, name: &str) -> bool {
+        let name = name.to_lowercase();
+        self.named.get(&name) != self.in_own_loops.get(&name)
+    }
+
+    fn statements(&mut self, statements: &[Statement]) {
+        for statement in statements {
+            self.statement(statement);
+        }
+    }
+
+    fn inner(&mut self, statements: &[Statement]) {
+        self.depth += 1;
+        self.statements(statements);
+        self.depth -= 1;
+    }
+
+    fn turns(&mut self, statements: &[Statement]) {
+        self.loops += 1;
+        self.inner(statements);
+        self.loops -= 1;
+    }
+
+    fn statement(&mut self, statement: &Statement) {
+        match &statement.kind {
+            StatementKind::Assign(targets, _, value) => {
+                self.expression(value);
+                for target in targets {
+                    self.target(target);
+                }
+            }
+            StatementKind::Call(call) => self.call(call),
+            StatementKind::If(branches, otherwise) => {
+                for (condition, body) in branches {
+                    self.expression(condition);
+                    self.inner(body);
+                }
+                self.inner(otherwise);
+            }
+            StatementKind::Case(selector, arms, otherwise) => {
+                self.expression(selector);
+                for arm in arms {
+                    self.inner(&arm.body);
+                }
+                self.inner(otherwise);
+            }
+            StatementKind::For(counting) => {
+                let name = counting.variable.root.to_lowercase();
+                let before = self.named.get(&name).copied().unwrap_or(0);
+                let own = self.in_own_loops.get(&name).copied().unwrap_or(0);
+                self.target(&counting.variable);
+                self.expression(&counting.from);
+                self.expression(&counting.to);
+                counting.by.iter().for_each(|by| self.expression(by));
+                self.turns(&counting.body);
+                let named = self.named.get(&name).copied().unwrap_or(0) - before;
+                self.in_own_loops.insert(name, own + named);
+            }
+            StatementKind::While(condition, body) | StatementKind::Repeat(body, condition) => {
+                self.expression(condition);
+                self.turns(body);
+            }
+            // What is behind a label may be reached from anywhere.
+            StatementKind::Label(_) => self.depth += 1,
+            StatementKind::Return
+            | StatementKind::Exit
+            | StatementKind::Continue
+            | StatementKind::Goto(_) => {}
+        }
+    }
+
+    /// What is assigned.
+    fn target(&mut self, place: &Place) {
+        let times = if self.depth == 0 { 1 } else { 2 };
+        *self.assigned.entry(place.root.to_lowercase()).or_default() += times;
+        if let [.., Step::Member(member)] = &place.steps[..] {
+            self.members
+                .insert(format!("{}.{member}", place.root).to_lowercase());
+        }
+        self.place(place);
+    }
+
+    fn place(&mut self, place: &Place) {
+        *self.named.entry(place.root.to_lowercase()).or_default() += 1;
+        for step in &place.steps {
+            match step {
+                Step::Index(indices) => indices.iter().for_each(|index| self.expression(index)),
+                Step::ComputedBit(bit) => self.expression(bit),
+                Step::Member(_) | Step::Bit(_) | Step::Other(_) => {}
+            }
+        }
+    }
+
+    fn call(&mut self, call: &Call) {
+        self.place(&call.callee);
+        let times = if self.loops > 0 { 2 } else { 1 };
+        *self.called.entry(call.callee.root.to_lowercase()).or_default() += times;
+        let has_in_outs = match self.scope.known(&call.callee.root).map(|known| &known.ty) {
+            Some(Type::Block(shape)) => shape
+                .parameters
+                .iter()
+                .any(|one| one.role == ParameterRole::InOut),
+            Some(Type::Standard(_) | Type::Trigger(_)) => false,
+            _ => true,
+        };
+        for Argument {
+            name,
+            direction,
+            value,
+        } in &call.arguments
+        {
+            if let (Some(name), Some(_)) = (name, value) {
+                self.given
+                    .insert(format!("{}.{name}", call.callee.root).to_lowercase());
+            }
+            let Some(value) = value else { continue };
+            match &value.kind {
+                ExpressionKind::Place(place) if *direction != Direction::In => self.target(place),
+                // An in-out may be written, too.
+                ExpressionKind::Place(place) if has_in_outs => {
+                    *self.assigned.entry(place.root.to_lowercase()).or_default() += 2;
+                    self.place(place);
+                }
+                _ => self.expression(value),
+            }
+        }
+    }
+
+    fn expression(&mut self, expression: &Expression) {
+        match &expression.kind {
+            ExpressionKind::Literal(..) => {}
+            ExpressionKind::Place(place) => self.place(place),
+            ExpressionKind::Unary(_, inner) | ExpressionKind::Group(inner) => self.expression(inner),
+            ExpressionKind::Binary(_, left, right) | ExpressionKind::Lazy(_, left, right) => {
+                self.expression(left);
+                self.expression(right);
+            }
+            ExpressionKind::Call(call) => {
+                self.place(&call.callee);
+                for argument in &call.arguments {
+                    argument.value.iter().for_each(|value| self.expression(value));
+                }
+            }
+        }
+    }
+}
