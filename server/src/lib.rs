@@ -1,4 +1,4 @@
-//! What `ladder lsp` and `ladder dap` run: the language server and the debug adapter of [`ladder_service`], with files, a clock,
+//! What `ladder lsp` and `ladder dap` run: the language server of [`ladder_service`] and the debug adapter of [`ladder_debugger`], with files, a clock,
 //! threads, and standard input and output.
 //!
 //! ```text

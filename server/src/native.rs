@@ -9,10 +9,9 @@ use std::time::{Duration, Instant};
 
 use futures::FutureExt;
 use futures::future::BoxFuture;
+use ladder_host::{Clock, Host, Turns, Wait, World};
 use ladder_workspace::SystemDisk;
 use tokio::runtime::Handle;
-
-use ladder_service::{Clock, Host, Turns, Wait, World};
 
 /// The files of the operating system, and its clock.
 pub(crate) fn world() -> World {

@@ -16,7 +16,7 @@ use tokio::time::{Instant, sleep_until, timeout};
 use crate::native::Native;
 use crate::recording::Piece;
 use crate::serve::serve_counting;
-use ladder_service::Busy;
+use ladder_host::Busy;
 
 /// Bytes between the player and the server.
 const PIPE: usize = 64 << 10;

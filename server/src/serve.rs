@@ -9,7 +9,7 @@ use tokio::io::{AsyncRead, AsyncWrite, AsyncWriteExt};
 
 use crate::native::Native;
 use crate::received::receive;
-use ladder_service::Busy;
+use ladder_host::Busy;
 use ladder_service::Ending;
 
 /// Serves one client until it says `exit`, its input ends, or its process dies. The input need not end for the

@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::document::position::Range;
 #[cfg(feature = "prove")]
 pub(crate) use deciding::run;
+use ladder_documents::position::Range;
 
 #[cfg(feature = "prove")]
 mod deciding;
@@ -90,7 +90,7 @@ pub(crate) fn run(
     _: &ladder_simulator::scenario::Suite,
     _: &mut ladder_simulator::Simulation,
     _: Option<&str>,
-    _: crate::host::Clock,
+    _: ladder_host::Clock,
     _: impl Fn() -> bool + 'static,
 ) -> Result<Vec<PropertyProved>, String> {
     Err("nothing is proved here; `ladder prove` does it".to_owned())

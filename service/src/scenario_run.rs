@@ -9,10 +9,10 @@ use ladder_simulator::scenario::{self, Case, Ran, ScenarioError, Suite};
 use ladder_simulator::{Fault, Simulation};
 use serde::{Deserialize, Serialize};
 
-use crate::cancel::Cancel;
-use crate::document::Revision;
-use crate::document::position::Range;
-use crate::host::Clock;
+use ladder_documents::Cancel;
+use ladder_documents::Revision;
+use ladder_documents::position::Range;
+use ladder_host::Clock;
 
 /// An editor waits no longer for its scenarios. One that takes longer is for the command line.
 const LONGEST: Duration = Duration::from_secs(10);

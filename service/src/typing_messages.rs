@@ -1,9 +1,8 @@
 //! The messages of the commands that have to do with typing.
 
+use ladder_documents::Lines;
+use ladder_documents::position::{Position, Range};
 use serde::{Deserialize, Serialize};
-
-use crate::document::position::{Position, Range};
-use crate::lines::Lines;
 
 /// The argument of `ladder.cursor`: where a client's cursor is.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]

@@ -8,7 +8,7 @@
 use std::cell::RefCell;
 use std::time::Duration;
 
-use ladder_service::{Clock, Wait};
+use ladder_host::{Clock, Wait};
 
 use crate::Page;
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError, channel};
 
-use ladder_service::debug::Adapter;
+use ladder_debugger::Adapter;
 use tokio::io::AsyncRead;
 
 use super::wire::{self, Incoming};

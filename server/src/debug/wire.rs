@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::Sender;
 
-use ladder_service::debug::{Output, Request};
+use ladder_debugger::{Output, Request};
 use tokio::io::AsyncRead;
 
 use crate::frames::{Frame, Frames};

@@ -6,10 +6,12 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
+use ladder_live::diagram_text::{DiagramText, DrawnText};
+use ladder_live::messages;
 use ladder_service::typing_messages::{Cursor, EditDrawing, EditedDrawing, ToggleComment};
 use ladder_service::{
-    AskedBlock, AskedPage, CrossReference, CrossReferenced, Diagram, DiagramText, Drawn, DrawnFence,
-    DrawnText, Fence, messages, notation_messages,
+    AskedBlock, AskedPage, CrossReference, CrossReferenced, Diagram, Drawn, DrawnFence, Fence,
+    notation_messages,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;

@@ -1,6 +1,6 @@
 //! What the requests that the protocol does not have are answered.
 
-use crate::simulation::Failure;
+use ladder_live::Failure;
 use serde::Serialize;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
 use tower_lsp::ls_types::LSPAny;

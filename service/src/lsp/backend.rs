@@ -41,8 +41,6 @@ use tower_lsp::ls_types::{
 use tower_lsp::ls_types::{SignatureHelp, SignatureHelpParams};
 use tower_lsp::{Client, LanguageServer};
 
-use crate::busy::Busy;
-use crate::host::Host;
 use crate::lsp::documents::{configuration, file_operations, folders, pull, sync, typed, watch};
 #[cfg(feature = "review")]
 use crate::lsp::features::compare;
@@ -57,7 +55,9 @@ use crate::lsp::{
     capabilities,
     session::{agreed::Agreed, shared::Shared},
 };
-use crate::simulation::messages::{DebuggerMessage, OfSession};
+use ladder_host::Busy;
+use ladder_host::Host;
+use ladder_live::messages::{DebuggerMessage, OfSession};
 
 /// The server as the framework sees it.
 #[derive(Debug)]

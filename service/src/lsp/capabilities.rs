@@ -1,5 +1,12 @@
 //! What client and server agree on, once, at `initialize`.
 
+use ladder_documents::position::Encoding;
+use ladder_ide::TRIGGERS;
+use ladder_live::COMMANDS;
+use tower_lsp::ls_types::{
+    CallHierarchyServerCapability, DocumentLinkOptions, DocumentOnTypeFormattingOptions,
+    FoldingRangeProviderCapability, RenameOptions, SelectionRangeProviderCapability, WorkDoneProgressOptions,
+};
 use tower_lsp::ls_types::{
     CodeActionOptions, CodeActionProviderCapability, DeclarationCapability, ExecuteCommandOptions,
     HoverProviderCapability, ImplementationProviderCapability, OneOf, PositionEncodingKind, SaveOptions,
@@ -8,20 +15,12 @@ use tower_lsp::ls_types::{
     WorkspaceServerCapabilities,
 };
 
-use tower_lsp::ls_types::{
-    CallHierarchyServerCapability, DocumentLinkOptions, DocumentOnTypeFormattingOptions,
-    FoldingRangeProviderCapability, RenameOptions, SelectionRangeProviderCapability, WorkDoneProgressOptions,
-};
-
-use crate::document::position::Encoding;
 use crate::lsp::documents::{file_operations, pull, typed};
 use crate::lsp::features::{
     code_action::KINDS, comment, completion, cross_reference, diagram, diagram_text, edit, fence,
     library_block, notations, preview, rule_page, run_scenarios, semantic_tokens, signature,
 };
 use crate::lsp::session::agreed::Agreed;
-use crate::simulation::COMMANDS;
-use ladder_ide::TRIGGERS;
 
 /// What the server offers to such a client.
 pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {

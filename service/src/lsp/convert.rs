@@ -4,34 +4,34 @@ use std::str::FromStr;
 
 use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString, Position, Range, TextEdit, Uri};
 
-use crate::document::{self, Revision};
 use ladder_analysis::Severity;
+use ladder_documents::Revision;
 use ladder_format::Edit;
 use ladder_syntax::TextRange;
 
-pub(crate) fn position(position: document::position::Position) -> Position {
+pub(crate) fn position(position: ladder_documents::Position) -> Position {
     Position {
         line: position.line,
         character: position.character,
     }
 }
 
-pub(crate) fn range(range: document::position::Range) -> Range {
+pub(crate) fn range(range: ladder_documents::Range) -> Range {
     Range {
         start: position(range.start),
         end: position(range.end),
     }
 }
 
-pub(crate) fn our_position(position: Position) -> document::position::Position {
-    document::position::Position {
+pub(crate) fn our_position(position: Position) -> ladder_documents::Position {
+    ladder_documents::Position {
         line: position.line,
         character: position.character,
     }
 }
 
-pub(crate) fn our_range(range: Range) -> document::position::Range {
-    document::position::Range {
+pub(crate) fn our_range(range: Range) -> ladder_documents::Range {
+    ladder_documents::Range {
         start: our_position(range.start),
         end: our_position(range.end),
     }

@@ -4,14 +4,14 @@ use std::cell::{Cell, OnceCell};
 use std::fmt::Write;
 
 use ladder_analysis::{Diagnostic as Finding, Rule};
+use ladder_documents::positions::Positions;
+use ladder_documents::{OtherPlaces, Revision};
 use ladder_syntax::TextRange;
 use serde_json::json;
 use tower_lsp::ls_types::{
     CodeDescription, Diagnostic, DiagnosticRelatedInformation, DiagnosticTag, Location, Range,
 };
 
-use crate::document::positions::Positions;
-use crate::document::{OtherPlaces, Revision};
 use crate::lsp::convert;
 use crate::lsp::session::agreed::Agreed;
 
@@ -114,8 +114,8 @@ mod tests {
     use expect_test::{Expect, expect};
 
     use super::*;
-    use crate::document::Documents;
-    use crate::document::position::Encoding;
+    use ladder_documents::Documents;
+    use ladder_documents::position::Encoding;
 
     /// Findings with a fix, with a related place, and about text without effect.
     const TEXT: &str = "VAR x, y : BOOL; END_VAR\n\n+--[ ]( ö )--( )( y )--+\n\n+--[ ]( y )--( )( y )--+\n\n\

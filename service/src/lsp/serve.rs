@@ -7,6 +7,7 @@ use std::time::Duration;
 use futures::channel::mpsc::{Sender, channel};
 use futures::future::{Either, select};
 use futures::{SinkExt, Stream, StreamExt};
+use ladder_host::{Busy, Host};
 use serde::Serialize;
 use serde_json::value::RawValue;
 use tower_lsp::LspService;
@@ -15,8 +16,6 @@ use tower_lsp::jsonrpc::{Id, Response};
 use super::transport::answered::Left;
 use super::transport::guard::Guard;
 use super::transport::received::{Kind, Received};
-use crate::busy::Busy;
-use crate::host::Host;
 use crate::lsp::backend::Backend;
 
 /// Handlers that run at once. Four of them, the framework's own limit, are soon all waiting for something.

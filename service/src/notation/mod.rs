@@ -1,7 +1,6 @@
 //! Programs of other systems, for the editor: a program in, the same program in another notation out. Nothing is written.
 
 pub mod messages;
-mod opened;
 
 use ladder_analysis::{Analysis, Linked};
 use ladder_notations::{
@@ -9,8 +8,6 @@ use ladder_notations::{
 };
 use messages::{Converted, Element, Known, NextTo, Notations};
 use std::sync::Arc;
-
-pub(crate) use opened::Opened;
 
 /// What a program is to become, and what it is.
 #[derive(Debug)]

@@ -1,11 +1,11 @@
 //! Asks the prover.
 
+use ladder_host::Clock;
 use ladder_prover::{Answer, Options, by_clock, drawn, found_scenario, prove, scenario_file, while_wanted};
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, Monitor, Suite};
 
 use super::{LeftOpen, PropertyProved};
-use crate::host::Clock;
 use crate::scenario_run::Files;
 
 /// Decides the properties of a file, or one of them, for no longer than `ladder prove` does, and as long as it is wanted.

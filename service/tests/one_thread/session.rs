@@ -7,7 +7,8 @@ use std::time::Duration;
 
 use futures::StreamExt;
 use futures::channel::mpsc::{UnboundedSender, channel, unbounded};
-use ladder_service::{Busy, Clock, EventLoop, Host, Received, Wait, World, serve};
+use ladder_host::{Busy, Clock, EventLoop, Host, Wait, World};
+use ladder_service::{Received, serve};
 use ladder_workspace::{Disk, MemoryDisk};
 use serde_json::{Value, json};
 

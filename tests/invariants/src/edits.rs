@@ -6,16 +6,57 @@
 
 use crate::input::{Numbers, parts, text};
 use crate::model::Model;
-use ladder_service::probe::{Document, Unit};
-use ladder_service::{Position, Range};
+use ladder_analysis::Diagnostic;
+use ladder_documents::edit::Change;
+use ladder_documents::position::Encoding;
+use ladder_documents::{Documents, Position, Range, Revision};
+use std::sync::Arc;
 
 /// More changes tell nothing new.
 const MOST_CHANGES: usize = 12;
 
+const URI: &str = "untitled:main.clad";
+
+/// An open document.
+struct Document {
+    documents: Documents,
+    revision: Arc<Revision>,
+}
+
+impl Document {
+    fn open(text: &str, unit: Encoding) -> Document {
+        let documents = Documents::default();
+        let revision = documents.open(URI, 0, unit, text);
+        Document { documents, revision }
+    }
+
+    /// Changes a stretch, or the whole text, as an editor does.
+    fn change(&mut self, range: Option<Range>, text: &str) {
+        let text = text.to_owned();
+        let change = match range {
+            Some(range) => Change::Part { range, text },
+            None => Change::Whole(text),
+        };
+        let version = self.revision.version + 1;
+        let changed = self.documents.change(URI, version, &[change]);
+        self.revision = changed.unwrap_or_else(|refused| panic!("{refused}"));
+    }
+
+    /// What is found in it, with the places as the editor gets them.
+    fn findings(&self) -> Vec<(Range, Diagnostic)> {
+        let Some(analysis) = self.revision.analysis() else {
+            return Vec::new();
+        };
+        let found = analysis.findings().iter();
+        let placed = found.map(|found| (self.revision.range(found.range), found.diagnostic()));
+        placed.collect()
+    }
+}
+
 pub(crate) fn check(data: &[u8]) {
     let parts = parts(data);
     let mut first = Numbers(parts[0]);
-    let unit = [Unit::Utf8, Unit::Utf16, Unit::Utf32][first.small() % 3];
+    let unit = [Encoding::Utf8, Encoding::Utf16, Encoding::Utf32][first.small() % 3];
     let text_at_first = text(first.0);
     let mut document = Document::open(&text_at_first, unit);
     let mut model = Model::new(text_at_first, unit);
@@ -54,8 +95,8 @@ fn range(numbers: &mut Numbers) -> Option<Range> {
     Some(Range { start, end })
 }
 
-fn same(document: &Document, model: &Model, unit: Unit) {
-    assert_eq!(document.text(), model.text);
+fn same(document: &Document, model: &Model, unit: Encoding) {
+    assert_eq!(document.revision.text(), model.text);
     let found = document.findings();
     let again = Document::open(&model.text, unit).findings();
     assert_eq!(found.len(), again.len(), "findings of\n{}", model.text);

@@ -1,17 +1,17 @@
 //! A text as an editor sees it, kept as a plain string: the server's ropes must agree with it.
 
-use ladder_service::probe::Unit;
-use ladder_service::{Position, Range};
+use ladder_documents::position::Encoding;
+use ladder_documents::{Position, Range};
 
 /// A text, and the unit in which its positions count.
 #[derive(Debug)]
 pub(crate) struct Model {
     pub(crate) text: String,
-    unit: Unit,
+    unit: Encoding,
 }
 
 impl Model {
-    pub(crate) fn new(text: String, unit: Unit) -> Model {
+    pub(crate) fn new(text: String, unit: Encoding) -> Model {
         Model { text, unit }
     }
 
@@ -62,9 +62,9 @@ impl Model {
 
     fn units(&self, c: char) -> u32 {
         match self.unit {
-            Unit::Utf8 => c.len_utf8() as u32,
-            Unit::Utf16 => c.len_utf16() as u32,
-            Unit::Utf32 => 1,
+            Encoding::Utf8 => c.len_utf8() as u32,
+            Encoding::Utf16 => c.len_utf16() as u32,
+            Encoding::Utf32 => 1,
         }
     }
 }

@@ -14,7 +14,7 @@ const LANGUAGE: [&str; 6] = [
 ];
 
 /// What a crate may use: those of the language only what is here, the others also all of the language.
-const RULES: [(&str, &[&str]); 17] = [
+const RULES: [(&str, &[&str]); 21] = [
     ("syntax", &[]),
     ("instructions", &[]),
     ("library", &[]),
@@ -31,6 +31,13 @@ const RULES: [(&str, &[&str]); 17] = [
     ("notation", &[]),
     ("ide", &["simulator"]),
     ("workspace", &["simulator", "notation"]),
+    ("host", &["workspace"]),
+    ("documents", &["simulator", "ide", "notations", "workspace"]),
+    (
+        "live",
+        &["simulator", "ide", "picture", "workspace", "host", "documents"],
+    ),
+    ("debugger", &["simulator", "workspace", "host", "live"]),
     (
         "service",
         &[
@@ -41,10 +48,14 @@ const RULES: [(&str, &[&str]); 17] = [
             "picture",
             "notations",
             "workspace",
+            "host",
+            "documents",
+            "live",
+            "debugger",
         ],
     ),
-    ("server", &["service", "workspace"]),
-    ("playground", &["service", "workspace"]),
+    ("server", &["workspace", "host", "debugger", "service"]),
+    ("playground", &["workspace", "host", "service"]),
     (
         "cli",
         &[

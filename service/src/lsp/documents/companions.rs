@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use ladder_analysis::{Analysis, Diagnostic as Finding, Severity};
+use ladder_documents::{Kind, Revision, address};
+use ladder_host::Work;
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, ScenarioError};
 use ladder_syntax::TextRange;
@@ -11,8 +13,6 @@ use ladder_workspace::{Settings, folder_errors};
 use tower_lsp::ls_types::Diagnostic;
 
 use super::{diagnostics, foreign, pull, settings_file};
-use crate::busy::Work;
-use crate::document::{Kind, Revision, address};
 use crate::lsp::session::proofs::ProgramText;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};

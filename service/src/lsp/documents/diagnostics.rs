@@ -8,13 +8,13 @@ use std::sync::Arc;
 
 use ladder_analysis::rules::is_of_own_text;
 use ladder_analysis::{Finding, Severity};
+use ladder_documents::Revision;
+use ladder_host::Work;
 use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES};
 use ladder_workspace::SETTINGS_FILE;
 use tower_lsp::ls_types::{Diagnostic, Range};
 
 use super::{companions, folders, pull, settings_file, shown, typed};
-use crate::busy::Work;
-use crate::document::Revision;
 use crate::lsp::transport::blocking::caught;
 use crate::lsp::{convert, finding::Findings, session::agreed::Agreed, session::shared::Shared};
 

@@ -6,6 +6,9 @@
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
+use ladder_documents::Revision;
+use ladder_documents::address::{path_of, uri_of};
+use ladder_documents::membership::Membership;
 use ladder_format::Edit;
 use ladder_simulator::scenario;
 use tower_lsp::jsonrpc::Result;
@@ -16,9 +19,6 @@ use tower_lsp::ls_types::{
 };
 
 use super::{diagnostics, folders};
-use crate::document::Revision;
-use crate::document::address::{path_of, uri_of};
-use crate::document::membership::Membership;
 use crate::lsp::session::agreed::Reported;
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;

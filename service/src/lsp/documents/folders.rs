@@ -7,11 +7,11 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, PoisonError};
 
+use ladder_documents::address::path_of;
 use ladder_workspace::{SETTINGS_FILE, Survey, shown};
 use tower_lsp::ls_types::{DidChangeWorkspaceFoldersParams, InitializeParams, WorkspaceFolder};
 
 use super::{pull, settings_file};
-use crate::document::address::path_of;
 use crate::lsp::documents::progress::Progress;
 use crate::lsp::session::shared::Shared;
 

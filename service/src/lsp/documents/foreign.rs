@@ -3,16 +3,15 @@
 use std::sync::Arc;
 
 use ladder_analysis::{Diagnostic as Finding, Severity};
+use ladder_documents::{Opened, Revision};
 use ladder_notations::{Lines, Mark, ReadError};
 use ladder_syntax::{TextRange, TextSize};
 use tower_lsp::ls_types::Diagnostic;
 
 use super::shown;
-use crate::document::Revision;
 use crate::lsp::finding::Findings;
 use crate::lsp::session::agreed::Agreed;
 use crate::lsp::{convert, session::shared::Shared};
-use crate::notation::Opened;
 use crate::notation::messages::Previewed;
 
 /// What is where the name of a rule would, for a file that cannot be read.

@@ -8,6 +8,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Duration;
 
+use ladder_host::newest::{Receiver, Sender, newest};
+use ladder_host::{Host, within};
 use tower_lsp::Client;
 use tower_lsp::ls_types::notification;
 use tower_lsp::ls_types::{
@@ -15,9 +17,7 @@ use tower_lsp::ls_types::{
     WorkDoneProgressBegin, WorkDoneProgressEnd, WorkDoneProgressReport,
 };
 
-use crate::host::{Host, within};
 use crate::lsp::session::shared::Shared;
-use crate::newest::{Receiver, Sender, newest};
 
 /// Work that takes no longer than this is not worth a line on the screen.
 const MOMENT: Duration = Duration::from_millis(200);

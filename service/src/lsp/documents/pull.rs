@@ -10,6 +10,9 @@ use std::sync::atomic::Ordering;
 use std::sync::{Arc, PoisonError};
 use std::time::Duration;
 
+use ladder_documents::Revision;
+use ladder_documents::address::{path_of, uri_of};
+use ladder_documents::membership::Membership;
 use tower_lsp::jsonrpc::{Error, Result};
 use tower_lsp::ls_types::{
     Diagnostic, DiagnosticOptions, DiagnosticServerCapabilities, DocumentDiagnosticParams,
@@ -23,9 +26,6 @@ use tower_lsp::ls_types::{
 
 use super::progress::Progress;
 use super::{companions, diagnostics, folders, settings_file, watch};
-use crate::document::Revision;
-use crate::document::address::{path_of, uri_of};
-use crate::document::membership::Membership;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
 

@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, PoisonError};
 
 use ladder_analysis::Severity;
+use ladder_documents::SettingsFile;
+use ladder_documents::address::{path_of, uri_of};
+use ladder_documents::position::{self, Encoding};
 use ladder_workspace::shown;
 use ropey::Rope;
 use tower_lsp::ls_types::Diagnostic;
 
 use super::companions::BAD_SETTING;
-use crate::document::SettingsFile;
-use crate::document::address::{path_of, uri_of};
-use crate::document::position::{self, Encoding};
 use crate::lsp::{convert, session::shared::Shared};
 
 /// A settings file was closed: what was reported of it was withdrawn, and is reported again.

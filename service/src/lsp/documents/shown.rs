@@ -1,12 +1,11 @@
 //! Which findings of a file an editor is sent: it shows only some, and each costs a message.
 
 use ladder_analysis::{Finding, Severity, keep_nearest};
+use ladder_documents::{Analysis, Revision};
 use ladder_syntax::TextSize;
 use ladder_syntax::numeral::counted;
 use tower_lsp::ls_types::{Diagnostic, Range};
 
-use crate::document::Revision;
-use crate::language::Analysis;
 use crate::lsp::convert;
 
 /// At most this many, which is also what VS Code keeps of one file.

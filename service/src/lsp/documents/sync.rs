@@ -5,6 +5,9 @@
 
 use std::sync::Arc;
 
+use ladder_documents::edit::Change;
+use ladder_documents::membership::Membership;
+use ladder_documents::{ChangeRefused, Kind, address};
 use tower_lsp::ls_types::{
     DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidCloseTextDocumentParams,
     DidOpenTextDocumentParams, DidSaveTextDocumentParams, TextDocumentContentChangeEvent,
@@ -12,9 +15,6 @@ use tower_lsp::ls_types::{
 };
 
 use super::{companions, diagnostics, typed, watch};
-use crate::document::edit::Change;
-use crate::document::membership::Membership;
-use crate::document::{ChangeRefused, Kind, address};
 use crate::lsp::{convert::our_range, session::shared::Shared};
 
 pub(crate) fn opened(shared: &Arc<Shared>, params: DidOpenTextDocumentParams) {

@@ -13,17 +13,17 @@ use std::sync::Arc;
 
 use ladder_analysis::Finding;
 use ladder_analysis::context::Context;
+use ladder_documents::Revision;
+use ladder_documents::position::Position;
+use ladder_live::argument_of;
 use ladder_syntax::{LineKind, Parse, TextRange, TextSize};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
 use super::{diagnostics, pull};
-use crate::document::Revision;
-use crate::document::position::Position;
 use crate::lsp::answers::error;
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
-use crate::simulation::argument_of;
 use crate::typing_messages::Cursor;
 
 /// The command by which a client says where its cursor is.

@@ -4,16 +4,16 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use ladder_analysis::context::Context;
+use ladder_analysis::library;
+use ladder_documents::Revision;
+use ladder_documents::other_files::{FileText, OtherFiles};
+use ladder_syntax::{TextRange, TextSize};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{Location, Position, Range, TextDocumentPositionParams, Uri};
 
-use crate::document::Revision;
-use crate::document::other_files::{FileText, OtherFiles};
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
-use ladder_analysis::context::Context;
-use ladder_analysis::library;
-use ladder_syntax::{TextRange, TextSize};
 
 /// A document that is asked about.
 pub(crate) struct Asked {

@@ -4,6 +4,10 @@
 
 use std::sync::Arc;
 
+use ladder_documents::other_files::OtherFiles;
+use ladder_documents::{Analysis, Cancel, Revision};
+use ladder_ide::{Action, ActionKind};
+use ladder_syntax::{TextRange, TextSize};
 use serde::{Deserialize, Serialize};
 use tower_lsp::jsonrpc::{Error, Result};
 use tower_lsp::ls_types::{
@@ -14,18 +18,12 @@ use tower_lsp::ls_types::{
 use super::asked::Asked;
 use super::of_scenarios::scenarios_at;
 use super::{conversion, rename, scenario_actions, switch_off};
-use crate::cancel::Cancel;
-use crate::document::Revision;
-use crate::document::other_files::OtherFiles;
-use crate::language::Analysis;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{
     convert,
     finding::Findings,
     session::{agreed::Agreed, commands::RENAME, shared::Shared},
 };
-use ladder_ide::{Action, ActionKind};
-use ladder_syntax::{TextRange, TextSize};
 
 /// The kind of the action that applies every sure fix of a file.
 pub(crate) const FIX_ALL: CodeActionKind = CodeActionKind::new("source.fixAll.ladder");

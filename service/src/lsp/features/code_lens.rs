@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use ladder_documents::{Revision, address};
 use ladder_ide::LensKind;
 use ladder_simulator::scenario;
 use ladder_syntax::{TextRange, TextSize};
@@ -13,7 +14,6 @@ use tower_lsp::ls_types::{
 
 use super::asked::{Places, about_place};
 use super::of_scenarios::scenarios_at;
-use crate::document::{Revision, address};
 use crate::lsp::session::commands::{PROVE, SHOW, START, TEST};
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};

@@ -2,17 +2,16 @@
 
 use std::sync::Arc;
 
+use ladder_documents::{Lines, Revision};
 use ladder_ide::toggle_comment;
+use ladder_live::{Failure, argument_of};
 use ladder_syntax::TextSize;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
-use crate::document::Revision;
-use crate::lines::Lines;
 use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
-use crate::simulation::{Failure, argument_of};
 use crate::typing_messages::{EditedDrawing, Replacement, ToggleComment};
 
 /// The command.

@@ -4,25 +4,23 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
+use ladder_documents::{Lines, Revision};
+use ladder_live::{Failure, argument_of};
 use ladder_picture::Theme;
 use ladder_review::outline::{Entry, why_not};
 use ladder_review::rename::renamed;
 use ladder_review::report::{html, summary};
-use ladder_review::while_wanted;
 use ladder_review::words::{heading, names, reason, word};
-use ladder_review::{Change, Comparison, Outline, compare_renamed, is_wanted};
+use ladder_review::{Change, Comparison, Outline, compare_renamed, is_wanted, while_wanted};
 use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES};
 use ladder_workspace::shown;
 use serde::{Deserialize, Serialize};
 use tower_lsp::jsonrpc::{Error, Result};
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
-use crate::document::Revision;
-use crate::lines::Lines;
 use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
-use crate::simulation::{Failure, argument_of};
 
 /// The command.
 pub(crate) const COMPARE: &str = "ladder.compare";

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use ladder_analysis::context::Context;
+use ladder_documents::Revision;
 use ladder_ide::{Completion, CompletionKind, Profile, Topic};
 use ladder_syntax::{TextRange, TextSize};
 use ladder_workspace::is_program;
@@ -16,7 +17,6 @@ use tower_lsp::ls_types::{
 };
 
 use super::of_scenarios::{about_scenarios, scenarios_at};
-use crate::document::Revision;
 use crate::lsp::session::commands::CUT;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, markup, session::agreed::Agreed, session::shared::Shared};

@@ -1,11 +1,10 @@
 //! The conversion of a program in the first draft of the language, as a code action: the finding that it is one says what
 //! to do at the command line.
 
+use ladder_documents::{Analysis, Revision};
 use ladder_notations::{CONVERSION, conversion_of_cplc_draft};
 use tower_lsp::ls_types::{CodeAction, CodeActionDisabled, CodeActionKind};
 
-use crate::document::Revision;
-use crate::language::Analysis;
 use crate::lsp::finding::Findings;
 use crate::lsp::session::agreed::Agreed;
 

@@ -3,17 +3,17 @@
 use std::sync::Arc;
 
 use ladder_analysis::{TagEntry, TagPlace, cross_reference};
+use ladder_documents::Revision;
+use ladder_documents::position::Range;
+use ladder_documents::positions::Positions;
+use ladder_live::{Failure, argument_of};
 use serde::{Deserialize, Serialize};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
-use crate::document::Revision;
-use crate::document::position::Range;
-use crate::document::positions::Positions;
 use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
-use crate::simulation::{Failure, argument_of};
 
 /// The command.
 pub(crate) const CROSS_REFERENCE: &str = "ladder.crossReference";

@@ -5,6 +5,10 @@ use std::sync::Arc;
 
 use futures::StreamExt;
 use futures::channel::mpsc::{UnboundedReceiver, unbounded};
+use ladder_debugger::{Launch, Output, answer_of_none, is_urgent};
+use ladder_documents::{Cancel, Revision};
+use ladder_live::messages::{Debug, Debugged, DebuggerMessage};
+use ladder_live::{Action, Failure, Pace};
 use serde_json::Value;
 use tower_lsp::Client;
 use tower_lsp::jsonrpc::Result;
@@ -13,14 +17,9 @@ use tower_lsp::ls_types::notification::Notification;
 
 use super::of_scenarios::{on_disk, shown};
 use super::simulate::{Debugging, act, answer, begin};
-use crate::cancel::Cancel;
-use crate::debug::{self, Launch};
-use crate::document::Revision;
 use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
-use crate::simulation::messages::{Debug, Debugged, DebuggerMessage};
-use crate::simulation::{Action, Failure, Pace};
 
 /// What a debugger says.
 #[derive(Debug)]
@@ -39,7 +38,7 @@ pub(super) async fn debug(shared: &Arc<Shared>, Debug { launch, mut options }: D
     let revision = program(shared, &launch).await?;
     let there = shared.sessions.of(&revision.uri).pop();
     let (sent, messages) = unbounded();
-    let output: debug::Output = Box::new(move |message| {
+    let output: Output = Box::new(move |message| {
         sent.unbounded_send(message.clone())
             .map_err(|_| io::ErrorKind::BrokenPipe.into())
     });
@@ -96,12 +95,12 @@ async fn program(shared: &Arc<Shared>, launch: &Launch) -> Result<Arc<Revision>>
 
 /// A message of a client for its debugger.
 pub(crate) fn receive(shared: &Arc<Shared>, DebuggerMessage { session, message }: DebuggerMessage) {
-    let is_urgent = debug::is_urgent(&message);
+    let is_urgent = is_urgent(&message);
     match shared.sessions.get(&session) {
         Ok(session) => drop(session.ask(Action::Message(message, is_urgent), Cancel::default())),
         // A client may say good-bye to a simulation that is over already.
         Err(_) => {
-            let Some(message) = debug::answer_of_none(&message) else {
+            let Some(message) = answer_of_none(&message) else {
                 return;
             };
             let (client, params) = (shared.client.clone(), DebuggerMessage { session, message });

@@ -3,19 +3,18 @@
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
+use ladder_documents::position::Position;
+use ladder_documents::{Lines, Revision};
+use ladder_live::{Failure, argument_of};
 use ladder_picture::live::{self, Kind, Piece};
 use ladder_syntax::{TextRange, TextSize};
 use serde::{Deserialize, Serialize};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
-use crate::document::Revision;
-use crate::document::position::Position;
-use crate::lines::Lines;
 use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
-use crate::simulation::{Failure, argument_of};
 
 /// The command.
 pub(crate) const DIAGRAM: &str = "ladder.diagram";

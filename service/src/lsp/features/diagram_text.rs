@@ -2,15 +2,15 @@
 
 use std::sync::Arc;
 
+use ladder_live::diagram_text::{DiagramText, draw};
+use ladder_live::{Action, Failure, argument_of};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
 use super::simulate::act;
-use crate::diagram_text::{DiagramText, draw};
 use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
-use crate::simulation::{Action, Failure, argument_of};
 
 /// The command.
 pub(crate) const DIAGRAM_TEXT: &str = "ladder.diagramText";

@@ -2,17 +2,17 @@
 
 use std::sync::Arc;
 
+use ladder_documents::position;
 use ladder_ide::{Redraw, redraw};
+use ladder_live::{Failure, argument_of};
 use ladder_syntax::TextRange;
 use ropey::Rope;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
-use crate::document::position;
 use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
-use crate::simulation::{Failure, argument_of};
 use crate::typing_messages::{EditDrawing, EditKind, EditedDrawing, Replacement};
 
 /// The command.

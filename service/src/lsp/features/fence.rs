@@ -6,6 +6,7 @@ use ladder_analysis::context;
 use ladder_analysis::networks::BlockAt;
 use ladder_ide::{Modifiers, Token, TokenKind, semantic_tokens};
 use ladder_instructions::Shape;
+use ladder_live::{Failure, argument_of};
 use ladder_picture::{Options, Theme, scene, svg};
 use ladder_syntax::TextRange;
 use serde::{Deserialize, Serialize};
@@ -15,7 +16,6 @@ use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
-use crate::simulation::{Failure, argument_of};
 
 /// The command.
 pub(crate) const FENCE: &str = "ladder.fence";

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
+use ladder_documents::Revision;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{Hover, HoverContents, Position};
 
-use crate::document::Revision;
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, markup};

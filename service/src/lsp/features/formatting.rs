@@ -3,6 +3,10 @@
 
 use std::sync::Arc;
 
+use ladder_documents::{Kind, Revision};
+use ladder_format::{Edit, format_ranges};
+use ladder_ide::{on_type, scenario_layout, scenario_on_type};
+use ladder_syntax::TextRange;
 use serde::Deserialize;
 use tower_lsp::jsonrpc::{Error, Result};
 use tower_lsp::ls_types::{
@@ -11,12 +15,8 @@ use tower_lsp::ls_types::{
 };
 
 use super::of_scenarios::scenarios_at;
-use crate::document::{Kind, Revision};
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
-use ladder_format::{Edit, format_ranges};
-use ladder_ide::{on_type, scenario_layout, scenario_on_type};
-use ladder_syntax::TextRange;
 
 /// The parameters of `textDocument/rangesFormatting`, which the protocol has since 3.18. Layout has no use for the
 /// editor's options.

@@ -2,15 +2,15 @@
 
 use std::sync::Arc;
 
+use ladder_analysis::context::Context;
+use ladder_ide::{Target, Workspace};
+use ladder_syntax::TextSize;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{GotoDefinitionParams, GotoDefinitionResponse, LocationLink};
 
 use super::asked::{Asked, Places, about_place};
 use super::of_scenarios::{about_scenarios, scenarios_at};
 use crate::lsp::session::{agreed::Links, shared::Shared};
-use ladder_analysis::context::Context;
-use ladder_ide::{Target, Workspace};
-use ladder_syntax::TextSize;
 
 /// Which of the four is asked for.
 pub(crate) type Question = fn(&Context, TextSize, &dyn Workspace) -> Vec<Target>;

@@ -1,12 +1,12 @@
 //! `ladder.libraryBlock`: the source of a block that the library has.
 
 use ladder_analysis::library::{self, Source};
+use ladder_live::{Failure, argument_of};
 use serde::{Deserialize, Serialize};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
 use crate::lsp::answers::{error, json};
-use crate::simulation::{Failure, argument_of};
 
 /// The command.
 pub(crate) const LIBRARY_BLOCK: &str = "ladder.libraryBlock";

@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
+use ladder_documents::address;
+use ladder_ide::{LinkTarget, links};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{DocumentLink, DocumentLinkParams};
 
 use super::asked::about;
-use crate::document::address;
 use crate::lsp::{convert, session::shared::Shared};
-use ladder_ide::{LinkTarget, links};
 
 pub(crate) async fn document_links(
     shared: &Arc<Shared>,

@@ -3,19 +3,19 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use ladder_documents::Kind;
+use ladder_documents::address::path_of;
+use ladder_live::{Failure, argument_of};
 use ladder_notations::{Form, Source};
 use ladder_workspace::{Disk, FileError, is_program};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
-use crate::document::Kind;
-use crate::document::address::path_of;
 use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::notation::messages::{Convert, Nothing};
 use crate::notation::{Task, known, translate};
-use crate::simulation::{Failure, argument_of};
 
 /// Writes a program in another notation.
 const CONVERT: &str = "ladder.convert";

@@ -4,22 +4,21 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use tower_lsp::jsonrpc;
-use tower_lsp::ls_types::{Position, Uri};
-
-use super::asked::Asked;
-use crate::cancel::Cancel;
-use crate::document::membership::Membership;
-use crate::document::other_files::OtherFiles;
-use crate::document::{Kind, Revision, address};
-use crate::lsp::documents::companions::compiled_from;
-use crate::lsp::transport::blocking::blocking;
-use crate::lsp::{convert, session::shared::Shared};
+use ladder_documents::membership::Membership;
+use ladder_documents::other_files::OtherFiles;
+use ladder_documents::{Cancel, Kind, Revision, address};
 use ladder_ide::{Alone, Scenarios};
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, Suite};
 use ladder_syntax::TextSize;
 use ladder_workspace::shown::path as shown_path;
+use tower_lsp::jsonrpc;
+use tower_lsp::ls_types::{Position, Uri};
+
+use super::asked::Asked;
+use crate::lsp::documents::companions::compiled_from;
+use crate::lsp::transport::blocking::blocking;
+use crate::lsp::{convert, session::shared::Shared};
 
 /// A scenario file that is asked about.
 pub(crate) struct AskedScenarios {

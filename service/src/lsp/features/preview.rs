@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use ladder_live::{Failure, argument_of};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
@@ -10,7 +11,6 @@ use crate::lsp::documents::foreign;
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::notation::messages::Preview;
-use crate::simulation::{Failure, argument_of};
 
 /// The command.
 pub(crate) const PREVIEW: &str = "ladder.preview";

@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
+use ladder_documents::{Cancel, Kind, address};
+use ladder_live::{Failure, argument_of};
 use ladder_simulator::scenario;
 use tower_lsp::jsonrpc::{Error, Result};
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
 use super::of_scenarios::{NamedProgram, on_disk};
-use crate::cancel::Cancel;
-use crate::document::{Kind, address};
 use crate::lsp::answers::{error, json};
 use crate::lsp::documents::companions::refresh_proofs;
 use crate::lsp::session::proofs::ProgramText;
@@ -16,7 +16,6 @@ use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::proof::{self, PropertiesProved, ProveProperties};
 use crate::scenario_run::Files;
-use crate::simulation::{Failure, argument_of};
 
 /// The command.
 pub(crate) const PROVE_PROPERTIES: &str = "ladder.proveProperties";

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use ladder_documents::{Revision, in_parallel};
+use ladder_ide::{Highlight, Reference, Usage, highlights};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
     DocumentHighlight, DocumentHighlightKind, DocumentHighlightParams, Location, ReferenceParams,
@@ -9,10 +11,8 @@ use tower_lsp::ls_types::{
 
 use super::asked::{Asked, about_place};
 use super::of_scenarios::{about_scenarios, scenarios_at};
-use crate::document::{Revision, in_parallel};
 use crate::lsp::transport::answered::as_text;
 use crate::lsp::{convert, session::shared::Shared};
-use ladder_ide::{Highlight, Reference, Usage, highlights};
 
 pub(crate) async fn references(
     shared: &Arc<Shared>,

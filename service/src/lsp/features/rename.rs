@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use ladder_documents::Revision;
+use ladder_ide::{Renamable, RenameRefused, Renamed};
 use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
 use tower_lsp::ls_types::{
     PrepareRenameResponse, RenameParams, TextDocumentPositionParams, TextEdit, Uri, WorkspaceEdit,
@@ -9,11 +11,9 @@ use tower_lsp::ls_types::{
 
 use super::asked::{Asked, Places, about_place};
 use super::of_scenarios::{about_scenarios, scenarios_at};
-use crate::document::Revision;
 use crate::lsp::answers::REQUEST_FAILED;
 use crate::lsp::transport::answered::as_text;
 use crate::lsp::{convert, session::agreed::Agreed, session::shared::Shared};
-use ladder_ide::{Renamable, RenameRefused, Renamed};
 
 /// The files to change: the address, the document if it is open, and the edits.
 type Changes = Vec<(Uri, Option<Arc<Revision>>, Vec<TextEdit>)>;

@@ -1,12 +1,12 @@
 //! `ladder.rulePage`: what a finding's rule is about, as the book says it.
 
 use ladder_analysis::rules;
+use ladder_live::{Failure, argument_of};
 use serde::{Deserialize, Serialize};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
 use crate::lsp::answers::{error, json};
-use crate::simulation::{Failure, argument_of};
 
 /// The command.
 pub(crate) const RULE_PAGE: &str = "ladder.rulePage";

@@ -2,18 +2,17 @@
 
 use std::sync::Arc;
 
+use ladder_documents::{Cancel, Kind, Revision};
+use ladder_live::{Failure, argument_of};
 use ladder_simulator::scenario;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
 use super::of_scenarios::NamedProgram;
-use crate::cancel::Cancel;
-use crate::document::{Kind, Revision};
 use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::scenario_run::{Files, RunScenarios, ScenariosRun, run};
-use crate::simulation::{Failure, argument_of};
 
 /// The command.
 pub(crate) const RUN_SCENARIOS: &str = "ladder.runScenarios";

@@ -4,10 +4,12 @@
 use std::sync::Arc;
 
 use ladder_analysis::context::Context;
+use ladder_documents::{Revision, address, position};
 use ladder_ide::{Exclusive, exclusive_outputs, place_of_new_property};
 use ladder_simulator::scenario::{self, Suite};
 use ladder_simulator::value_text;
 use ladder_syntax::{TextRange, TextSize};
+use ropey::Rope;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
     CodeAction, CodeActionKind, CodeActionOrCommand, CodeActionParams, CodeActionResponse, CreateFile,
@@ -17,13 +19,11 @@ use tower_lsp::ls_types::{
 
 use super::code_action::wanted;
 use super::of_scenarios::{AskedScenarios, about_scenarios};
-use crate::document::{Revision, address, position};
 use crate::lsp::documents::companions::{compiled, violated};
 use crate::lsp::session::agreed::Agreed;
 use crate::lsp::session::proofs::ProgramText;
 use crate::lsp::{convert, session::shared::Shared};
 use crate::proof::PropertyProved;
-use ropey::Rope;
 
 /// The actions in a file of scenarios.
 pub(super) async fn code_action(

@@ -2,6 +2,9 @@
 
 use std::sync::Arc;
 
+use ladder_documents::position::{self, Position};
+use ladder_documents::sweep::Sweep;
+use ladder_documents::{Revision, in_parallel};
 use ladder_ide::{Modifiers, Token, TokenKind, semantic_tokens, semantic_tokens_of};
 use ladder_syntax::TextRange;
 use tower_lsp::jsonrpc::Result;
@@ -12,10 +15,6 @@ use tower_lsp::ls_types::{
     SemanticTokensRangeResult, SemanticTokensResult, SemanticTokensServerCapabilities,
 };
 
-use crate::document::Revision;
-use crate::document::in_parallel;
-use crate::document::position::{self, Position};
-use crate::document::sweep::Sweep;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
 

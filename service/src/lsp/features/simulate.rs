@@ -2,6 +2,13 @@
 
 use std::sync::Arc;
 
+use ladder_documents::{Cancel, Revision};
+use ladder_host::Host;
+use ladder_host::newest::Receiver;
+use ladder_live::messages::{OfSession, Options, Show, Shown, Start, Started, State, Status, Stopped};
+use ladder_live::{
+    Action, Answer, Beginning, Begun, Failure, Given, Keeping, Pace, REPORT, Request, Session, status_text,
+};
 use serde_json::Value;
 use tower_lsp::Client;
 use tower_lsp::jsonrpc::Result;
@@ -9,18 +16,10 @@ use tower_lsp::ls_types::notification::Notification;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny, Position};
 
 use super::debug;
-use crate::cancel::Cancel;
-use crate::document::Revision;
-use crate::host::Host;
 use crate::lsp::answers::{error, json};
 use crate::lsp::convert;
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::{answered::answered, blocking::blocking};
-use crate::newest::Receiver;
-use crate::simulation::messages::{OfSession, Options, Show, Shown, Start, Started, State, Status, Stopped};
-use crate::simulation::{
-    Action, Answer, Beginning, Begun, Failure, Given, Keeping, Pace, REPORT, Request, Session, status_text,
-};
 
 /// How many times as fast as real time a run may be.
 const SPEEDS: std::ops::RangeInclusive<f64> = 0.001..=1000.0;
@@ -301,18 +300,18 @@ mod tests {
     use tower_lsp::LspService;
 
     use super::*;
-    use crate::busy::Busy;
-    use crate::host::testing::TestHost;
-    use crate::host::{EventLoop, within};
     use crate::lsp::backend::Backend;
     use crate::lsp::transport::guard::{Answer, Guard};
-    use crate::newest::newest;
+    use ladder_host::Busy;
+    use ladder_host::newest::newest;
+    use ladder_host::testing::TestHost;
+    use ladder_host::{EventLoop, within};
 
     /// A client that is slow to take an answer sees this: the state of a change must not overtake the answer to the
     /// start. Which of the two the framework writes first cannot be told from outside.
     #[test]
     fn no_state_goes_out_before_the_answer_to_the_start() {
-        let host = TestHost::new();
+        let host = TestHost::default();
         host.run(start_and_change(host.host.clone()));
     }
 
@@ -365,7 +364,7 @@ mod tests {
 
     #[test]
     fn a_session_whose_runner_is_gone_is_shown_as_ended() {
-        let host = TestHost::new();
+        let host = TestHost::default();
         host.run(end_early(host.host.clone()));
     }
 

@@ -3,15 +3,13 @@
 use std::collections::BTreeSet;
 
 use ladder_analysis::Rule;
+use ladder_documents::address::uri_of;
+use ladder_documents::{Analysis, Revision, position};
 use ladder_syntax::TextRange;
 use ladder_workspace::Settings;
 use ropey::Rope;
 use tower_lsp::ls_types::{CodeAction, CodeActionKind, TextEdit, Uri, WorkspaceEdit};
 
-use crate::document::Revision;
-use crate::document::address::uri_of;
-use crate::document::position;
-use crate::language::Analysis;
 use crate::lsp::convert;
 use crate::lsp::finding::Findings;
 use crate::lsp::session::{agreed::Agreed, shared::Shared};

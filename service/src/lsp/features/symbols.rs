@@ -3,6 +3,10 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
+use ladder_documents::Revision;
+use ladder_documents::other_files::OtherFiles;
+use ladder_documents::positions::Positions;
+use ladder_ide::{OutlineKind, Outlined, ScenarioPart, outline, workspace_symbols};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
     DocumentSymbol, DocumentSymbolParams, DocumentSymbolResponse, Location, SymbolInformation, SymbolKind,
@@ -11,13 +15,9 @@ use tower_lsp::ls_types::{
 
 use super::asked::{Asked, Places, about};
 use super::of_scenarios::{about_scenarios, scenarios_at};
-use crate::document::Revision;
-use crate::document::other_files::OtherFiles;
-use crate::document::positions::Positions;
 use crate::lsp::transport::answered::as_text;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
-use ladder_ide::{OutlineKind, Outlined, ScenarioPart, outline, workspace_symbols};
 
 pub(crate) async fn document_symbols(
     shared: &Arc<Shared>,

@@ -1,5 +1,6 @@
 //! What the client can take.
 
+use ladder_documents::position::Encoding;
 use tower_lsp::ls_types::{
     ClientCapabilities, ClientDiagnosticsTagOptions, DiagnosticTag, GotoCapability, MarkupKind,
     PositionEncodingKind, ResourceOperationKind, TextDocumentClientCapabilities,
@@ -7,7 +8,6 @@ use tower_lsp::ls_types::{
 };
 
 use super::commands::{Commands, cuts_after, renames};
-use crate::document::position::Encoding;
 
 /// What the client can take, as plain answers to the questions that the handlers ask.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

@@ -8,15 +8,14 @@ use std::sync::Arc;
 
 use futures::StreamExt;
 use futures::channel::mpsc;
+use ladder_documents::{Documents, Revision};
+use ladder_host::{Busy, Host, Work};
 use ladder_workspace::shown;
 use tower_lsp::Client;
 use tower_lsp::ls_types::notification::Notification;
 use tower_lsp::ls_types::{Diagnostic, MessageType};
 
 use super::previews::Previews;
-use crate::busy::{Busy, Work};
-use crate::document::{Documents, Revision};
-use crate::host::Host;
 use crate::lsp::convert;
 use crate::notation::messages::Previewed;
 
@@ -148,8 +147,8 @@ mod tests {
     use tower_lsp::{LanguageServer, LspService, jsonrpc};
 
     use super::*;
-    use crate::document::position::Encoding;
-    use crate::host::testing::TestHost;
+    use ladder_documents::position::Encoding;
+    use ladder_host::testing::TestHost;
 
     struct Quiet;
 
@@ -167,7 +166,7 @@ mod tests {
     /// notes are all there.
     #[test]
     fn diagnostics_of_a_text_that_is_no_longer_shown_are_not_sent() {
-        let host = TestHost::new();
+        let host = TestHost::default();
         host.run(open_close_and_open_again(&*host.host));
     }
 

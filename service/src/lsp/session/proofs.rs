@@ -6,9 +6,9 @@ use std::hash::{DefaultHasher, Hasher};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use futures::lock::{Mutex as Turns, MutexGuard};
+use ladder_documents::Revision;
 use ladder_simulator::Simulation;
 
-use crate::document::Revision;
 use crate::proof::PropertyProved;
 
 /// The answers, by the addresses of the files of properties.

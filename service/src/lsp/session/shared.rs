@@ -6,6 +6,13 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError, RwLock};
 use std::time::Duration;
 
+use ladder_analysis::Exported;
+use ladder_documents::Documents;
+use ladder_documents::neighbours::Neighbours;
+use ladder_documents::on_disk::OnDisk;
+use ladder_host::{Busy, Host, Moment, World, within};
+use ladder_live::Sessions;
+use ladder_workspace::EditorSettings;
 use tower_lsp::Client;
 use tower_lsp::ls_types::Diagnostic;
 
@@ -15,15 +22,7 @@ use super::previews::Previews;
 use super::proofs::Proofs;
 use super::tokens_sent::TokensSent;
 use super::typing::Typed;
-use crate::busy::Busy;
-use crate::document::Documents;
-use crate::document::neighbours::Neighbours;
-use crate::document::on_disk::OnDisk;
-use crate::host::{Host, Moment, World, within};
 use crate::signal::Signal;
-use crate::simulation::Sessions;
-use ladder_analysis::Exported;
-use ladder_workspace::EditorSettings;
 
 /// What was found in files that are not open, as long as they and what they see stay as they are.
 type Found = Mutex<HashMap<PathBuf, (Arc<OnDisk>, Arc<Exported>, Arc<Vec<Diagnostic>>)>>;

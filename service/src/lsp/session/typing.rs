@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 
 use tower_lsp::ls_types::TextDocumentSaveReason;
 
-use crate::document::Revision;
+use ladder_documents::Revision;
 
 /// So many lines wait: nobody writes more without looking.
 const MOST_WRITTEN: usize = 500;

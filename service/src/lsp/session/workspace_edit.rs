@@ -1,14 +1,14 @@
 //! Edits as changes of the workspace, as the client takes them.
 
+use ladder_documents::Revision;
+use ladder_format::Edit;
 use tower_lsp::ls_types::{
     DocumentChanges, OneOf, OptionalVersionedTextDocumentIdentifier, TextDocumentEdit, TextEdit, Uri,
     WorkspaceEdit,
 };
 
 use super::agreed::Agreed;
-use crate::document::Revision;
 use crate::lsp::convert;
-use ladder_format::Edit;
 
 impl Agreed {
     /// The edits as a change of the workspace, bound to the version that they are for where the client can check

@@ -6,8 +6,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use futures::channel::oneshot;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
 
-use crate::cancel::Cancel;
-use crate::host::Host;
+use ladder_documents::Cancel;
+use ladder_host::Host;
 
 /// Has a job done where it may take its time. When the handler that awaits it is dropped (the client cancelled the
 /// request), a job that has not begun never begins, and one that runs is stopped by its [`Cancel`].
@@ -60,11 +60,11 @@ mod tests {
     use tower_lsp::jsonrpc::ErrorCode;
 
     use super::*;
-    use crate::host::testing::TestHost;
+    use ladder_host::testing::TestHost;
 
     #[test]
     fn a_panic_is_an_answer() {
-        let host = TestHost::new();
+        let host = TestHost::default();
         let blocking = |job: fn() -> u32| host.run(blocking(&*host.host, move |_| job()));
         let error = blocking(|| panic!("planted")).unwrap_err();
         assert_eq!(error.code, ErrorCode::InternalError);
@@ -77,7 +77,7 @@ mod tests {
 
     #[test]
     fn a_dropped_handler_stops_its_job() {
-        let host = TestHost::new();
+        let host = TestHost::default();
         let (begun, done) = (
             Arc::<AtomicBool>::default(),
             Arc::<Mutex<Option<Cancel>>>::default(),

@@ -212,8 +212,8 @@ mod tests {
     use tower_lsp::{LanguageServer, LspService, jsonrpc};
 
     use super::*;
-    use crate::host::testing::TestHost;
-    use crate::host::{EventLoop, Host};
+    use ladder_host::testing::TestHost;
+    use ladder_host::{EventLoop, Host};
 
     /// A server that panics in its handlers.
     struct Faulty(Arc<EventLoop>);
@@ -242,7 +242,7 @@ mod tests {
     fn guarded(host: &Arc<EventLoop>) -> Guard<LspService<Faulty>> {
         let mut outbox = None;
         let (service, socket) = LspService::new(|client| {
-            outbox = Some(Outbox::open(client, &**host, crate::busy::Busy::default()));
+            outbox = Some(Outbox::open(client, &**host, ladder_host::Busy::default()));
             Faulty(host.clone())
         });
         // The loopback has to live, or sending fails.
@@ -271,7 +271,7 @@ mod tests {
 
     #[test]
     fn a_panicking_handler_answers_and_the_server_lives_on() {
-        let test = TestHost::new();
+        let test = TestHost::default();
         let host = &test.host;
         test.run(async {
             let mut guard = guarded(host);
@@ -292,7 +292,7 @@ mod tests {
 
     #[test]
     fn what_comes_after_initialize_waits_for_it() {
-        let test = TestHost::new();
+        let test = TestHost::default();
         let host = &test.host;
         test.run(async {
             let mut guard = guarded(host);
@@ -313,7 +313,7 @@ mod tests {
 
     #[test]
     fn shutdown_is_recorded_when_it_was_granted() {
-        let test = TestHost::new();
+        let test = TestHost::default();
         let host = &test.host;
         test.run(async {
             let shutdown = || json!({"jsonrpc": "2.0", "id": 1, "method": "shutdown", "params": {}});

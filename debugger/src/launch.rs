@@ -1,0 +1,143 @@
+//! From the configuration of a launch to a program that is ready for its first scan.
+
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Duration;
+
+use ladder_analysis::program::Program;
+use ladder_analysis::{Analysis, NotWhole};
+use ladder_host::World;
+use ladder_live::Keeping;
+use ladder_simulator::{HistoryLimits, Options, Session};
+use ladder_workspace::{RetentiveFile, Workspace, shown};
+
+use crate::asked::Asked;
+use crate::configuration::Configuration;
+use crate::sources::Source;
+use crate::target::Target;
+
+/// Loads the program and makes it ready for its first scan. The second part are sentences for the person.
+pub(crate) fn load(configuration: &Configuration, world: &World) -> Result<(Target, Vec<String>), String> {
+    let asked = Asked::of(configuration, world)?;
+    let Loaded {
+        program,
+        sources,
+        workspace,
+    } = load_program(world, asked.program())?;
+    let simulate = &workspace.settings().simulate;
+    let mut options: Options = simulate.options(&program);
+    options.interval = asked.interval()?.unwrap_or(options.interval);
+    let limits = match configuration.history.or(simulate.history) {
+        Some(scans) => HistoryLimits::of_scans(usize::try_from(scans).unwrap_or(usize::MAX)),
+        None => HistoryLimits::default(),
+    };
+    let mut session = Session::new(program, options, limits).map_err(|error| error.to_string())?;
+    let mut notes: Vec<String> = session.simulation().program().unread_note().into_iter().collect();
+    let retain = match asked.keeping()? {
+        Keeping::Nothing => None,
+        Keeping::In(file) => Some(file),
+        Keeping::AsSettingsSay => simulate.retain.clone(),
+    };
+    let retention = match retain {
+        Some(file) => {
+            let name = asked.program().file_name().unwrap_or_default();
+            let (file, found) =
+                RetentiveFile::open_named(&*world.disk, &file, &name.to_string_lossy(), Duration::ZERO)
+                    .map_err(|error| error.to_string())?;
+            notes.extend(found.notes);
+            notes.extend(found.kept.iter().flat_map(|kept| session.warm_start(kept)));
+            Some(file)
+        }
+        None => None,
+    };
+    let given = asked.give(&mut session)?;
+    notes.extend(given.problem.clone());
+    let target = Target::new(world.clone(), session, sources, given, retention);
+    Ok((target, notes))
+}
+
+struct Loaded {
+    program: Arc<Program>,
+    sources: Vec<Source>,
+    workspace: Workspace,
+}
+
+/// Only a program can be run.
+pub(crate) fn must_be_program(path: &Path) -> Result<(), String> {
+    if ladder_workspace::is_program(path) {
+        return Ok(());
+    }
+    Err(format!(
+        "{}: a .clad file can be debugged; `ladder convert` makes one of a program of another system",
+        shown::path(path)
+    ))
+}
+
+/// Reads a program with what it uses of its workspace.
+fn load_program(world: &World, path: &Path) -> Result<Loaded, String> {
+    must_be_program(path)?;
+    let text = world.disk.read_own(path).map_err(|error| error.to_string())?;
+    let workspace = Workspace::on(&world.disk, path).map_err(|error| error.to_string())?;
+    let own = workspace.program_at(path);
+    let analysis = match own {
+        Some(own) if own.text == text => workspace.analysis(own),
+        Some(own) => workspace.analyze_guest(&text, &own.name),
+        None => workspace.analyze_guest(&text, &path.to_string_lossy()),
+    };
+    let source = Source::new(path.to_owned(), text);
+    let program = match workspace.link(&analysis) {
+        Ok(linked) => linked.program,
+        Err(NotWhole::Missing(file)) => {
+            return Err(format!(
+                "{}, which the program uses, cannot be read any more",
+                shown::line(&file)
+            ));
+        }
+        Err(NotWhole::Errors(file)) => {
+            let other = workspace
+                .program_named(&file)
+                .filter(|_| file != analysis.context.name);
+            return Err(match other {
+                Some(other) => {
+                    let source = Source::new(other.path().to_owned(), other.text.clone());
+                    first_error(&source, &workspace.analysis(other))
+                }
+                None => first_error(&source, &analysis),
+            });
+        }
+    };
+    let mut sources = vec![source];
+    for name in program.files.iter().skip(1) {
+        let other = workspace.program_named(name);
+        let other = other.ok_or_else(|| {
+            format!(
+                "{}, which the program uses, cannot be read any more",
+                shown::line(name)
+            )
+        })?;
+        sources.push(Source::new(other.path().to_owned(), other.text.clone()));
+    }
+    Ok(Loaded {
+        program,
+        sources,
+        workspace,
+    })
+}
+
+/// Why a program with errors is not run: the first of them, and how many there are.
+fn first_error(source: &Source, analysis: &Analysis) -> String {
+    let errors: Vec<_> = analysis.errors().collect();
+    let file = shown::path(&source.path);
+    let Some(first) = errors.first() else {
+        return format!("{file}: the program cannot be run");
+    };
+    let line = source.line(first.range.start()) + 1;
+    let more = match errors.len() {
+        1 => String::new(),
+        all => format!(" (and {} more)", all - 1),
+    };
+    format!(
+        "{file}:{line}: {}{more}; a program with errors is not run",
+        first.message
+    )
+}
