@@ -1,5 +1,6 @@
 //! A file, analysed.
 
+use crate::cancel::Cancel;
 use crate::checking::{self, Memo, keep_nearest};
 use crate::cplc_draft;
 use crate::findings::Finding;
@@ -11,7 +12,6 @@ use crate::names::join;
 use crate::other_files::others::Others;
 use crate::program::Program;
 use crate::resolve::{self, Resolved, numbers::Unit};
-use crate::still_wanted::StillWanted;
 use ladder_syntax::{Parse, TextRange, TextSize};
 use std::sync::{Arc, OnceLock};
 
@@ -166,19 +166,19 @@ impl<'a> AnalyzeOptions<'a> {
         self
     }
 
-    /// As [`context()`], while `wanted` holds: that is asked between each [`BETWEEN`](crate::BETWEEN) networks, tags or
-    /// declarations. None once it does not.
-    pub fn context_while(self, parse: &Arc<Parse>, wanted: &dyn Fn() -> bool) -> Option<Context> {
+    /// As [`context()`]; none once it is cancelled, about which it asks between each [`BETWEEN`](crate::BETWEEN) networks, tags or
+    /// declarations.
+    pub fn context_unless(self, parse: &Arc<Parse>, cancel: &Cancel) -> Option<Context> {
         let alone = Others::alone();
         let others = self.others.unwrap_or(&alone);
-        join::read(parse, self.name, others, self.known, &StillWanted::new(wanted))
+        join::read(parse, self.name, others, self.known, &cancel.clone())
     }
 
-    /// Looks for what is wrong in a file whose context is known, while `wanted` holds. None once it does not.
-    pub fn check_while(self, context: Arc<Context>, wanted: &dyn Fn() -> bool) -> Option<Analysis> {
+    /// Looks for what is wrong in a file whose context is known; none once it is cancelled.
+    pub fn check_unless(self, context: Arc<Context>, cancel: &Cancel) -> Option<Analysis> {
         let (no_memo, defaults) = (Memo::default(), RuleSettings::default());
         let (memo, rules) = (self.memo.unwrap_or(&no_memo), self.rules.unwrap_or(&defaults));
-        let found = checking::find(memo, &context, rules, &StillWanted::new(wanted))?;
+        let found = checking::find(memo, &context, rules, &cancel.clone())?;
         Some(Analysis {
             context,
             findings: found.shown,
@@ -197,16 +197,21 @@ impl<'a, T: AsRef<str> + ?Sized> From<&'a T> for AnalyzeOptions<'a> {
     }
 }
 
-const ALWAYS: &str = "it is always wanted";
+const NOT_CANCELLED: &str = "nothing cancels it";
 
 /// Reads a file's names, networks and blocks.
 pub fn context<'a>(parse: &Arc<Parse>, options: impl Into<AnalyzeOptions<'a>>) -> Context {
-    options.into().context_while(parse, &|| true).expect(ALWAYS)
+    options
+        .into()
+        .context_unless(parse, &Cancel::default())
+        .expect(NOT_CANCELLED)
 }
 
 /// Analyses a file.
 pub fn analyze<'a>(parse: &Arc<Parse>, options: impl Into<AnalyzeOptions<'a>>) -> Analysis {
     let options = options.into();
     let context = Arc::new(context(parse, options));
-    options.check_while(context, &|| true).expect(ALWAYS)
+    options
+        .check_unless(context, &Cancel::default())
+        .expect(NOT_CANCELLED)
 }

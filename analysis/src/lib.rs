@@ -33,6 +33,7 @@
 mod analyze;
 pub mod asked;
 mod boolean;
+mod cancel;
 mod checking;
 mod cplc_draft;
 mod cross_reference;
@@ -47,12 +48,12 @@ mod profile;
 pub mod program;
 mod resolve;
 pub mod rules;
-mod still_wanted;
 pub mod values;
 pub mod written;
 
 pub use analyze::{Analysis, AnalyzeOptions, analyze, context};
 pub use boolean::formula::{Formulas, formulas};
+pub use cancel::{BETWEEN, Cancel, CancelOnDrop};
 pub use checking::keep_nearest;
 pub use cplc_draft::is_cplc_draft;
 pub use cross_reference::{TagEntry, TagKind, TagPlace, cross_reference};
@@ -69,5 +70,4 @@ pub use networks::access_kind::AccessKind;
 pub use other_files::exports::{ExportedBlock, ExportedFunction, Exports, Global};
 pub use other_files::others::{Exported, Others};
 pub use resolve::in_class;
-pub use still_wanted::BETWEEN;
 pub use written::import::Import;

@@ -4,9 +4,9 @@ use std::collections::HashSet;
 use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 
+use ladder_analysis::Cancel;
 use ladder_analysis::program::Location;
 use ladder_host::{Clock, World};
-use ladder_simulator::Brake;
 use ladder_syntax::TextRange;
 use ladder_workspace::shown;
 use serde::Deserialize as _;
@@ -372,7 +372,7 @@ impl Adapter {
         }
         let (mut target, notes) = launch::load(&configuration, &self.world)?;
         let urgent = self.urgent.clone();
-        target.session.set_brake(Some(Brake::new(move || {
+        target.session.set_cancel(Some(Cancel::when(move || {
             urgent.load(std::sync::atomic::Ordering::SeqCst) > 0
         })));
         self.target = Some(target);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use ladder_analysis::context::Context;
-use ladder_analysis::{AnalyzeOptions, Finding, RuleSettings};
+use ladder_analysis::{AnalyzeOptions, Cancel, Finding, RuleSettings};
 use ladder_format::Options;
 use ladder_ide::{Action, ActionKind, Renamed, Workspace, fix_all, quick_fixes, refactorings};
 use ladder_syntax::TextRange;
@@ -16,16 +16,16 @@ pub struct Analysis {
 
 impl Analysis {
     /// Looks for what is wrong. What an earlier text of the document has in common with it is not checked again. What
-    /// concerns a large part of the file is given up once it is no longer wanted.
+    /// concerns a large part of the file is given up once it is cancelled.
     pub fn of(
         context: &Arc<Context>,
         before: Option<&Analysis>,
         rules: &RuleSettings,
-        wanted: &dyn Fn() -> bool,
+        cancel: &Cancel,
     ) -> Option<Self> {
         let before = before.map(|before| &*before.whole);
         let options = AnalyzeOptions::new(&context.name).with_rules(rules).after(before);
-        let whole = options.check_while(Arc::clone(context), wanted)?;
+        let whole = options.check_unless(Arc::clone(context), cancel)?;
         Some(Analysis {
             whole: Arc::new(whole),
         })

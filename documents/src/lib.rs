@@ -10,7 +10,6 @@
 
 pub mod address;
 mod byte_edit;
-mod cancel;
 pub mod edit;
 mod folder;
 pub mod in_parallel;
@@ -33,7 +32,6 @@ pub mod sweep;
 #[cfg(test)]
 mod testing;
 
-pub use cancel::Cancel;
 pub use kind::Kind;
 pub use language::Analysis;
 pub use lines::Lines;

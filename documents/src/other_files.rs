@@ -8,13 +8,12 @@ use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
-use ladder_analysis::Exported;
 use ladder_analysis::context::Context;
+use ladder_analysis::{Cancel, Exported};
 use ladder_ide::{ScenarioFile, Which, Workspace};
 use ladder_syntax::TextRange;
 use ropey::Rope;
 
-use crate::cancel::Cancel;
 use crate::kind::Kind;
 use crate::library_source;
 use crate::on_disk::OnDisk;

@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use ladder_analysis::context::Context;
 use ladder_analysis::program::Program;
-use ladder_analysis::{AnalyzeOptions, Linked, NotWhole, Others, RuleSettings, analyze, link_files};
+use ladder_analysis::{AnalyzeOptions, Cancel, Linked, NotWhole, Others, RuleSettings, analyze, link_files};
 use ladder_format::{Edit, Options, format};
 use ladder_notations::ReadError;
 use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES, Parse, TextRange, TextSize, parse};
@@ -69,7 +69,7 @@ pub struct Revision {
     /// Held by who joins the names.
     joining: Mutex<()>,
     /// This many wait for the names and cannot do without.
-    waiting: AtomicUsize,
+    waiting: Arc<AtomicUsize>,
     analysis: OnceLock<Analysis>,
     /// Held by who looks for what is wrong.
     looking: Mutex<()>,
@@ -104,7 +104,7 @@ impl Revision {
             context: OnceLock::new(),
             first: OnceLock::new(),
             joining: Mutex::default(),
-            waiting: AtomicUsize::default(),
+            waiting: Arc::default(),
             analysis: OnceLock::new(),
             looking: Mutex::default(),
             opened: OnceLock::new(),
@@ -146,7 +146,7 @@ impl Revision {
         }
         // Who joins them already does not give up now.
         self.waiting.fetch_add(1, Ordering::Relaxed);
-        let context = self.context_while(&|| true);
+        let context = self.context_unless(&Cancel::default());
         self.waiting.fetch_sub(1, Ordering::Relaxed);
         context
     }
@@ -176,7 +176,7 @@ impl Revision {
         };
         let place = self.place.as_ref()?;
         let rules = place.neighbours.rules(&place.path);
-        Analysis::of(context, None, &rules, &|| true)
+        Analysis::of(context, None, &rules, &Cancel::default())
     }
 
     /// Whether anything was shown of the text while large files of its workspace were still to be read.
@@ -184,9 +184,9 @@ impl Revision {
         self.first.get().is_some()
     }
 
-    /// The same while they are wanted, or a thread waits in [`Revision::context`]: where the names of the whole file are joined
-    /// again that is given up once neither is so.
-    fn context_while(&self, wanted: &dyn Fn() -> bool) -> Option<&Arc<Context>> {
+    /// The same unless that is cancelled and no thread waits in [`Revision::context`]: where the names of the whole file are joined
+    /// again that is given up then.
+    fn context_unless(&self, cancel: &Cancel) -> Option<&Arc<Context>> {
         // Offsets of the inner crates are 32 bits wide; they read slices, not ropes.
         if !self.fits() {
             return None;
@@ -199,12 +199,14 @@ impl Revision {
         if let Some(known) = self.context.get() {
             return Some(known);
         }
-        let context = self.join(&|| wanted() || self.waiting.load(Ordering::Relaxed) > 0)?;
+        let (waiting, cancel) = (self.waiting.clone(), cancel.clone());
+        let cancel = Cancel::when(move || cancel.is_cancelled() && waiting.load(Ordering::Relaxed) == 0);
+        let context = self.join(&cancel)?;
         Some(self.context.get_or_init(|| context))
     }
 
     /// Joins the names; none if that is given up.
-    fn join(&self, wanted: &dyn Fn() -> bool) -> Option<Arc<Context>> {
+    fn join(&self, cancel: &Cancel) -> Option<Arc<Context>> {
         let (before, since) = {
             let latest = self.latest();
             (latest.context.clone(), latest.since.until(self.serial))
@@ -217,7 +219,7 @@ impl Revision {
         let parse = self.parse(known, since);
         let read = |name: &str, others: &Others| {
             let options = AnalyzeOptions::new(name).among(others).after_context(known);
-            options.context_while(&parse, wanted).map(Arc::new)
+            options.context_unless(&parse, cancel).map(Arc::new)
         };
         let context = match &self.place {
             Some(place) => {
@@ -258,12 +260,12 @@ impl Revision {
     /// The same with all that is found in it: for those who cannot do without.
     pub fn analysis(&self) -> Option<&Analysis> {
         self.context()?;
-        self.analysis_while(&|| true)
+        self.analysis_unless(&Cancel::default())
     }
 
-    /// The same while it is wanted: work that concerns a large part of the text is given up once it no longer is.
-    pub fn analysis_while(&self, wanted: &dyn Fn() -> bool) -> Option<&Analysis> {
-        let context = self.context_while(wanted)?;
+    /// The same unless it is cancelled: work that concerns a large part of the text is given up then.
+    pub fn analysis_unless(&self, cancel: &Cancel) -> Option<&Analysis> {
+        let context = self.context_unless(cancel)?;
         if let Some(known) = self.analysis.get() {
             return Some(known);
         }
@@ -277,7 +279,7 @@ impl Revision {
             None => RuleSettings::default(),
         };
         let before = self.latest().analysis.clone();
-        let analysis = Analysis::of(context, before.as_ref(), &rules, wanted)?;
+        let analysis = Analysis::of(context, before.as_ref(), &rules, cancel)?;
         self.latest().analysis = Some(analysis.clone());
         Some(self.analysis.get_or_init(|| analysis))
     }
@@ -459,6 +461,7 @@ mod tests {
     use super::*;
     use crate::position::{Position, Range};
     use crate::store::Documents;
+    use std::thread::{JoinHandle, spawn};
 
     #[test]
     fn who_asks_for_names_waits_for_no_rule() {
@@ -472,19 +475,22 @@ mod tests {
 
     #[test]
     fn large_work_is_given_up_when_the_text_is_another_one() {
-        let documents = Documents::default();
+        let documents = Arc::<Documents>::default();
         let uri = "file:///a.clad";
         let text = "+--[ ]( a )--( )( b )--+\n".repeat(2 * ladder_analysis::BETWEEN);
         let first = documents.open_at(uri, Kind::Program, 1, Encoding::Utf8, &text, None);
-        let shown = |revision: &Revision| documents.is_current(revision);
+        let unless_shown = |revision: &Arc<Revision>| {
+            let (documents, revision) = (documents.clone(), revision.clone());
+            Cancel::when(move || !documents.is_current(&revision))
+        };
         let text = text.replacen("a )", "c )", 1);
         let second = documents
             .change(uri, 2, &[crate::edit::Change::Whole(text.clone())])
             .unwrap();
         assert!(first.context().is_some());
-        assert!(first.analysis_while(&|| shown(&first)).is_none());
-        let found = |revision: &Revision| {
-            let analysis = revision.analysis_while(&|| shown(revision)).unwrap();
+        assert!(first.analysis_unless(&unless_shown(&first)).is_none());
+        let found = |revision: &Arc<Revision>| {
+            let analysis = revision.analysis_unless(&unless_shown(revision)).unwrap();
             let all = analysis.findings().iter();
             all.map(|found| (found.rule, found.range)).collect::<Vec<_>>()
         };
@@ -527,7 +533,7 @@ mod tests {
             if known {
                 assert!(first.context().is_some());
             }
-            assert!(edited.analysis_while(&|| false).is_none());
+            assert!(edited.analysis_unless(&Cancel::when(|| true)).is_none());
             assert!(edited.context.get().is_none() && edited.latest().context.is_some() == known);
             let uri = "file:///b.clad";
             let from_scratch = documents.open_at(uri, Kind::Program, 1, Encoding::Utf8, &edited.text(), None);
@@ -543,21 +549,21 @@ mod tests {
     fn names_that_a_request_waits_for_are_not_given_up() {
         let documents = Documents::default();
         let [_, edited] = opened_and_edited(&documents);
-        let times = AtomicUsize::new(0);
-        std::thread::scope(|threads| {
-            // The text is no longer shown, and a request for its names comes in.
-            let wanted = || {
-                if times.fetch_add(1, Ordering::Relaxed) == 0 {
-                    threads.spawn(|| assert!(edited.context().is_some()));
-                    while edited.waiting.load(Ordering::Relaxed) == 0 {
-                        std::thread::yield_now();
-                    }
-                }
-                false
-            };
-            assert!(edited.context_while(&wanted).is_some());
+        let request = Arc::<OnceLock<JoinHandle<()>>>::default();
+        let (text, coming) = (edited.clone(), request.clone());
+        // The text is no longer shown, and a request for its names comes in.
+        let cancel = Cancel::when(move || {
+            let asking = text.clone();
+            coming.get_or_init(|| spawn(move || assert!(asking.context().is_some())));
+            while text.waiting.load(Ordering::Relaxed) == 0 {
+                std::thread::yield_now();
+            }
+            true
         });
-        assert!(times.into_inner() > 0);
+        assert!(edited.context_unless(&cancel).is_some());
+        drop(cancel);
+        let request = Arc::into_inner(request).and_then(OnceLock::into_inner);
+        request.expect("it was asked").join().unwrap();
         assert_eq!(edited.waiting.load(Ordering::Relaxed), 0);
     }
 }

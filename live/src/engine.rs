@@ -4,6 +4,7 @@ use std::cell::OnceCell;
 use std::sync::Arc;
 use std::time::Duration;
 
+use ladder_analysis::Cancel;
 use ladder_analysis::program::Location;
 use ladder_analysis::values::value::Value;
 use ladder_analysis::{Analysis, NotWhole};
@@ -11,7 +12,7 @@ use ladder_documents::position::Range;
 use ladder_documents::{OtherPlaces, Revision};
 use ladder_host::World;
 use ladder_simulator::chart::Recorder;
-use ladder_simulator::{Brake, Breakpoint, HistoryLimits, Point, Session, Simulation, Status, Stop};
+use ladder_simulator::{Breakpoint, HistoryLimits, Point, Session, Simulation, Status, Stop};
 
 use crate::action::Given;
 use crate::drawing::Drawing;
@@ -143,9 +144,9 @@ impl Engine {
         }
     }
 
-    /// Abandons a scan that takes long when this says so: it is as if it had not been begun.
-    pub(crate) fn obey(&mut self, brake: Brake) {
-        self.session.set_brake(Some(brake));
+    /// Abandons a scan that takes long when it is cancelled: it is as if it had not been begun.
+    pub(crate) fn obey(&mut self, cancel: Cancel) {
+        self.session.set_cancel(Some(cancel));
     }
 
     /// Runs one scan, unless the program has come to its end; gives the breakpoint that stops it.

@@ -4,11 +4,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::time::Duration;
 
-use ladder_documents::Cancel;
-use ladder_host::{Clock, Host};
-use ladder_simulator::Brake;
-
 use crate::action::Action;
+use ladder_analysis::Cancel;
+use ladder_host::{Clock, Host};
 
 /// What runs gives way to a command that is not urgent when it has taken this long.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -93,20 +91,15 @@ impl Queue {
             || (self.awaited.load(Ordering::SeqCst) > 0 && self.has_taken(PATIENCE))
     }
 
-    /// Whether a command that takes long ends early.
-    pub(crate) fn ends(&self, cancel: &Cancel) -> bool {
-        cancel.is_cancelled() || self.is_pressing() || self.has_taken(LONGEST)
-    }
-
-    /// Stops a scan of a run that takes long, so that the session can serve a command.
-    pub(crate) fn brake_of_run(self: &Arc<Self>) -> Brake {
+    /// Cancels a scan of a run that takes long, so that the session can serve a command.
+    pub(crate) fn cancel_of_run(self: &Arc<Self>) -> Cancel {
         let queue = self.clone();
-        Brake::new(move || queue.is_pressing() || (!queue.hears && queue.has_taken(DEAF)))
+        Cancel::when(move || queue.is_pressing() || (!queue.hears && queue.has_taken(DEAF)))
     }
 
-    /// Stops what a command does.
-    pub(crate) fn brake_of_command(self: &Arc<Self>, cancel: &Cancel) -> Brake {
+    /// Cancels what a command does.
+    pub(crate) fn cancel_of_command(self: &Arc<Self>, cancel: &Cancel) -> Cancel {
         let (queue, cancel) = (self.clone(), cancel.clone());
-        Brake::new(move || queue.ends(&cancel))
+        Cancel::when(move || cancel.is_cancelled() || queue.is_pressing() || queue.has_taken(LONGEST))
     }
 }

@@ -7,7 +7,8 @@ use std::time::Duration;
 
 use futures::StreamExt;
 use futures::channel::mpsc::UnboundedReceiver;
-use ladder_documents::{Cancel, Revision};
+use ladder_analysis::Cancel;
+use ladder_documents::Revision;
 use ladder_host::newest::Sender;
 use ladder_host::{Clock, Moment, Turns, Wait, Work};
 
@@ -135,9 +136,9 @@ impl Runner {
             }
             Action::Record(name, outputs) => {
                 let engine = &mut self.simulation.engine;
-                engine.obey(self.queue.brake_of_command(&cancel));
+                engine.obey(self.queue.cancel_of_command(&cancel));
                 let recorded = engine.record(&name, outputs.as_deref());
-                engine.obey(self.queue.brake_of_run());
+                engine.obey(self.queue.cancel_of_run());
                 recorded.map(Answer::Recorded)
             }
             Action::Tags(search) => Ok(Answer::Found(self.simulation.engine.search(&search))),
@@ -303,13 +304,14 @@ impl Runner {
             return;
         }
         self.simulation.status = Status::Running;
-        self.simulation.engine.obey(self.queue.brake_of_command(cancel));
+        let cancel = self.queue.cancel_of_command(cancel);
+        self.simulation.engine.obey(cancel.clone());
         if let Some(debugger) = self.simulation.debugger() {
             debugger.resumed();
         }
         let mut reported = self.clock.now();
         for _ in 0..scans {
-            if self.queue.ends(cancel) || self.simulation.status != Status::Running {
+            if cancel.is_cancelled() || self.simulation.status != Status::Running {
                 break;
             }
             self.simulation.scan();
@@ -318,7 +320,7 @@ impl Runner {
                 reported = self.clock.now();
             }
         }
-        self.simulation.engine.obey(self.queue.brake_of_run());
+        self.simulation.engine.obey(self.queue.cancel_of_run());
         self.pause();
     }
 

@@ -5,8 +5,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use futures::channel::mpsc::{UnboundedSender, unbounded};
 use futures::channel::oneshot;
+use ladder_analysis::Cancel;
+use ladder_documents::Revision;
 use ladder_documents::position::Range;
-use ladder_documents::{Cancel, Revision};
 use ladder_host::newest::{Receiver, newest};
 use ladder_host::{Busy, Host};
 
@@ -67,7 +68,7 @@ impl Session {
         let queue = Queue::new(host);
         let uri = revision.uri.clone();
         let (mut engine, notes) = Engine::start(revision, options, keeping, host.world())?;
-        engine.obey(queue.brake_of_run());
+        engine.obey(queue.cancel_of_run());
         let first = engine.first_rung();
         let mut simulation = Simulation {
             id: id.clone(),

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use ladder_documents::{Cancel, Revision};
+use ladder_analysis::Cancel;
+use ladder_documents::Revision;
 use ladder_host::{Busy, Host};
 
 use crate::action::Action;

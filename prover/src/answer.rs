@@ -1,29 +1,36 @@
 //! The answers: what is known of each property, and why no more.
 
 use crate::causes::{left_open, what_takes_long};
-use crate::clock::now;
+use crate::clock::Clock;
 use crate::decide::{CONFLICTS, DEAR, Depth, Known, Seeks, decide};
 use crate::encode;
 use crate::graph::Lit;
 use crate::lemmas;
 use crate::limits::{End, LATE};
 use crate::model::{Model, Target, build};
+use crate::progress::Listener;
 pub use crate::replay::Shown;
 use crate::replay::{Wanted, replay};
 use crate::sure::{Sure, depending, doubtful_assumptions};
-use crate::wanted::is_wanted;
+use ladder_analysis::Cancel;
 use ladder_analysis::program::Location;
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{Form, Watched};
 use std::time::Duration;
 
-/// How much may be done.
-#[derive(Debug, Clone, Copy)]
+/// How much may be done, and for whom.
+#[derive(Debug, Clone)]
 pub struct Options {
     /// For all properties of a file.
     pub time: Duration,
     /// How many scans from the cold start are searched.
     pub scans: usize,
+    /// Measures the time.
+    pub clock: Clock,
+    /// What is not decided once it is cancelled is unknown: it is asked often.
+    pub cancel: Cancel,
+    /// Hears how far it is.
+    pub listener: Listener,
 }
 
 impl Default for Options {
@@ -32,6 +39,9 @@ impl Default for Options {
         Options {
             time: Duration::from_secs(20),
             scans: 200,
+            clock: Clock::default(),
+            cancel: Cancel::default(),
+            listener: Listener::default(),
         }
     }
 }
@@ -97,26 +107,35 @@ pub fn prove(
     watched: &mut Watched,
     options: Options,
 ) -> Result<Vec<Answer>, Refuted> {
-    let began = now();
-    let end = End::after(options.time);
+    let Options {
+        time,
+        scans: most_scans,
+        clock,
+        cancel,
+        listener,
+    } = options;
+    let began = clock.now();
+    let taken = || clock.now().saturating_sub(began);
+    let end = End::after(time, &clock, &cancel);
     let mut answers: Vec<Option<Answer>> = vec![None; watched.properties.len()];
     // First with times that may be anything: what holds then needs no counting.
-    let open = build(simulation, watched, encode::Times::Open, end);
+    let open = build(simulation, watched, encode::Times::Open, &end);
     let targets: Vec<Lit> = open.properties.iter().map(|property| property.bad).collect();
     let depth = Depth {
         base: 5,
         step: 5,
-        end,
+        end: end.clone(),
         seeks: Seeks::Every,
         conflicts: DEAR,
+        listener,
     };
-    let (known, clauses) = decide(&open, &targets, depth);
+    let (known, clauses) = decide(&open, &targets, &depth);
     let is_late = end.is_over();
     for (n, known) in known.into_iter().enumerate() {
         if is_late || matches!(known, Known::Never(_) | Known::Vacuous) {
             let cause = left_open(&open, targets[n]);
             let answer = answer(watched, n, known, Times::Any, cause);
-            answers[n] = Some(answer.after(clauses, began));
+            answers[n] = Some(answer.after(clauses, taken()));
         }
     }
     let rest: Vec<usize> = (0..answers.len()).filter(|n| answers[*n].is_none()).collect();
@@ -124,23 +143,22 @@ pub fn prove(
     if is_late || rest.is_empty() && !open.properties.iter().any(may_be_noted) {
         let mut answers: Vec<Answer> = answers.into_iter().flatten().collect();
         for answer in &mut answers {
-            note_end(answer, end);
+            note_end(answer, &end, &cancel);
         }
         return Ok(answers);
     }
-    let mut exact = build(simulation, watched, encode::Times::Exact, end);
+    let mut exact = build(simulation, watched, encode::Times::Exact, &end);
     if !rest.is_empty() {
         let targets: Vec<Lit> = rest.iter().map(|n| exact.properties[*n].bad).collect();
-        lemmas::add(&mut exact, &targets, end);
+        lemmas::add(&mut exact, &targets, &end);
         let depth = Depth {
-            base: options.scans,
+            base: most_scans,
             step: 20,
-            end,
-            seeks: Seeks::Every,
             conflicts: CONFLICTS,
+            ..depth.clone()
         };
-        let (mut known, clauses) = decide(&exact, &targets, depth);
-        make_sure(&exact, &targets, &mut known, depth);
+        let (mut known, clauses) = decide(&exact, &targets, &depth);
+        make_sure(&exact, &targets, &mut known, &depth);
         for (n, known) in rest.into_iter().zip(known) {
             let cause = left_open(&exact, exact.properties[n].bad);
             let found = match known {
@@ -163,7 +181,7 @@ pub fn prove(
                 }
                 known => answer(watched, n, known, Times::Exact, cause),
             };
-            answers[n] = Some(found.after(clauses, began));
+            answers[n] = Some(found.after(clauses, taken()));
         }
     }
     let mut answers: Vec<Answer> = answers.into_iter().flatten().collect();
@@ -171,20 +189,20 @@ pub fn prove(
         if let Verdict::Unknown(scans) = answer.verdict {
             let long = what_takes_long(simulation, &exact, property.bad, scans);
             answer.open.extend(long);
-            note_end(answer, end);
-            if answer.open.is_empty() && scans < options.scans {
+            note_end(answer, &end, &cancel);
+            if answer.open.is_empty() && scans < most_scans {
                 let why = format!("what happens in scan {scans} is too hard for the solver");
                 answer.open.push((why, None));
             }
         }
     }
-    note_untriggered(&exact, &mut answers, end);
-    note_faults(simulation, watched, &exact, &mut answers, end);
+    note_untriggered(&exact, &mut answers, &depth);
+    note_faults(simulation, watched, &exact, &mut answers, &depth);
     Ok(answers)
 }
 
 /// A run that was found and needs a value that an unread part writes counts for nothing. One that needs none may be there.
-fn make_sure(model: &Model, targets: &[Lit], known: &mut [Known], depth: Depth) {
+fn make_sure(model: &Model, targets: &[Lit], known: &mut [Known], depth: &Depth) {
     if model.world.unread.is_empty() {
         return;
     }
@@ -221,10 +239,10 @@ impl Answer {
         }
     }
 
-    fn after(self, clauses: u64, began: Duration) -> Answer {
+    fn after(self, clauses: u64, time: Duration) -> Answer {
         Answer {
             clauses,
-            time: now().saturating_sub(began),
+            time,
             ..self
         }
     }
@@ -267,14 +285,14 @@ fn answer(
 }
 
 /// Says of what is not known whether more time may help, if nothing else says why it is not.
-fn note_end(answer: &mut Answer, end: End) {
+fn note_end(answer: &mut Answer, end: &End, cancel: &Cancel) {
     let is_said = answer.open.iter().any(|(what, _)| what == LATE);
     if !matches!(answer.verdict, Verdict::Unknown(_)) || is_said {
         return;
     }
-    let why = match (end.is_over(), is_wanted()) {
-        (true, true) => "the time was over",
-        (true, false) => "it was stopped",
+    let why = match (end.is_over(), cancel.is_cancelled()) {
+        (true, false) => "the time was over",
+        (true, true) => "it was stopped",
         (false, _) if answer.open.is_empty() => "no induction excludes a longer run: an assumption may help",
         (false, _) => return,
     };
@@ -282,7 +300,7 @@ fn note_end(answer: &mut Answer, end: End) {
 }
 
 /// Asks of what is proved and has a left side whether that is ever so.
-fn note_untriggered(model: &Model, answers: &mut [Answer], end: End) {
+fn note_untriggered(model: &Model, answers: &mut [Answer], depth: &Depth) {
     let asked: Vec<(usize, Lit)> = (answers.iter().zip(&model.properties).enumerate())
         .filter(|(_, (answer, _))| matches!(answer.verdict, Verdict::Proved(_)))
         .filter_map(|(n, (_, property))| Some((n, property.trigger?)))
@@ -294,11 +312,9 @@ fn note_untriggered(model: &Model, answers: &mut [Answer], end: End) {
     let depth = Depth {
         base: 8,
         step: 8,
-        end,
-        seeks: Seeks::Every,
-        conflicts: DEAR,
+        ..depth.clone()
     };
-    for ((n, _), known) in asked.into_iter().zip(decide(model, &targets, depth).0) {
+    for ((n, _), known) in asked.into_iter().zip(decide(model, &targets, &depth).0) {
         answers[n].never_triggered = matches!(known, Known::Never(_));
     }
 }
@@ -309,7 +325,7 @@ fn note_faults(
     watched: &mut Watched,
     model: &Model,
     answers: &mut [Answer],
-    end: End,
+    depth: &Depth,
 ) {
     let faults = model.properties.iter().map(|property| property.fault);
     let asked: Vec<(usize, Lit)> = faults
@@ -323,11 +339,9 @@ fn note_faults(
     let depth = Depth {
         base: 20,
         step: 4,
-        end,
-        seeks: Seeks::Every,
-        conflicts: DEAR,
+        ..depth.clone()
     };
-    for ((n, _), known) in asked.into_iter().zip(decide(model, &targets, depth).0) {
+    for ((n, _), known) in asked.into_iter().zip(decide(model, &targets, &depth).0) {
         if let Known::Found(run) = known {
             let shown = replay(
                 simulation,

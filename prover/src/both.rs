@@ -36,7 +36,7 @@ pub(crate) fn both(
     new: &Simulation,
     shared: &Shared,
     assumptions: &[Expression],
-    end: End,
+    end: &End,
 ) -> Result<Both, String> {
     let counterparts = counterparts(old, new);
     let mut apart: FxHashSet<Twin> = FxHashSet::default();
@@ -70,7 +70,7 @@ impl Two {
         (shared, assumptions): (&Shared, &[Expression]),
         counterparts: &[(Cell, Cell)],
         apart: &FxHashSet<Twin>,
-        end: End,
+        end: &End,
     ) -> Result<Two, String> {
         let mut world = World::until(end);
         world.compares = true;

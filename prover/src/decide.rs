@@ -10,13 +10,13 @@ use crate::induction::Induction;
 use crate::lanes::Lanes;
 use crate::limits::End;
 use crate::model::Model;
+use crate::progress::{Listener, Progress};
 use crate::unrolled::{Found, From, Unrolled};
-use crate::wanted::{Progress, tell};
 use rustc_hash::FxHashSet;
 use std::collections::BTreeSet;
 
 /// How far is looked.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct Depth {
     /// Scans from the cold start.
     pub(crate) base: usize,
@@ -27,6 +27,8 @@ pub(crate) struct Depth {
     pub(crate) seeks: Seeks,
     /// Conflicts that one question may have.
     pub(crate) conflicts: u64,
+    /// Hears how far it is.
+    pub(crate) listener: Listener,
 }
 
 /// Which runs are wanted.
@@ -77,9 +79,16 @@ const INDUCTION_FIRST: u64 = 2_000_000;
 const INDUCTION_SHARE: u64 = 2;
 
 /// The properties whose literals are given, each of which is to be low in every scan. And how many clauses the solvers had.
-pub(crate) fn decide(model: &Model, targets: &[Lit], depth: Depth) -> (Vec<Known>, u64) {
+pub(crate) fn decide(model: &Model, targets: &[Lit], depth: &Depth) -> (Vec<Known>, u64) {
     let conflicts = depth.conflicts.min(DEAR);
-    let first = attempt(model, targets, Depth { conflicts, ..depth });
+    let first = attempt(
+        model,
+        targets,
+        &Depth {
+            conflicts,
+            ..depth.clone()
+        },
+    );
     let (mut known, given_up, clauses) = (first.known, first.given_up, first.clauses);
     let is_found = depth.seeks == Seeks::One && known.iter().any(|known| matches!(known, Known::Found(_)));
     if given_up.is_empty() || is_found || conflicts == depth.conflicts {
@@ -105,15 +114,15 @@ struct Attempt {
     clauses: u64,
 }
 
-fn attempt(model: &Model, targets: &[Lit], depth: Depth) -> Attempt {
-    let mut base = Unrolled::new(model, From::Start, depth.end);
+fn attempt(model: &Model, targets: &[Lit], depth: &Depth) -> Attempt {
+    let mut base = Unrolled::new(model, From::Start, &depth.end);
     let mut induction = Induction::new(model, targets, depth);
     let mut known: Vec<Option<Known>> = vec![None; targets.len()];
     let mut reached = vec![0; targets.len()];
     let mut given_up = BTreeSet::new();
     for scan in 0..depth.base {
         if scan == TRIED_AT {
-            try_runs(model, targets, &mut known, depth.end);
+            try_runs(model, targets, &mut known, &depth.end);
         }
         let is_open = |n: &usize| known[*n].is_none() && !given_up.contains(n);
         let mut left: Vec<usize> = (0..targets.len()).filter(is_open).collect();
@@ -121,7 +130,7 @@ fn attempt(model: &Model, targets: &[Lit], depth: Depth) -> Attempt {
         if left.is_empty() || !wants_more(&known, depth.seeks) || is_late {
             break;
         }
-        tell(Progress {
+        depth.listener.tell(Progress {
             scan,
             decided: known.iter().flatten().count(),
             of: known.len(),
@@ -161,7 +170,7 @@ fn attempt(model: &Model, targets: &[Lit], depth: Depth) -> Attempt {
                         break;
                     }
                     Found::Yes => {
-                        let run = readable(&mut base, model, scan, (target, bad), depth.end);
+                        let run = readable(&mut base, model, scan, (target, bad), &depth.end);
                         known[n] = Some(Known::Found(run));
                     }
                     Found::No => {
@@ -202,7 +211,7 @@ fn wants_more(known: &[Option<Known>], seeks: Seeks) -> bool {
 }
 
 /// Runs with inputs that are held for a while: many scans, and some of what is far away happens in them.
-fn try_runs(model: &Model, targets: &[Lit], known: &mut [Option<Known>], end: End) {
+fn try_runs(model: &Model, targets: &[Lit], known: &mut [Option<Known>], end: &End) {
     let open: Vec<usize> = (0..targets.len()).filter(|n| known[*n].is_none()).collect();
     let wanted: Vec<Lit> = open.iter().map(|n| targets[*n]).collect();
     if wanted.is_empty() {
@@ -294,7 +303,13 @@ const READABLE: u64 = 20_000_000;
 const READABLE_CONFLICTS: u64 = 1_000;
 
 /// The run that was found, with as few changes of its inputs as can be had by asking for each whether it may be as before.
-fn readable(base: &mut Unrolled<'_>, model: &Model, last: usize, (target, bad): (Lit, Lit), end: End) -> Run {
+fn readable(
+    base: &mut Unrolled<'_>,
+    model: &Model,
+    last: usize,
+    (target, bad): (Lit, Lit),
+    end: &End,
+) -> Run {
     let inputs = inputs_of(model, &[target]);
     let mut run = read(base, model, &inputs, last);
     let most = base.work().saturating_add(READABLE);
@@ -397,11 +412,12 @@ VAR u, v, n : INT; END_VAR
         let depth = Depth {
             base: 200,
             step: 20,
-            end: End::after(Duration::from_secs(60)),
+            end: End::in_time(Duration::from_secs(60)),
             seeks: Seeks::One,
             conflicts: CONFLICTS,
+            listener: Listener::default(),
         };
-        let (known, _) = decide(&model, &targets, depth);
+        let (known, _) = decide(&model, &targets, &depth);
         let found = matches!(&known[..], [Known::NotIn(_), Known::Found(Run { scans: 13, .. })]);
         assert!(found, "{known:?}");
     }

@@ -4,6 +4,7 @@
 //! one node. That some state comes to be in a run is not asked: values that show a difference may be ones that never come together.
 
 use crate::body;
+use crate::clock::Clock;
 use crate::decide::reach;
 use crate::encode::{Cells, InputTag, Left, World, follow_alone};
 use crate::graph::Lit;
@@ -13,6 +14,7 @@ use crate::number::Number;
 pub use crate::shown::Difference;
 use crate::shown::{Effect, shown};
 use crate::unrolled::{Found, From, Unrolled};
+use ladder_analysis::Cancel;
 use ladder_analysis::program::{Block, BlockKind, Program, Tag};
 use ladder_simulator::compiled::{Compiled, Instr, UnreadPlace, compile};
 use rustc_hash::FxHashMap;
@@ -170,9 +172,9 @@ impl Compared {
         })
     }
 
-    /// Compares a network of the old program with one of the new, by their numbers, for no longer than `time`.
-    pub fn networks(&self, old: usize, new: usize, time: Duration) -> Meaning {
-        let end = End::after(time);
+    /// Compares a network of the old program with one of the new, by their numbers, for no longer than `time`, unless it is cancelled.
+    pub fn networks(&self, old: usize, new: usize, time: Duration, cancel: &Cancel) -> Meaning {
+        let end = &End::after(time, &Clock::default(), cancel);
         let asked = match (self.old.block_of(old), self.new.block_of(new)) {
             (None, None) => self.asked(old, new, end),
             (Some(was), Some(is)) => self
@@ -191,7 +193,7 @@ impl Compared {
         bodies.entry((was, is)).or_insert_with(compiled).clone()
     }
 
-    fn asked(&self, old: usize, new: usize, end: End) -> Result<Meaning, String> {
+    fn asked(&self, old: usize, new: usize, end: &End) -> Result<Meaning, String> {
         let parts = [(&self.old, old), (&self.new, new)].map(|(form, network)| form.unread_parts(network));
         if let Some(name) = another_part(parts) {
             return Err(is_another(name));

@@ -20,13 +20,13 @@ pub(crate) struct Induction<'m> {
     selectors: Vec<Lit>,
     /// The leaves of what is remembered.
     states: Vec<Lit>,
-    depth: Depth,
+    depth: &'m Depth,
     scans: usize,
 }
 
 impl<'m> Induction<'m> {
-    pub(crate) fn new(model: &'m Model, targets: &'m [Lit], depth: Depth) -> Induction<'m> {
-        let mut step = Unrolled::new(model, From::Anywhere, depth.end);
+    pub(crate) fn new(model: &'m Model, targets: &'m [Lit], depth: &'m Depth) -> Induction<'m> {
+        let mut step = Unrolled::new(model, From::Anywhere, &depth.end);
         Induction {
             selectors: targets.iter().map(|_| step.selector()).collect(),
             states: cone(model, targets).into_iter().collect(),

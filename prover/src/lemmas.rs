@@ -34,7 +34,7 @@ struct Pair {
 }
 
 /// Finds what always holds and adds it to the model.
-pub(crate) fn add(model: &mut Model, targets: &[Lit], end: End) {
+pub(crate) fn add(model: &mut Model, targets: &[Lit], end: &End) {
     let guesses = guess(model, targets, end);
     model.lemmas = keep(model, guesses, end);
 }
@@ -60,7 +60,7 @@ fn bits(model: &mut Model, targets: &[Lit]) -> Vec<Lit> {
     bits
 }
 
-fn guess(model: &mut Model, targets: &[Lit], end: End) -> Vec<Lit> {
+fn guess(model: &mut Model, targets: &[Lit], end: &End) -> Vec<Lit> {
     let bits = bits(model, targets);
     let compared = bits.len().min(MOST_BITS);
     let mut pairs: Vec<Pair> = Vec::new();
@@ -225,7 +225,7 @@ impl ValueSets {
 }
 
 /// Those that one scan cannot break while all of them hold.
-fn keep(model: &Model, mut guesses: Vec<Lit>, end: End) -> Vec<Lit> {
+fn keep(model: &Model, mut guesses: Vec<Lit>, end: &End) -> Vec<Lit> {
     let mut step = Unrolled::new(model, From::Anywhere, end);
     if guesses.is_empty() || !step.add_scan() {
         return Vec::new();
@@ -268,6 +268,7 @@ mod tests {
     use super::*;
     use crate::decide::{Depth, Known, Seeks, decide};
     use crate::model::tests::model_of;
+    use crate::progress::Listener;
     use std::time::Duration;
 
     /// What is known of the first property of a program without what always holds, and with it.
@@ -277,13 +278,14 @@ mod tests {
         let depth = Depth {
             base: 5,
             step: 5,
-            end: End::after(Duration::from_secs(20)),
+            end: End::in_time(Duration::from_secs(20)),
             seeks: Seeks::Every,
             conflicts: CONFLICTS,
+            listener: Listener::default(),
         };
-        let without = decide(&model, &targets, depth).0.remove(0);
-        add(&mut model, &targets, depth.end);
-        [without, decide(&model, &targets, depth).0.remove(0)]
+        let without = decide(&model, &targets, &depth).0.remove(0);
+        add(&mut model, &targets, &depth.end);
+        [without, decide(&model, &targets, &depth).0.remove(0)]
     }
 
     #[test]

@@ -27,6 +27,7 @@ mod model;
 mod never;
 mod number;
 mod programs;
+mod progress;
 mod replay;
 mod resting;
 mod scenario_text;
@@ -36,17 +37,16 @@ mod sure;
 mod system;
 mod told;
 mod unrolled;
-mod wanted;
 
 pub use answer::{Answer, Options, Refuted, Shown, Times, Verdict, prove};
-pub use clock::by_clock;
+pub use clock::Clock;
 pub use concrete::Concrete;
 pub use equal::{Compared, Difference, Meaning, other_tags};
 pub use programs::{
     Differing, Divergence, Limits, NotReproduced, Row, Which, Whole, compare_programs,
     compare_programs_assuming, outputs_of_one,
 };
+pub use progress::{Listener, Progress};
 pub use resting::resting_on_unread;
 pub use scenario_text::{found_scenario, rows_of, scenario_file, scenario_of_difference};
 pub use told::drawn;
-pub use wanted::{Progress, is_wanted, telling, while_wanted};

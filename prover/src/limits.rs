@@ -2,32 +2,35 @@
 //!
 //! Only the whole has a time. What its parts may do is counted in steps, so that a busy machine says the same as an idle one.
 
-use crate::clock::now;
-use crate::wanted::is_wanted;
+use crate::clock::Clock;
 use batsat::Callbacks;
+use ladder_analysis::Cancel;
 use std::cell::Cell;
 use std::time::Duration;
 
 /// Why nothing more of a program is followed once that is so.
 pub(crate) const LATE: &str = "the time was over before all of the program was followed";
 
-/// When all must be done; without a time, when nobody waits.
-#[derive(Debug, Clone, Copy, Default)]
+/// When all must be done: no time is left then, or nobody waits any more. By default that is never.
+#[derive(Debug, Clone, Default)]
 pub(crate) struct End {
     at: Option<Duration>,
+    clock: Clock,
+    cancel: Cancel,
 }
 
 impl End {
-    /// When so much time has passed.
-    pub(crate) fn after(time: Duration) -> End {
+    /// When so much time has passed, or once it is cancelled.
+    pub(crate) fn after(time: Duration, clock: &Clock, cancel: &Cancel) -> End {
         End {
-            at: Some(now() + time),
+            at: Some(clock.now() + time),
+            clock: clock.clone(),
+            cancel: cancel.clone(),
         }
     }
 
-    /// No time is left, or nobody waits.
-    pub(crate) fn is_over(self) -> bool {
-        self.at.is_some_and(|at| now() >= at) || !is_wanted()
+    pub(crate) fn is_over(&self) -> bool {
+        self.at.is_some_and(|at| self.clock.now() >= at) || self.cancel.is_cancelled()
     }
 }
 
@@ -41,7 +44,7 @@ pub(crate) struct Limits {
 }
 
 impl Limits {
-    pub(crate) const fn new(end: End, conflicts: u64) -> Limits {
+    pub(crate) fn new(end: End, conflicts: u64) -> Limits {
         Limits {
             end,
             conflicts: Cell::new(conflicts),
@@ -74,5 +77,41 @@ impl Callbacks for Limits {
             self.is_late.set(true);
         }
         self.is_late.get() || self.conflicts.get() == 0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicU64, Ordering};
+
+    impl End {
+        /// The same, by the clock of the operating system.
+        pub(crate) fn in_time(time: Duration) -> End {
+            End::after(time, &Clock::default(), &Cancel::default())
+        }
+    }
+
+    #[test]
+    fn it_is_over_when_nobody_waits() {
+        let cancel = Cancel::default();
+        let end = End::after(Duration::from_secs(60), &Clock::default(), &cancel);
+        assert!(!end.is_over());
+        cancel.cancel();
+        assert!(end.is_over());
+        assert!(End::in_time(Duration::ZERO).is_over());
+        assert!(!End::default().is_over());
+    }
+
+    #[test]
+    fn the_time_is_that_of_the_clock_that_is_given() {
+        let time = Arc::<AtomicU64>::default();
+        let shown = time.clone();
+        let clock = Clock::new(move || Duration::from_secs(shown.load(Ordering::Relaxed)));
+        let end = End::after(Duration::from_secs(60), &clock, &Cancel::default());
+        assert!(!end.is_over());
+        time.store(60, Ordering::Relaxed);
+        assert!(end.is_over());
     }
 }

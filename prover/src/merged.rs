@@ -111,7 +111,7 @@ pub(crate) fn keep(
     model: &Model,
     wanted: &[Lit],
     mut pairs: Vec<(usize, usize)>,
-    end: End,
+    end: &End,
 ) -> Vec<(usize, usize)> {
     let most = MOST_STEPS / model.world.graph.len();
     for _ in 0..most.max(10) {
@@ -158,7 +158,7 @@ fn asked(model: &Model, merged: &Merged, wanted: &[Lit], pairs: &[(usize, usize)
 }
 
 /// The pairs that one scan may break, in which all of them held the same before.
-fn broken(model: &Model, asked: &[Asked], end: End) -> FxHashSet<(usize, usize)> {
+fn broken(model: &Model, asked: &[Asked], end: &End) -> FxHashSet<(usize, usize)> {
     let mut broken = FxHashSet::default();
     if asked.is_empty() {
         return broken;

@@ -39,7 +39,7 @@ pub(crate) struct Target {
 }
 
 /// Builds the model of a program; one that cannot be followed is blocked, and its properties mean nothing.
-pub(crate) fn build(simulation: &Simulation, watched: &Watched, times: Times, end: End) -> Model {
+pub(crate) fn build(simulation: &Simulation, watched: &Watched, times: Times, end: &End) -> Model {
     let mut seen = Vec::new();
     let mut see = |expression: &Expression| {
         expression.for_each_point(&mut |point| seen.push(point.slot()));
@@ -135,7 +135,7 @@ fn follow<T>(
     let options = simulation.options();
     // The longest presets must be known before ages have their room.
     let mut first = World {
-        end: world.end,
+        end: world.end.clone(),
         ..World::default()
     };
     Builder::scan(&mut first, compiled, &cells, Times::Open, options);
@@ -434,7 +434,7 @@ pub(crate) mod tests {
         let simulation = Simulation::new(program, options).expect("it compiles");
         let suite = parse(&format!("program p.clad\n{properties}\n"));
         let (watched, _) = bind_properties(&suite, &simulation);
-        let end = End::after(Duration::from_secs(20));
-        build(&simulation, &watched, Times::Exact, end)
+        let end = End::in_time(Duration::from_secs(20));
+        build(&simulation, &watched, Times::Exact, &end)
     }
 }

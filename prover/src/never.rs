@@ -10,11 +10,11 @@ const MOST_NODES: usize = 4_000;
 const CONFLICTS: u64 = 500;
 
 /// False: it may be high, or that is not quickly seen.
-pub(crate) fn is_never(graph: &Graph, lit: Lit, end: End) -> bool {
+pub(crate) fn is_never(graph: &Graph, lit: Lit, end: &End) -> bool {
     if let Some(known) = lit.known() {
         return !known;
     }
-    let mut solver = Solver::new(SolverOpts::default(), Limits::new(end, CONFLICTS));
+    let mut solver = Solver::new(SolverOpts::default(), Limits::new(end.clone(), CONFLICTS));
     let mut variables: FxHashMap<usize, batsat::Var> = FxHashMap::default();
     let mut stack = vec![lit.node()];
     while let Some(node) = stack.pop() {
@@ -61,9 +61,9 @@ mod tests {
         let five = Number::constant(5);
         let least = graph.min(&few, &five);
         let more = graph.less(&five, &least);
-        assert!(is_never(&graph, more, end));
+        assert!(is_never(&graph, more, &end));
         let less = graph.less(&least, &five);
-        assert!(!is_never(&graph, less, end));
-        assert!(is_never(&graph, Lit::FALSE, end) && !is_never(&graph, Lit::TRUE, end));
+        assert!(!is_never(&graph, less, &end));
+        assert!(is_never(&graph, Lit::FALSE, &end) && !is_never(&graph, Lit::TRUE, &end));
     }
 }

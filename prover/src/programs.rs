@@ -7,6 +7,7 @@
 //! ```
 
 use crate::both::{Both, both};
+use crate::clock::Clock;
 use crate::decide::{CONFLICTS, Depth, Known, Run, Seeks, decide, dependents, inputs_of, reach};
 use crate::divergence::Stage;
 pub use crate::divergence::{Differing, Divergence, Row, Which};
@@ -17,8 +18,10 @@ use crate::lemmas;
 use crate::limits::End;
 use crate::merged::{drop_seen, keep, merge};
 use crate::model::Model;
+use crate::progress::Listener;
 use crate::shown_tags::{self, shared};
 use crate::sure::{depending, doubtful_assumptions};
+use ladder_analysis::Cancel;
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::Watched as Assumed;
 use std::time::Duration;
@@ -98,7 +101,7 @@ pub fn compare_programs_assuming(
     assumed: &mut Assumed,
     limits: Limits,
 ) -> Result<Whole, NotReproduced> {
-    let end = End::after(limits.time);
+    let end = End::after(limits.time, &Clock::default(), &Cancel::default());
     if old.options().interval != new.options().interval {
         return Ok(Whole::Unknown("the times between scans differ".into()));
     }
@@ -106,7 +109,7 @@ pub fn compare_programs_assuming(
         Ok(shared) => shared,
         Err(why) => return Ok(Whole::Unknown(why)),
     };
-    let both = match both(old, new, &shared, &assumed.assumptions, end) {
+    let both = match both(old, new, &shared, &assumed.assumptions, &end) {
         Ok(both) => both,
         Err(why) => return Ok(Whole::Unknown(why)),
     };
@@ -163,7 +166,7 @@ impl Search<'_> {
         if let Some(found) = self.try_runs(&model, &wanted, &mut pairs, (&SOON, scans))? {
             return Ok(Whole::Differs(Box::new(found)));
         }
-        let kept = keep(&model, &wanted, pairs, self.end);
+        let kept = keep(&model, &wanted, pairs, &self.end);
         let merged = merge(&model, &kept);
         let differs: Vec<Lit> = differs.iter().map(|lit| merged.lit(*lit)).collect();
         // What holds the same in both, whatever that is, decides about no difference.
@@ -237,17 +240,17 @@ impl Search<'_> {
                     {
                         return Ok(Whole::Differs(Box::new(found)));
                     }
-                    lemmas::add(&mut model, &wanted, self.end);
+                    lemmas::add(&mut model, &wanted, &self.end);
                 }
-                let end = self.end;
                 let depth = Depth {
                     base,
                     step,
-                    end,
+                    end: self.end.clone(),
                     seeks,
                     conflicts: CONFLICTS,
+                    listener: Listener::default(),
                 };
-                let known = decide(&model, &wanted, depth).0;
+                let known = decide(&model, &wanted, &depth).0;
                 let mut left = Vec::new();
                 for (lit, known) in wanted.into_iter().zip(known) {
                     match known {

@@ -43,9 +43,9 @@ pub(crate) struct Unrolled<'m> {
 }
 
 impl<'m> Unrolled<'m> {
-    pub(crate) fn new(model: &'m Model, from: From, end: End) -> Unrolled<'m> {
+    pub(crate) fn new(model: &'m Model, from: From, end: &End) -> Unrolled<'m> {
         let states = model.world.states.iter().enumerate();
-        let limits = Limits::new(end, u64::MAX);
+        let limits = Limits::new(end.clone(), u64::MAX);
         Unrolled {
             model,
             from,

@@ -32,7 +32,7 @@ pub mod whole;
 pub mod words;
 
 pub use comparison::{Change, Comparison, compare, compare_renamed};
-pub use ladder_prover::{Limits, Meaning, is_wanted, while_wanted};
+pub use ladder_prover::{Limits, Meaning};
 pub use merge::{Merged, NotMerged, Sides, merge};
 pub use outline::Outline;
 pub use verdict::Verdict;

@@ -3,8 +3,9 @@
 use crate::comparison::{Change, Comparison};
 use crate::outline::{Entry, Kind, Outline};
 use crate::verdict::Verdict;
+use ladder_analysis::Cancel;
 use ladder_analysis::program::Program;
-use ladder_prover::{Compared, Meaning, is_wanted};
+use ladder_prover::{Compared, Meaning};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -12,9 +13,8 @@ use std::time::{Duration, Instant};
 const TIME: Duration = Duration::from_secs(2);
 
 impl Comparison<'_> {
-    /// Asks of each edited network whether it does the same, for no longer than `time` in all, and as long as it is
-    /// [wanted](ladder_prover::while_wanted).
-    pub fn decide(&mut self, time: Duration) {
+    /// Asks of each edited network whether it does the same, for no longer than `time` in all, unless it is cancelled.
+    pub fn decide(&mut self, time: Duration, cancel: &Cancel) {
         let end = Instant::now() + time;
         let is_asked =
             |change: &Change<'_>| change.verdict == Verdict::Edited && change.entry().kind == Kind::Network;
@@ -24,7 +24,7 @@ impl Comparison<'_> {
         let mut changes = std::mem::take(&mut self.changes);
         let compared = self.compared();
         let asked = changes.iter_mut().filter(|change| is_asked(change));
-        for change in asked.take_while(|_| is_wanted()) {
+        for change in asked.take_while(|_| !cancel.is_cancelled()) {
             let left = end.saturating_duration_since(Instant::now());
             let (old, new) = (
                 change.old.map(|entry| (self.old, entry)),
@@ -37,7 +37,7 @@ impl Comparison<'_> {
                 (Ok(_), _) if left.is_zero() => {
                     Meaning::NotDecided("the edits of all programs together take too long".into())
                 }
-                (Ok(compared), Some((old, new))) => compared.networks(old, new, left.min(TIME)),
+                (Ok(compared), Some((old, new))) => compared.networks(old, new, left.min(TIME), cancel),
             });
         }
         self.changes = changes;

@@ -6,7 +6,7 @@ use crate::reader::entries;
 use ladder_analysis::context;
 use ladder_analysis::context::Context;
 use ladder_analysis::program::{Program, unread_name};
-use ladder_analysis::{AnalyzeOptions, NotWhole};
+use ladder_analysis::{AnalyzeOptions, Cancel, NotWhole};
 use ladder_syntax::{Name, TextRange, TextSize};
 use std::cell::OnceCell;
 use std::collections::{BTreeMap, HashMap};
@@ -188,7 +188,8 @@ impl Outline {
     /// What runs, or why nothing does.
     pub(crate) fn program(&self) -> &Result<Running, String> {
         self.program.get_or_init(|| {
-            let analysis = AnalyzeOptions::new("").check_while(Arc::clone(&self.context), &|| true);
+            let analysis =
+                AnalyzeOptions::new("").check_unless(Arc::clone(&self.context), &Cancel::default());
             let program = analysis.and_then(|analysis| analysis.program().cloned().map(Running::new));
             program.ok_or_else(|| "has errors, or uses other files".into())
         })

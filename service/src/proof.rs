@@ -91,7 +91,7 @@ pub(crate) fn run(
     _: &mut ladder_simulator::Simulation,
     _: Option<&str>,
     _: ladder_host::Clock,
-    _: impl Fn() -> bool + 'static,
+    _: ladder_analysis::Cancel,
 ) -> Result<Vec<PropertyProved>, String> {
     Err("nothing is proved here; `ladder prove` does it".to_owned())
 }

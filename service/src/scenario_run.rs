@@ -9,7 +9,7 @@ use ladder_simulator::scenario::{self, Case, Ran, ScenarioError, Suite};
 use ladder_simulator::{Fault, Simulation};
 use serde::{Deserialize, Serialize};
 
-use ladder_documents::Cancel;
+use ladder_analysis::Cancel;
 use ladder_documents::Revision;
 use ladder_documents::position::Range;
 use ladder_host::Clock;

@@ -60,7 +60,7 @@ pub(crate) enum Trouble {
     Elements(u64),
     CallDepth,
     /// The caller wanted this scan to stop.
-    Braked,
+    Cancelled,
     /// The caller allows no more blocks.
     Exhausted(u64),
 }
@@ -73,7 +73,7 @@ impl Trouble {
             Trouble::Watchdog(_)
                 | Trouble::Elements(_)
                 | Trouble::CallDepth
-                | Trouble::Braked
+                | Trouble::Cancelled
                 | Trouble::Exhausted(_)
         )
     }
@@ -141,7 +141,7 @@ impl Trouble {
                 "this scan has done more than {limit} blocks do, so the watchdog stopped the simulation here: \
                  {ELEMENTS} elements or characters count as a block; go through fewer of them in one scan"
             ),
-            Trouble::Braked => "the scan took long and was stopped by hand here, before its end".into(),
+            Trouble::Cancelled => "the scan took long and was stopped by hand here, before its end".into(),
             Trouble::Exhausted(limit) => format!(
                 "all scans together have done the work of more than {limit} blocks; run fewer scans, or make the \
                  program do less in each"

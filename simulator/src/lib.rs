@@ -122,4 +122,3 @@ pub use simulation::{
     Activation, Instance, Options, Routine, Simulation, State, Status, Stepped, ValueRefused,
 };
 pub use tags::{Point, UnknownTag};
-pub use work::Brake;

@@ -17,6 +17,7 @@ mod tags;
 pub(crate) use memo::Memo;
 pub use shown::keep_nearest;
 
+use crate::cancel::Cancel;
 use crate::findings::Finding;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Known, Severity};
@@ -26,7 +27,6 @@ use crate::networks::NetworkAt;
 use crate::networks::control_flow::ControlFlow;
 use crate::rules::survey::Survey;
 use crate::rules::{self, Checks};
-use crate::still_wanted::StillWanted;
 use networks::InNetworks;
 
 /// What is found in a text.
@@ -41,22 +41,22 @@ pub(crate) struct Found {
 }
 
 /// Looks for what is wrong in a file. `memo` is from an earlier text of it: what comes out is the same with any other. None if
-/// that is not wanted any longer.
+/// that is cancelled.
 pub(crate) fn find(
     memo: &Memo,
     context: &Context,
     settings: &RuleSettings,
-    wanted: &StillWanted<'_>,
+    cancel: &Cancel,
 ) -> Option<Found> {
     let networks = context.networks.iter();
     let any = networks.fold(ControlFlow::default(), |any, network| {
         any.with(network.control_flow)
     });
     let checks = Checks::new(settings);
-    let mut in_networks = InNetworks::check(memo, &checks, context, settings, wanted)?;
+    let mut in_networks = InNetworks::check(memo, &checks, context, settings, cancel)?;
     let mut names = Vec::new();
     rules::of_names(context, &mut names);
-    let of_tags = tags::check(&checks, context, any, wanted)?;
+    let of_tags = tags::check(&checks, context, any, cancel)?;
     let mut file = Vec::new();
     checks.file(context, &mut file);
 
@@ -90,7 +90,7 @@ pub(crate) fn find(
         context,
         unsound: &unsound,
     };
-    in_networks.check_power(context, &survey, wanted)?;
+    in_networks.check_power(context, &survey, cancel)?;
     let mut program = Vec::new();
     checks.program(&survey, &mut program);
 

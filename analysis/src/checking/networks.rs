@@ -1,6 +1,7 @@
 //! What is found in networks one by one.
 
 use super::memo::{FoundInNetwork, Group, Memo};
+use crate::cancel::Cancel;
 use crate::checking::stamp;
 use crate::findings::Finding;
 use crate::findings::diagnostic::Diagnostic;
@@ -11,7 +12,6 @@ use crate::networks::NetworkAt;
 use crate::resolve;
 use crate::rules::survey::Survey;
 use crate::rules::{self, Checks, MOST_FINDINGS};
-use crate::still_wanted::StillWanted;
 use ladder_syntax::TextRange;
 use rustc_hash::FxHasher;
 use std::hash::{Hash, Hasher};
@@ -33,13 +33,13 @@ pub(super) struct InNetworks<'m> {
 }
 
 impl<'m> InNetworks<'m> {
-    /// Asks the rules about drawings, blocks and types. None if that is not wanted any longer.
+    /// Asks the rules about drawings, blocks and types. None if that is cancelled.
     pub(super) fn check(
         before: &'m Memo,
         rules: &'m Checks,
         context: &Context,
         settings: &RuleSettings,
-        wanted: &StillWanted<'_>,
+        cancel: &Cancel,
     ) -> Option<InNetworks<'m>> {
         let count = context.networks.len();
         let of_settings = of_settings(context, settings);
@@ -53,7 +53,7 @@ impl<'m> InNetworks<'m> {
             keys: Vec::with_capacity(count),
         };
         for network in &context.networks {
-            wanted.one_more()?;
+            cancel.one_more()?;
             let key = key(context, network, of_settings);
             all.keys.push(key);
             let mut unresolved = None;
@@ -74,15 +74,15 @@ impl<'m> InNetworks<'m> {
         Some(all)
     }
 
-    /// Asks the rules about the power in networks. None if that is not wanted any longer.
+    /// Asks the rules about the power in networks. None if that is cancelled.
     pub(super) fn check_power(
         &mut self,
         context: &Context,
         survey: &Survey<'_>,
-        wanted: &StillWanted<'_>,
+        cancel: &Cancel,
     ) -> Option<()> {
         for index in 0..self.keys.len() {
-            wanted.one_more()?;
+            cancel.one_more()?;
             let network = context.networks.at(index);
             if !survey.is_sound(network) {
                 continue;

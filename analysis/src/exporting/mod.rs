@@ -3,6 +3,7 @@
 pub(crate) mod outward_jumps;
 mod outward_uses;
 
+use crate::cancel::Cancel;
 use crate::names::context::{Body, Context};
 use crate::names::scope::{Origin, Scope, SectionKind};
 use crate::names::skeleton::skeleton;
@@ -11,7 +12,6 @@ use crate::networks::network::Formal;
 use crate::networks::use_kind::Extent;
 use crate::other_files::exports::{ExportedBlock, ExportedFunction, Exports, Global};
 use crate::other_files::others::Others;
-use crate::still_wanted::StillWanted;
 use crate::written::facts::{Node, NodeKind};
 use crate::written::user_block::UserBlockFacts;
 use ladder_instructions::Accepts;
@@ -22,10 +22,9 @@ use std::sync::Arc;
 
 /// What a file shows to the others. `file` is its name in messages.
 pub fn exports(parse: &Arc<Parse>, file: &str) -> Exports {
-    let always = StillWanted::new(&|| true);
-    match skeleton(parse, file, &Others::default(), None, &always) {
+    match skeleton(parse, file, &Others::default(), None, &Cancel::default()) {
         Some(context) => Exports::of(&context, file),
-        None => unreachable!("it is always wanted"),
+        None => unreachable!("nothing cancels it"),
     }
 }
 

@@ -2,12 +2,12 @@
 
 use super::named_types::NamedTypes;
 use super::problem::NameProblem;
+use crate::cancel::Cancel;
 use crate::names::cold::{Cold, ColdFacts};
 use crate::names::scope::{Origin, Scope, SectionKind, TagFacts, type_by_form};
 use crate::networks::reading::TOGETHER;
 use crate::networks::use_place::Uses;
 use crate::program::Role;
-use crate::still_wanted::StillWanted;
 use crate::written::constant;
 use crate::written::facts;
 use crate::written::refused_name::{Place, refused_name};
@@ -51,14 +51,14 @@ pub(crate) fn names_about(parse: &Parse, section: &Section) -> usize {
     declarations.map(names).sum()
 }
 
-/// Adds the tags of a section to its scope. None if that is not wanted any longer.
+/// Adds the tags of a section to its scope. None if that is cancelled.
 pub(crate) fn section(
     parse: &Parse,
     section: &Section,
     scope: &mut Scope,
     (named, constants): (&mut NamedTypes, &Constants),
     out: &mut Vec<NameProblem>,
-    wanted: &StillWanted<'_>,
+    cancel: &Cancel,
 ) -> Option<()> {
     let mut trees = Trees::default();
     let Some(around) = around(parse, section) else {
@@ -86,7 +86,7 @@ pub(crate) fn section(
             return Some(());
         }
         for (line, start, tree) in together.drain(..) {
-            wanted.one_more()?;
+            cancel.one_more()?;
             let found = out.len();
             if let Some(node) = Declaration::cast(NodeView::root(&tree)) {
                 let mut types = Types {

@@ -5,6 +5,7 @@
 //!    type (real: LREAL), as does being the result of a function on reals;
 //! 3. DINT.
 
+use crate::cancel::Cancel;
 use crate::names::context::Context;
 use crate::names::named_types::NamedTypes;
 use crate::names::path_type::path_type;
@@ -13,16 +14,15 @@ use crate::networks::BlockAt;
 use crate::networks::network::{Formal, Meaning};
 use crate::networks::use_place::Use;
 use crate::program::{Member, Role, SystemTag};
-use crate::still_wanted::StillWanted;
 use crate::values::types::{Scalar, Type};
 use crate::written::constant::{natural_type, signed_literal};
 use crate::written::facts::{Node, NodeKind, Operator};
 use ladder_instructions::{Accepts, Semantics, StateType, States, Timing, TypeClass};
 use ladder_syntax::{Name, TextRange};
 
-/// Infers the type of every tag. None if that is not wanted any longer.
-pub(crate) fn infer(context: &mut Context, wanted: &StillWanted<'_>) -> Option<()> {
-    let untyped = by_place(context, wanted)?;
+/// Infers the type of every tag. None if that is cancelled.
+pub(crate) fn infer(context: &mut Context, cancel: &Cancel) -> Option<()> {
+    let untyped = by_place(context, cancel)?;
     by_other_values(context, &untyped);
     let integer = Type::Scalar(Scalar::integer_of(context.profile.semantics()));
     for (scope, tag) in untyped {
@@ -75,14 +75,14 @@ fn asked(context: &Context, bound: BlockAt<'_>, formal: Formal) -> Option<Type> 
 }
 
 /// Rule 1. Only the places of tags without a type count. Returns the tags that have none after it; nothing if that is not
-/// wanted any longer.
-fn by_place(context: &mut Context, wanted: &StillWanted<'_>) -> Option<Vec<Entry>> {
+/// cancelled.
+fn by_place(context: &mut Context, cancel: &Cancel) -> Option<Vec<Entry>> {
     let mut answers: Vec<(Entry, Type)> = Vec::new();
     let mut untyped: Vec<Entry> = Vec::new();
     for (scope, facts) in context.scopes.iter().enumerate() {
         for (index, tag) in facts.unusual() {
             if tag.ty.is_none() {
-                wanted.one_more()?;
+                cancel.one_more()?;
                 match answer(context, tag) {
                     Some(ty) => answers.push(((scope, index), ty)),
                     None => untyped.push((scope, index)),

@@ -12,6 +12,7 @@ use super::problem::NameProblem;
 use super::scope::{Origin, Scope, TagFacts};
 use super::type_section;
 use super::unread_uses::UnreadUses;
+use crate::cancel::Cancel;
 use crate::names::context::{Body, Context, FunctionFacts, LabelFacts};
 use crate::names::kept::Kept;
 use crate::networks::control_flow::ControlFlow;
@@ -24,7 +25,6 @@ use crate::networks::{BlockAt, NetworkAt, Networks};
 use crate::other_files::others::Others;
 use crate::profile;
 use crate::program::Role;
-use crate::still_wanted::StillWanted;
 use crate::values::types::{Scalar, Type};
 use crate::written::user_block::{self, UserBlockFacts};
 use ladder_instructions::{Op, Shape};
@@ -35,13 +35,13 @@ use std::hash::{Hash, Hasher};
 use std::sync::{Arc, OnceLock};
 
 /// The context before any use of a tag is checked: declarations, blocks, networks, functions and labels. None if that is not
-/// wanted any longer.
+/// cancelled.
 pub(crate) fn skeleton(
     parse: &Arc<Parse>,
     name: &str,
     others: &Others,
     before: Option<&Context>,
-    wanted: &StillWanted<'_>,
+    cancel: &Cancel,
 ) -> Option<Context> {
     let structure = &*parse.structure_once();
     let profile = profile::profile(parse);
@@ -51,7 +51,7 @@ pub(crate) fn skeleton(
         scopes,
         mut types,
         mut problems,
-    } = declared(parse, structure, others, wanted)?;
+    } = declared(parse, structure, others, cancel)?;
     let mut user_blocks: Vec<UserBlockFacts> = structure
         .blocks
         .iter()
@@ -75,7 +75,7 @@ pub(crate) fn skeleton(
     let mut reading = Reading::default();
     let mut networks = Networks::with_capacity(structure.networks.len());
     for (number, drawn) in structure.networks.iter().enumerate() {
-        wanted.one_more()?;
+        cancel.one_more()?;
         if kept.is_none() && number.is_multiple_of(TOGETHER) {
             let next = &structure.networks[number..];
             reading.look_ahead(parse, &next[..next.len().min(TOGETHER)]);
@@ -133,13 +133,8 @@ struct Declarations {
     problems: Vec<NameProblem>,
 }
 
-/// Reads the sections. None if that is not wanted any longer.
-fn declared(
-    parse: &Parse,
-    structure: &Structure,
-    others: &Others,
-    wanted: &StillWanted<'_>,
-) -> Option<Declarations> {
+/// Reads the sections. None if that is cancelled.
+fn declared(parse: &Parse, structure: &Structure, others: &Others, cancel: &Cancel) -> Option<Declarations> {
     let mut scopes = vec![Scope::default()];
     scopes.extend(structure.blocks.iter().enumerate().map(|(index, definition)| {
         let mut scope = Scope::default();
@@ -174,7 +169,7 @@ fn declared(
     for section in &structure.sections {
         let scope = section.block.map_or(0, |block| block + 1);
         let types = (&mut types, &constants);
-        declare::section(parse, section, &mut scopes[scope], types, &mut problems, wanted)?;
+        declare::section(parse, section, &mut scopes[scope], types, &mut problems, cancel)?;
     }
     Some(Declarations {
         scopes,

@@ -6,19 +6,19 @@ use super::joined::Joined;
 use super::scope::{Origin, Scope, SectionKind, TagFacts, type_by_form};
 use super::unread_uses::UnreadUses;
 use super::values_asked::Asking;
+use crate::cancel::Cancel;
 use crate::names::context::Context;
 use crate::networks::named::spelling;
 use crate::networks::reading::TOGETHER;
 use crate::networks::use_place::{UseRef, Uses};
 use crate::program::Access;
 use crate::program::Role;
-use crate::still_wanted::StillWanted;
 use crate::values::types::{Scalar, Type};
 use ladder_instructions::{Semantics, Writers};
 use ladder_syntax::TextRange;
 
-/// Enters every use of every tag into its scope. None if that is not wanted any longer.
-pub(crate) fn collect(context: &mut Context, wanted: &StillWanted<'_>) -> Option<()> {
+/// Enters every use of every tag into its scope. None if that is cancelled.
+pub(crate) fn collect(context: &mut Context, cancel: &Cancel) -> Option<()> {
     let semantics = context.profile.semantics();
     let mut types = std::mem::take(&mut context.types);
     let mut joined = Joined::with_networks(context.networks.len());
@@ -32,7 +32,7 @@ pub(crate) fn collect(context: &mut Context, wanted: &StillWanted<'_>) -> Option
         }
         let mut known = known.drain(..);
         for network in context.networks.range(together) {
-            wanted.one_more()?;
+            cancel.one_more()?;
             let known = known.by_ref().take(network.named.len());
             let scope = network.scope;
             for ((number, named), known) in (0..).zip(network.named.iter()).zip(known) {

@@ -54,7 +54,7 @@ use crate::outcome::{Failure, Outcome};
 use crate::terminal::raw_stdout;
 use app::{App, Next};
 use guard::Guard;
-use ladder_simulator::Brake;
+use ladder_analysis::Cancel;
 use ratatui::Terminal;
 use ratatui::backend::CrosstermBackend;
 use ratatui::crossterm::event;
@@ -106,7 +106,7 @@ fn show(app: &mut App, mut guard: Guard, signals: &Signals) -> io::Result<()> {
     let mut looked = before;
     let mut drawn: Option<Instant> = None;
     let mut changed = true;
-    let brake = brake(signals);
+    let cancel = at_key(signals);
     while signals.ending().is_none() {
         let mut wait = match drawn {
             _ if changed => Duration::ZERO,
@@ -130,7 +130,7 @@ fn show(app: &mut App, mut guard: Guard, signals: &Signals) -> io::Result<()> {
             wait = Duration::ZERO;
         }
         let now = Instant::now();
-        app.plant.obey(&brake);
+        app.plant.obey(&cancel);
         changed |= app.pass(now - before, ROOM);
         before = now;
         app.plant.keep();
@@ -148,11 +148,11 @@ fn show(app: &mut App, mut guard: Guard, signals: &Signals) -> io::Result<()> {
     Ok(())
 }
 
-/// Stops a scan that takes long when a key was pressed, or a signal came.
-fn brake(signals: &Signals) -> Brake {
+/// Cancels a scan that takes long when a key was pressed, or a signal came.
+fn at_key(signals: &Signals) -> Cancel {
     let ending = signals.clone();
     let looked = Mutex::new(Instant::now());
-    Brake::new(move || {
+    Cancel::when(move || {
         // A look at the terminal takes longer than a thousand blocks.
         let Ok(mut looked) = looked.lock() else {
             return false;

@@ -5,14 +5,14 @@ use super::sheet::{Block, Operand, Sheet};
 use crate::findings::Source;
 use crate::outcome::Failure;
 use crate::run::Retention;
+use ladder_analysis::Cancel;
 use ladder_analysis::program::Program;
 use ladder_analysis::values::value::Value;
 use ladder_simulator::Inputs;
 use ladder_simulator::chart::{Recorder, Track};
 use ladder_simulator::scenario::{self, Recordable, Recorded, Wanted};
 use ladder_simulator::{
-    Brake, Breakpoint, Changeover, CompileError, Fault, Hit, Point, Session, Simulation, Status, Stepped,
-    Stop,
+    Breakpoint, Changeover, CompileError, Fault, Hit, Point, Session, Simulation, Status, Stepped, Stop,
 };
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -121,9 +121,9 @@ impl Plant {
         self.session.is_open()
     }
 
-    /// Abandons a scan that takes long when this says so: it is as if it had not been begun.
-    pub(super) fn obey(&mut self, brake: &Brake) {
-        self.session.set_brake(Some(brake.clone()));
+    /// Abandons a scan that takes long when it is cancelled: it is as if it had not been begun.
+    pub(super) fn obey(&mut self, cancel: &Cancel) {
+        self.session.set_cancel(Some(cancel.clone()));
     }
 
     /// Runs one scan, or the rest of the one that is open; breakpoints stop it.

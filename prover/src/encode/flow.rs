@@ -264,7 +264,7 @@ impl Scan<'_, '_> {
             return lit == Lit::FALSE;
         };
         self.questions = left;
-        is_never(&self.world.graph, lit, self.world.end)
+        is_never(&self.world.graph, lit, &self.world.end)
     }
 
     /// The turns of a loop, one after the other. Returns where it goes on.

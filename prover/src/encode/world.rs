@@ -127,9 +127,9 @@ pub(crate) struct Twins {
 
 impl World {
     /// An empty one, for what is followed until then.
-    pub(crate) fn until(end: End) -> World {
+    pub(crate) fn until(end: &End) -> World {
         World {
-            end,
+            end: end.clone(),
             ..World::default()
         }
     }

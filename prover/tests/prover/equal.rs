@@ -1,6 +1,7 @@
 //! Pairs of networks: whether they do the same.
 
 use expect_test::{Expect, expect};
+use ladder_analysis::Cancel;
 use ladder_analysis::program::Program;
 use ladder_prover::{Compared, Meaning};
 use std::sync::Arc;
@@ -18,7 +19,7 @@ fn program(text: &str) -> Arc<Program> {
 /// What is reported of the first networks of two programs.
 fn told(old: &str, new: &str) -> String {
     let compared = Compared::new(&program(old), &program(new)).expect("they compile");
-    match compared.networks(0, 0, Duration::from_secs(10)) {
+    match compared.networks(0, 0, Duration::from_secs(10), &Cancel::default()) {
         Meaning::Same => String::from("the same"),
         Meaning::Other(difference) => difference.to_string(),
         Meaning::Declared(tags) => format!("declared differently: {}", tags.join(", ")),

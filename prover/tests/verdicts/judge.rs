@@ -45,6 +45,7 @@ pub(crate) fn wrong_proof(
     let options = Options {
         time: Duration::from_millis(400),
         scans: 8,
+        ..Options::default()
     };
     let answers = prove(&mut simulation, &mut watched, options).unwrap_or_else(|refuted| {
         panic!(

@@ -3,6 +3,7 @@
 
 use super::compile;
 use super::followed::programs;
+use ladder_analysis::Cancel;
 use ladder_format::{Options as Layout, format_text};
 use ladder_generator::generator::{Dice, Mode, program};
 use ladder_generator::runs::value;
@@ -18,7 +19,7 @@ fn meanings(old: &str, new: &str) -> Option<Vec<Meaning>> {
     }
     let compared = Compared::new(&old, &new).ok()?;
     let networks = 0..old.networks.len();
-    let told = networks.map(|n| compared.networks(n, n, Duration::from_secs(2)));
+    let told = networks.map(|n| compared.networks(n, n, Duration::from_secs(2), &Cancel::default()));
     let same_tags = other_tags(&old, &new).is_empty();
     same_tags.then(|| told.collect())
 }

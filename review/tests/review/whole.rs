@@ -2,6 +2,7 @@
 
 use crate::harness::outline;
 use expect_test::{Expect, expect};
+use ladder_analysis::Cancel;
 use ladder_review::whole::{Whole, told};
 use ladder_review::{Limits, compare};
 use std::time::Duration;
@@ -10,7 +11,7 @@ use std::time::Duration;
 fn answer(old: &str, new: &str) -> String {
     let (old, new) = (outline(old), outline(new));
     let mut comparison = compare(&old, &new);
-    comparison.decide(Duration::from_secs(20));
+    comparison.decide(Duration::from_secs(20), &Cancel::default());
     comparison.decide_whole(Limits::default(), usize::MAX);
     match comparison.whole {
         Some(Whole::Same) => "the same\n".to_owned(),

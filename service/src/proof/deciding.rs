@@ -1,14 +1,15 @@
 //! Asks the prover.
 
+use ladder_analysis::Cancel;
 use ladder_host::Clock;
-use ladder_prover::{Answer, Options, by_clock, drawn, found_scenario, prove, scenario_file, while_wanted};
+use ladder_prover::{Answer, Clock as ProofClock, Options, drawn, found_scenario, prove, scenario_file};
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, Monitor, Suite};
 
 use super::{LeftOpen, PropertyProved};
 use crate::scenario_run::Files;
 
-/// Decides the properties of a file, or one of them, for no longer than `ladder prove` does, and as long as it is wanted.
+/// Decides the properties of a file, or one of them, for no longer than `ladder prove` does, unless it is cancelled.
 ///
 /// # Errors
 ///
@@ -19,7 +20,7 @@ pub(crate) fn run(
     simulation: &mut Simulation,
     only: Option<&str>,
     clock: Clock,
-    is_wanted: impl Fn() -> bool + 'static,
+    cancel: Cancel,
 ) -> Result<Vec<PropertyProved>, String> {
     let (mut watched, found) = scenario::bind_properties(suite, simulation);
     files.without_errors(suite.errors.iter().chain(&found))?;
@@ -32,9 +33,12 @@ pub(crate) fn run(
             None => "there is no property in this file; write one, as in: never up and down".to_owned(),
         });
     }
-    let job = || prove(simulation, &mut watched, Options::default());
-    let job = || while_wanted(is_wanted, job);
-    let answers = by_clock(move || clock.now(), job).map_err(|refuted| {
+    let options = Options {
+        clock: ProofClock::new(move || clock.now()),
+        cancel,
+        ..Options::default()
+    };
+    let answers = prove(simulation, &mut watched, options).map_err(|refuted| {
         format!(
             "the prover found a run for \"{}\" that does not happen in the simulator: this is an error in the prover, please \
              report it with the program",

@@ -182,7 +182,7 @@ impl Moved {
 fn engine(old: &Simulation, new: &mut Simulation) {
     let (was, is) = (&old.machine, &mut new.machine);
     (is.now, is.scan, is.faulted, is.worked) = (was.now, was.scan, was.faulted, was.worked);
-    is.brake.clone_from(&was.brake);
+    is.cancel.clone_from(&was.cancel);
     is.memory.bits[..Bit::RESERVED].copy_from_slice(&was.memory.bits[..Bit::RESERVED]);
     is.memory.words[..Word::RESERVED].copy_from_slice(&was.memory.words[..Word::RESERVED]);
     // What hung or went wrong may be fixed; a program that came to its end has come to its end.

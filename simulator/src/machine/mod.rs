@@ -10,9 +10,10 @@ use crate::controller::Relay;
 use crate::fault::Trouble;
 use crate::memory::{Bit, Memory};
 use crate::timers::Clock;
-use crate::work::{Brake, CALL_DEPTH, UNBRAKED};
+use crate::work::{CALL_DEPTH, UNCANCELLED};
 use execute::{Onward, execute};
 use flow::{Flow, Frame};
+use ladder_analysis::Cancel;
 use ladder_instructions::Controller;
 use position::Position;
 pub(crate) use position::Until;
@@ -51,7 +52,7 @@ pub(crate) struct Machine {
     /// Blocks that a scan may evaluate.
     pub(crate) watchdog: u64,
     /// What may stop a scan that takes long.
-    pub(crate) brake: Option<Brake>,
+    pub(crate) cancel: Option<Cancel>,
     /// What all scans have done so far, in blocks.
     pub(crate) worked: u64,
     /// Faults, at most as many as there is room for.
@@ -86,7 +87,7 @@ impl Machine {
             now: 0,
             scan: 0,
             watchdog,
-            brake: None,
+            cancel: None,
             worked: 0,
             faults: Vec::with_capacity(FAULTS),
             faults_lost: 0,
@@ -168,8 +169,8 @@ impl Machine {
                     Flow::Go(to) => {
                         // Straight-line code ends here: its blocks are paid for.
                         self.position.pay(work_before(code, pc + 1) - entered);
-                        if self.is_braked() {
-                            self.record(Trouble::Braked, code.block_at(pc as u32), clock.scan);
+                        if self.is_cancelled() {
+                            self.record(Trouble::Cancelled, code.block_at(pc as u32), clock.scan);
                             return Halt::Stopped;
                         }
                         pc = to as usize;
@@ -203,15 +204,16 @@ impl Machine {
             return Err(Trouble::Elements(self.watchdog));
         }
         self.position.pay(blocks);
-        if self.is_braked() {
-            return Err(Trouble::Braked);
+        if self.is_cancelled() {
+            return Err(Trouble::Cancelled);
         }
         Ok(())
     }
 
     /// Whether this scan takes long, and the caller wants it to stop.
-    fn is_braked(&self) -> bool {
-        self.watchdog - self.position.budget >= UNBRAKED && self.brake.as_ref().is_some_and(Brake::is_on)
+    fn is_cancelled(&self) -> bool {
+        self.watchdog - self.position.budget >= UNCANCELLED
+            && self.cancel.as_ref().is_some_and(Cancel::is_cancelled)
     }
 
     /// A fault that the scan survives: the block has no power, and the code after it goes on.

@@ -14,7 +14,7 @@ use crate::session::{MOST_GIVEN, NotKnown, Session};
 use crate::simulation::{Simulation, Status};
 use crate::tags::Point;
 use crate::value_text;
-use crate::work::Brake;
+use ladder_analysis::Cancel;
 use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
@@ -74,8 +74,8 @@ pub fn recordable(session: &Session) -> Vec<Recordable> {
 /// A session up to where it is as a scenario.
 ///
 /// # Errors
-/// Nothing has run, what was given is not known, nothing comes out of the program, or it would be too long, also for the
-/// session's brake: why there is no scenario, and what to do.
+/// Nothing has run, what was given is not known, nothing comes out of the program, it would be too long, or it is
+/// cancelled: why there is no scenario, and what to do.
 pub fn record(session: &Session, wanted: Wanted<'_>) -> Result<Recorded, String> {
     let scans = session.simulation().scans();
     if scans == 0 {
@@ -85,7 +85,7 @@ pub fn record(session: &Session, wanted: Wanted<'_>) -> Result<Recorded, String>
     let mut notes = Vec::new();
     let options = session.simulation().options();
     let fresh = || Simulation::new(session.newest_program().clone(), options).map_err(|error| error.message);
-    let brake = session.simulation().machine.brake.as_ref();
+    let cancel = session.simulation().machine.cancel.as_ref();
     let mut simulation = fresh()?;
     let mut rows: BTreeMap<String, Row> = BTreeMap::new();
     let mut order: Vec<String> = Vec::new();
@@ -126,7 +126,7 @@ pub fn record(session: &Session, wanted: Wanted<'_>) -> Result<Recorded, String>
     }
     fits(moments.len() as u64, rows.len() + 1, scans)?;
     let mut played = Played::new(&simulation, outputs, choice);
-    let ran = play(&mut simulation, &mut rows, scans, brake, |simulation, scan| {
+    let ran = play(&mut simulation, &mut rows, scans, cancel, |simulation, scan| {
         played.note(simulation, scan);
     })?;
     if ran == 0 {
@@ -141,7 +141,7 @@ pub fn record(session: &Session, wanted: Wanted<'_>) -> Result<Recorded, String>
     let mut begins = played.begins(&moments);
     begins.split_off(&ran);
     let ends: BTreeSet<u64> = begins.iter().copied().skip(1).chain([ran]).collect();
-    play(&mut fresh()?, &mut rows, ran, brake, |simulation, scan| {
+    play(&mut fresh()?, &mut rows, ran, cancel, |simulation, scan| {
         if ends.contains(&(scan + 1)) {
             played.hold(simulation);
         }
@@ -316,7 +316,7 @@ fn play(
     simulation: &mut Simulation,
     rows: &mut BTreeMap<String, Row>,
     scans: u64,
-    brake: Option<&Brake>,
+    cancel: Option<&Cancel>,
     mut after: impl FnMut(&Simulation, u64),
 ) -> Result<u64, String> {
     let begun = simulation.work();
@@ -330,7 +330,7 @@ fn play(
         if simulation.status() != Status::Ready || !simulation.scan() {
             return Ok(scan);
         }
-        if simulation.work() - begun > MOST_BLOCKS || brake.is_some_and(Brake::is_on) {
+        if simulation.work() - begun > MOST_BLOCKS || cancel.is_some_and(Cancel::is_cancelled) {
             return Err(format!(
                 "{scans} scans of this program take too long to be played again, as every run of the scenario would: restart, do \
                  it again in a shorter time, and record then"

@@ -4,10 +4,10 @@ use super::{Session, Stop};
 use crate::machine::Until;
 use crate::simulation::{Status, Stepped};
 use crate::tags::Point;
+use ladder_analysis::Cancel;
 use ladder_analysis::program::Location;
 use ladder_analysis::values::value::Value;
 use ladder_syntax::TextSize;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Where a run stops of itself.
 #[derive(Debug, Clone, PartialEq)]
@@ -88,9 +88,9 @@ impl Session {
     }
 
     /// Runs up to this many scans; one that is open counts. How many came to their end, and why there were no more.
-    pub fn run(&mut self, scans: u64, cancel: &AtomicBool) -> (u64, Stop) {
+    pub fn run(&mut self, scans: u64, cancel: &Cancel) -> (u64, Stop) {
         for run in 0..scans {
-            if cancel.load(Ordering::Relaxed) {
+            if cancel.is_cancelled() {
                 return (run, Stop::Cancelled);
             }
             if let Some(stop) = self.run_scan() {
@@ -181,7 +181,7 @@ impl Session {
         match self.simulation.status() {
             Status::Ended => Stop::Ended,
             Status::Faulted => Stop::Faulted,
-            // A brake stopped the scan, and it was taken back.
+            // The scan was cancelled, and taken back.
             Status::Ready => Stop::Cancelled,
         }
     }

@@ -240,7 +240,7 @@ impl Session {
     fn enter(&mut self, era: Era) -> Era {
         self.writers = OnceCell::new();
         self.unseen_network = false;
-        let brake = self.simulation.machine.brake.take();
+        let cancel = self.simulation.machine.cancel.take();
         let left = Era {
             simulation: std::mem::replace(&mut self.simulation, era.simulation),
             history: std::mem::replace(&mut self.history, era.history),
@@ -248,7 +248,7 @@ impl Session {
             breakpoints: std::mem::replace(&mut self.breakpoints, era.breakpoints),
             generation: std::mem::replace(&mut self.generation, era.generation),
         };
-        self.simulation.machine.brake = brake;
+        self.simulation.machine.cancel = cancel;
         left
     }
 

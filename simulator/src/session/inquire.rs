@@ -26,7 +26,7 @@ impl Session {
         let state = self.simulation.state();
         let faults = self.simulation.machine.faults.len();
         // The scans that are run again here came to their end before.
-        let brake = self.simulation.machine.brake.take();
+        let cancel = self.simulation.machine.cancel.take();
         let Session {
             simulation,
             history,
@@ -37,7 +37,7 @@ impl Session {
         let answer = Inquiry::answer(simulation, history, writers, point);
         self.simulation.restore(&state);
         self.simulation.machine.faults.truncate(faults);
-        self.simulation.machine.brake = brake;
+        self.simulation.machine.cancel = cancel;
         answer
     }
 }

@@ -26,13 +26,13 @@ use crate::machine::FaultRecord;
 use crate::retain::Kept;
 use crate::simulation::{Options, Simulation, Status, ValueRefused};
 use crate::tags::Point;
-use crate::work::Brake;
 pub use breakpoints::{Breakpoint, Hit, StepBy};
 use change::Era;
 use given::AllGiven;
 pub(crate) use given::{MOST_GIVEN, NotKnown};
 use history::History;
 pub use history::HistoryLimits;
+use ladder_analysis::Cancel;
 use ladder_analysis::program::{Location, Program};
 use ladder_analysis::values::value::Value;
 use std::cell::OnceCell;
@@ -123,10 +123,10 @@ impl Session {
         }
     }
 
-    /// Sets what may stop a scan that takes long. Such a scan is taken back: the session is before it, with what
+    /// Sets what may cancel a scan that takes long. Such a scan is taken back: the session is before it, with what
     /// was given for it. Without a history that cannot be done, and it is a fault that stops the simulation.
-    pub fn set_brake(&mut self, brake: Option<Brake>) {
-        self.simulation.set_brake(brake);
+    pub fn set_cancel(&mut self, cancel: Option<Cancel>) {
+        self.simulation.set_cancel(cancel);
     }
 
     /// The simulation, to be read: values, power, forces, names.

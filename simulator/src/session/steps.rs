@@ -23,7 +23,7 @@ impl Session {
         }
         self.begin();
         let ran = self.simulation.scan();
-        if self.was_braked() {
+        if self.was_cancelled() {
             self.give_up_scan();
         } else {
             self.finish();
@@ -63,7 +63,7 @@ impl Session {
             self.simulation.pending = waiting;
             return stepped;
         }
-        if self.was_braked() {
+        if self.was_cancelled() {
             self.give_up_scan();
             return stepped;
         }
@@ -118,10 +118,10 @@ impl Session {
         }
     }
 
-    /// Whether the scan that was run was stopped by its brake, and can be taken back.
-    fn was_braked(&self) -> bool {
+    /// Whether the scan that was run was cancelled, and can be taken back.
+    fn was_cancelled(&self) -> bool {
         let last = self.simulation.machine.faults.last();
-        last.is_some_and(|fault| fault.trouble == Trouble::Braked) && self.history.is_on()
+        last.is_some_and(|fault| fault.trouble == Trouble::Cancelled) && self.history.is_on()
     }
 
     fn begin(&mut self) {

@@ -21,7 +21,7 @@ use crate::machine::{FaultRecord, Machine};
 use crate::memory::SERIAL_ROOM;
 use crate::tags::{self, Names, Point, UnknownTag};
 use crate::tree::Tree;
-use crate::work::Brake;
+use ladder_analysis::Cancel;
 use ladder_analysis::program::{Location, Place, Program, TagId};
 use ladder_analysis::values::value::Value;
 use std::collections::BTreeMap;
@@ -63,7 +63,7 @@ pub enum Status {
     Ready,
     /// The program stopped itself with `<END>`.
     Ended,
-    /// The watchdog, calls nested too deep, or a brake stopped it in the middle of a scan.
+    /// The watchdog, calls nested too deep, or cancelling stopped it in the middle of a scan.
     Faulted,
 }
 
@@ -162,10 +162,10 @@ impl Simulation {
         self.options
     }
 
-    /// Sets what may stop a scan that takes long; none lets every scan come to its end. A scan that was stopped so is
+    /// Sets what may cancel a scan that takes long; none lets every scan come to its end. A scan that was cancelled is
     /// a fault that stops the simulation; a [`Session`](crate::Session) takes it back instead.
-    pub fn set_brake(&mut self, brake: Option<Brake>) {
-        self.machine.brake = brake;
+    pub fn set_cancel(&mut self, cancel: Option<Cancel>) {
+        self.machine.cancel = cancel;
     }
 
     /// What all scans have done so far, in blocks, as the watchdog counts them.

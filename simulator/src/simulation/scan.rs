@@ -4,8 +4,8 @@ use super::{Simulation, Status};
 use crate::code::{Instr, stop};
 use crate::machine::{Halt, Until};
 use crate::system::{self, Moment};
+use ladder_analysis::Cancel;
 use ladder_analysis::program::Location;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Where a step in a scan led.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,10 +39,10 @@ impl Simulation {
         self.end_scan(halt) == Stepped::Done
     }
 
-    /// Runs up to this many scans; fewer if the program stops, or when `cancel` is set. How many were run.
-    pub fn run(&mut self, scans: u64, cancel: &AtomicBool) -> u64 {
+    /// Runs up to this many scans; fewer if the program stops, or when that is cancelled. How many were run.
+    pub fn run(&mut self, scans: u64, cancel: &Cancel) -> u64 {
         (0..scans)
-            .take_while(|_| !cancel.load(Ordering::Relaxed) && self.scan())
+            .take_while(|_| !cancel.is_cancelled() && self.scan())
             .count() as u64
     }
 

@@ -2,8 +2,8 @@
 
 use crate::support::{check, force, get, set, simulation, simulation_with, trace};
 use expect_test::expect;
+use ladder_analysis::Cancel;
 use ladder_simulator::{Options, diagram};
-use std::sync::atomic::AtomicBool;
 
 const MIXED: &str = "
 VAR_INPUT a, b : BOOL; z, i : INT; END_VAR
@@ -210,8 +210,8 @@ fn system_tags() {
 #[test]
 fn a_run_can_be_cancelled() {
     let mut simulation = simulation("+--[ ]( a )--( )( y )--+\n");
-    assert_eq!(simulation.run(7, &AtomicBool::new(false)), 7);
-    assert_eq!(simulation.run(7, &AtomicBool::new(true)), 0);
+    assert_eq!(simulation.run(7, &Cancel::default()), 7);
+    assert_eq!(simulation.run(7, &Cancel::when(|| true)), 0);
     assert_eq!(simulation.scans(), 7);
     assert_eq!(get(&simulation, "SYS.SCAN"), "6");
 }

@@ -1,13 +1,13 @@
 //! Sessions: going back to earlier scans and forward again, whatever the program does.
 
 use crate::support::simulation;
+use ladder_analysis::Cancel;
 use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use ladder_simulator::value_text::cell;
 use ladder_simulator::{HistoryLimits, Options, Point, Session, Status, Stop};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
 
 /// Numbers that look random and are the same in every run.
 struct Dice(u64);
@@ -429,10 +429,10 @@ fn a_scan_that_is_kept_allocates_nothing_once_there_is_room() {
 
 #[test]
 fn a_run_says_why_it_stopped() {
-    let never = AtomicBool::new(false);
+    let never = Cancel::default();
     let mut counting = session(COUNT, HistoryLimits::default());
     assert_eq!(counting.run(5, &never), (5, Stop::Done));
-    assert_eq!(counting.run(5, &AtomicBool::new(true)), (0, Stop::Cancelled));
+    assert_eq!(counting.run(5, &Cancel::when(|| true)), (0, Stop::Cancelled));
     let ending = "VAR n : DINT; END_VAR\n+--[ADD]( n, n, 1 )--[GE]( n, 3 )--<END>--+\n";
     let mut ending = session(ending, HistoryLimits::default());
     assert_eq!(ending.run(9, &never), (3, Stop::Ended));

@@ -2,12 +2,12 @@
 
 use crate::support::simulation;
 use expect_test::{Expect, expect};
+use ladder_analysis::Cancel;
 use ladder_analysis::program::Location;
 use ladder_analysis::values::value::Value;
 use ladder_simulator::value_text::cell;
 use ladder_simulator::{Breakpoint, HistoryLimits, Hit, Routine, Session, StepBy, Stepped, Stop};
 use ladder_syntax::{TextRange, TextSize};
-use std::sync::atomic::AtomicBool;
 
 const TWO: &str = "VAR_INPUT x : BOOL; END_VAR\nVAR n : INT; END_VAR\n\
                    +--[ ]( x )--( )( y )--[ADD]( n, n, 1 )--+\n\
@@ -188,7 +188,7 @@ fn described(text: &str, session: &Session, (scans, stop): &(u64, Stop)) -> Stri
 
 #[test]
 fn a_run_stops_in_front_of_a_network() {
-    let never = AtomicBool::new(false);
+    let never = Cancel::default();
     let mut session = session(TWO);
     set(&mut session, "x", true);
     let second = network(&session, TWO, "+--[ ]( y )");
@@ -226,7 +226,7 @@ fn a_run_stops_in_front_of_a_network() {
 
 #[test]
 fn a_run_stops_after_the_block_that_changes_a_tag() {
-    let never = AtomicBool::new(false);
+    let never = Cancel::default();
     let mut session = session(TWO);
     let point = session.simulation().resolve("n").unwrap();
     session.add_breakpoint(Breakpoint::Change(point));
@@ -262,7 +262,7 @@ fn a_network_in_a_function_and_in_a_body_stops_each_time() {
     let text = "FUNCTION_BLOCK [$Twice]\nVAR n : INT; END_VAR\n+--[ADD]( n, n, 1 )--+\nEND_FUNCTION_BLOCK\n\
                 +--[$Twice]( )--[$Twice]( )--<CALL>( f )--<CALL>( f )--+\n\
                 +--<FUN>( f )--[ADD]( k, k, 1 )--+\n";
-    let never = AtomicBool::new(false);
+    let never = Cancel::default();
     let mut session = session(text);
     for mark in ["+--[ADD]( n", "+--<FUN>"] {
         let breakpoint = network(&session, text, mark);
@@ -286,7 +286,7 @@ fn a_network_in_a_function_and_in_a_body_stops_each_time() {
 
 #[test]
 fn breakpoints_change_nothing_else() {
-    let never = AtomicBool::new(false);
+    let never = Cancel::default();
     let mut plain = session(TWO);
     let mut stopped = session(TWO);
     for mark in ["+--[ ]( x )", "+--[ ]( y )"] {
@@ -314,7 +314,7 @@ fn block(text: &str, mark: &str) -> Location {
 
 #[test]
 fn a_run_stops_in_front_of_a_block() {
-    let never = AtomicBool::new(false);
+    let never = Cancel::default();
     let mut session = session(TWO);
     set(&mut session, "x", true);
     for mark in ["[ ]( x )", "[ADD]( n, n, 10 )"] {

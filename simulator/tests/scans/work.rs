@@ -1,11 +1,12 @@
-//! What counts for the watchdog, and the brake that stops a scan from outside.
+//! What counts for the watchdog, and how a scan is cancelled.
 
 use crate::support::simulation_with;
 use expect_test::{Expect, expect};
+use ladder_analysis::Cancel;
 use ladder_analysis::values::value::Value;
-use ladder_simulator::{Brake, Breakpoint, Fault, HistoryLimits, Options, Session, Simulation, Status, Stop};
+use ladder_simulator::{Breakpoint, Fault, HistoryLimits, Options, Session, Simulation, Status, Stop};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 fn watched(text: &str, watchdog: u64) -> Simulation {
     simulation_with(
@@ -127,12 +128,12 @@ fn what_one_scan_may_do_is_not_less_than_it_was() {
 const ENDLESS: &str =
     "VAR n : DINT; END_VAR\n+--[ADD]( n, n, 1 )--+\n+--<LBL>( again )--[ ]( go )--<JMP>( again )--+\n";
 
-/// A brake that lets go until it has been asked so often, and how often it was asked.
-fn brake(on_from: usize) -> (Brake, Arc<AtomicUsize>) {
+/// Cancelled once it has been asked so often, and how often it was asked.
+fn cancelled_at(times: usize) -> (Cancel, Arc<AtomicUsize>) {
     let asked = Arc::<AtomicUsize>::default();
     let counts = asked.clone();
-    let brake = Brake::new(move || counts.fetch_add(1, Ordering::Relaxed) + 1 >= on_from);
-    (brake, asked)
+    let cancel = Cancel::when(move || counts.fetch_add(1, Ordering::Relaxed) + 1 >= times);
+    (cancel, asked)
 }
 
 #[test]
@@ -153,9 +154,9 @@ fn a_scan_without_end_can_be_stopped_and_is_taken_back() {
         } else {
             session.set(&point, Value::Bool(true)).unwrap();
         }
-        let (brake, asked) = brake(10);
-        session.set_brake(Some(brake));
-        let ran = session.run(5, &AtomicBool::new(false));
+        let (cancel, asked) = cancelled_at(10);
+        session.set_cancel(Some(cancel));
+        let ran = session.run(5, &Cancel::default());
         assert_eq!(ran, (0, Stop::Cancelled));
         assert_eq!(asked.load(Ordering::Relaxed), 10);
         assert_eq!(session.simulation().status(), Status::Ready);
@@ -180,8 +181,8 @@ fn without_a_history_a_scan_that_was_stopped_is_a_fault() {
     let go = simulation.resolve("go").unwrap();
     simulation.set(&go, Value::Bool(true)).unwrap();
     let mut session = Session::of(simulation, HistoryLimits::of_scans(0));
-    session.set_brake(Some(brake(1).0));
-    assert_eq!(session.run(5, &AtomicBool::new(false)), (0, Stop::Faulted));
+    session.set_cancel(Some(cancelled_at(1).0));
+    assert_eq!(session.run(5, &Cancel::default()), (0, Stop::Faulted));
     let faults = session.faults();
     expect!["the scan took long and was stopped by hand here, before its end"].assert_eq(&faults[0].message);
     session.reset();
@@ -189,21 +190,21 @@ fn without_a_history_a_scan_that_was_stopped_is_a_fault() {
 }
 
 #[test]
-fn a_short_scan_comes_to_its_end_whatever_the_brake_says() {
+fn a_short_scan_comes_to_its_end_though_it_is_cancelled() {
     let text = "VAR x : ARRAY[1..1000] OF DINT; END_VAR\n+--<FOR>( 1000 )--+\n\
                 +--[FILL]( x[1..1000], 7 )--+\n+--<NEXT>--+\n";
     let mut simulation = watched(text, u64::MAX);
-    let (brake, asked) = brake(1);
-    simulation.set_brake(Some(brake));
+    let (cancel, asked) = cancelled_at(1);
+    simulation.set_cancel(Some(cancel));
     assert!(simulation.scan());
     assert_eq!(asked.load(Ordering::Relaxed), 0);
 }
 
 #[test]
-fn a_loop_over_large_arrays_asks_the_brake_too() {
+fn a_loop_over_large_arrays_is_cancelled_too() {
     let text = endless("x : ARRAY[1..1_000_000] OF DINT;", "[FILL]( x[1..1_000_000], 7 )");
     let mut simulation = watched(&text, u64::MAX);
-    simulation.set_brake(Some(brake(1).0));
+    simulation.set_cancel(Some(cancelled_at(1).0));
     assert!(!simulation.scan());
     assert_eq!(simulation.status(), Status::Faulted);
 }

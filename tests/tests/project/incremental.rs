@@ -7,8 +7,8 @@ use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::Scope;
 use ladder_analysis::networks::use_place::Use;
 use ladder_analysis::{
-    Analysis, AnalyzeOptions, Diagnostic, Exported, Exports, Level, RuleSettings, Severity, analyze, context,
-    exports,
+    Analysis, AnalyzeOptions, Cancel, Diagnostic, Exported, Exports, Level, RuleSettings, Severity, analyze,
+    context, exports,
 };
 use ladder_syntax::{Parse, TextRange, parse};
 use ladder_tests::generator::{Dice, Mode, program};
@@ -112,7 +112,9 @@ impl Files {
                 .with_rules(&self.settings);
             let known = rules.after_context(Some(&open.analysis.context));
             let context = Arc::new(context(&open.parse, known));
-            let without = rules.check_while(context, &|| true).expect("it is wanted");
+            let without = rules
+                .check_unless(context, &Cancel::default())
+                .expect("nothing cancels it");
             let without = show(&without);
             assert_eq!(
                 here(&kept),

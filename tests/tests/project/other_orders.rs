@@ -1,6 +1,7 @@
 //! What a comparison says of programs whose networks were swapped, moved, doubled and deleted, next to runs of both: where it says
 //! that they do the same, no run differs.
 
+use ladder_analysis::Cancel;
 use ladder_analysis::program::Role;
 use ladder_invariants::generator::{Dice, Mode, program};
 use ladder_invariants::runs::differing;
@@ -34,7 +35,7 @@ fn differs(old: &str, new: &str, seed: u64) -> Option<String> {
 fn told(old: &str, new: &str) -> Option<Whole> {
     let [old, new] = [old, new].map(|text| Outline::of_text("main.clad", text));
     let mut comparison = compare(&old, &new);
-    comparison.decide(Duration::from_secs(2));
+    comparison.decide(Duration::from_secs(2), &Cancel::default());
     let limits = Limits {
         time: Duration::from_millis(500),
         scans: 10,

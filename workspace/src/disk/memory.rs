@@ -9,6 +9,7 @@ use crate::search::{Survey, is_program, is_scenario};
 use crate::settings::Files;
 use crate::stamp::Stamp;
 use crate::text;
+use ladder_analysis::Cancel;
 use ladder_notation::Companion;
 use std::collections::BTreeMap;
 use std::io;
@@ -193,7 +194,7 @@ impl Disk for MemoryDisk {
         found.collect()
     }
 
-    fn survey(&self, folder: &Path, _most: usize, _stop: &dyn Fn() -> bool) -> Survey {
+    fn survey(&self, folder: &Path, _most: usize, _cancel: &Cancel) -> Survey {
         let is_settings_file = |file: &Path| file.file_name().is_some_and(|name| name == SETTINGS_FILE);
         Survey {
             programs: self.below(folder, is_program),
@@ -327,7 +328,12 @@ mod tests {
             [Path::new("/plant/a.clad"), Path::new("/plant/line/b.clad")]
         );
         assert!(!disk.holds(&root, Path::new("/plant/.old/d.clad"), &files));
-        assert_eq!(disk.survey(Path::new("/plant"), 9, &|| false).programs.len(), 3);
+        assert_eq!(
+            disk.survey(Path::new("/plant"), 9, &Cancel::default())
+                .programs
+                .len(),
+            3
+        );
         assert_eq!(
             disk.names_in(Path::new("/plant/line"), 9),
             ["b.clad", "c.ladder-test"]

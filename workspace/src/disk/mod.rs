@@ -18,6 +18,7 @@ use crate::search::Survey;
 use crate::settings::Files;
 use crate::stamp::Stamp;
 use crate::text;
+use ladder_analysis::Cancel;
 use ladder_notation::{Companion, Notation, Source};
 use std::fmt::Debug;
 use std::io;
@@ -90,7 +91,7 @@ pub trait Disk: Debug + Send + Sync {
     fn scenarios(&self, folders: &[PathBuf]) -> Vec<PathBuf>;
 
     /// What lies below a folder. See [`survey`](crate::survey).
-    fn survey(&self, folder: &Path, most: usize, stop: &dyn Fn() -> bool) -> Survey;
+    fn survey(&self, folder: &Path, most: usize, cancel: &Cancel) -> Survey;
 
     /// The files next to a program that belong to it, those in the folder `inner` too.
     ///

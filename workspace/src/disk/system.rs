@@ -10,6 +10,7 @@ use crate::settings::Files;
 use crate::stamp::Stamp;
 use crate::write::write;
 use crate::{foreign, regular, text};
+use ladder_analysis::Cancel;
 use ladder_notation::Companion;
 use ladder_syntax::MAX_FILE_BYTES;
 use std::fs::{self, File};
@@ -90,8 +91,8 @@ impl Disk for SystemDisk {
         search::find_scenarios(folders).0
     }
 
-    fn survey(&self, folder: &Path, most: usize, stop: &dyn Fn() -> bool) -> Survey {
-        search::survey(folder, most, stop)
+    fn survey(&self, folder: &Path, most: usize, cancel: &Cancel) -> Survey {
+        search::survey(folder, most, cancel)
     }
 
     fn companions(

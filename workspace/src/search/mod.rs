@@ -10,6 +10,7 @@ use crate::error::{FileError, Problem};
 use crate::named;
 use crate::root::{Root, SETTINGS_FILE};
 use crate::settings::{Files, Settings};
+use ladder_analysis::Cancel;
 use std::collections::{HashMap, HashSet};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -160,8 +161,8 @@ pub struct Survey {
 }
 
 /// Looks what lies below a folder, by the rules of `.gitignore`, but not at more files and folders than `most`: a
-/// person may have opened the root of a disk. `stop` says whether no caller waits for it any more.
-pub fn survey(folder: &Path, most: usize, stop: impl Fn() -> bool) -> Survey {
+/// person may have opened the root of a disk. What is cancelled is not whole.
+pub fn survey(folder: &Path, most: usize, cancel: &Cancel) -> Survey {
     let mut found = Survey::default();
     let walk = match Walker::below(folder, |_| true) {
         Ok(walk) => walk,
@@ -172,7 +173,7 @@ pub fn survey(folder: &Path, most: usize, stop: impl Fn() -> bool) -> Survey {
         }
     };
     for (seen, entry) in walk.builder.build().enumerate() {
-        if seen >= most || stop() {
+        if seen >= most || cancel.is_cancelled() {
             return found;
         }
         let Ok(entry) = entry else { continue };

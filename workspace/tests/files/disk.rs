@@ -1,5 +1,6 @@
 //! Reading, searching and writing over real folders.
 
+use ladder_analysis::Cancel;
 use ladder_workspace::{Files, MAX_FILE_BYTES, Replacement, Root, find_programs, read, write};
 use std::fs;
 use std::io::Write;
@@ -242,7 +243,7 @@ mod unix {
         fs::write(plant.join("ladder.toml"), "").unwrap();
         let root = Root::of(&plant.join("a.clad")).unwrap();
         assert_eq!(programs(&root), ["plant/a.clad"]);
-        let survey = ladder_workspace::survey(&plant, 1000, || false);
+        let survey = ladder_workspace::survey(&plant, 1000, &Cancel::default());
         assert_eq!(relative(&dir, &survey.programs), ["plant/a.clad"]);
         assert_eq!(find_programs(&[plant]).1.len(), 2);
     }

@@ -14,6 +14,7 @@ use crate::output::{Existing, Output, may_write};
 use crate::terminal::stdout_has_colours;
 use anstyle::{AnsiColor, Style};
 use clap::{Args, ValueEnum};
+use ladder_analysis::Cancel;
 use ladder_review::report::text::{Line, LineKind};
 use ladder_review::report::{Compared, html, markdown, text};
 use ladder_review::whole::Whole;
@@ -175,7 +176,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let end = Instant::now() + TIME;
     for compared in &mut compared {
         let left = || end.saturating_duration_since(Instant::now());
-        compared.comparison.decide(left());
+        compared.comparison.decide(left(), &Cancel::default());
         if compared.old.is_some() && compared.new.is_some() {
             let (mut limits, networks) = arguments.limits();
             if !arguments.same {

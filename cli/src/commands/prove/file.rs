@@ -6,11 +6,11 @@ use crate::ready::{Ready, place_of};
 use crate::run::unread;
 use crate::terminal;
 use annotate_snippets::Renderer;
-use ladder_prover::{Answer, Options, Progress, Verdict, found_scenario, prove, telling, while_wanted};
+use ladder_analysis::Cancel;
+use ladder_prover::{Answer, Listener, Options, Progress, Verdict, found_scenario, prove};
 use std::cell::Cell;
 use std::path::Path;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// From one text about how far it is to the next.
@@ -21,8 +21,8 @@ pub(super) struct Wishes {
     pub(super) time: Duration,
     /// A person sees how far the search is.
     pub(super) shows_progress: bool,
-    /// High where the answers that are there are wanted at once.
-    pub(super) stop: Option<&'static AtomicBool>,
+    /// Cancelled where the answers that are there are wanted at once.
+    pub(super) cancel: Cancel,
     pub(super) renderer: Renderer,
     /// Those of the programs.
     pub(super) workspaces: Mutex<Workspaces>,
@@ -136,12 +136,6 @@ fn decide(
     answers.program = suite.program.map(|(name, _)| name).unwrap_or_default();
     answers.unread_parts = unread::names(simulation.program());
     answers.interval = simulation.options().interval;
-    let options = Options {
-        time: wishes.time,
-        ..Options::default()
-    };
-    let stop = wishes.stop;
-    let is_wanted = move || !stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
     let shows_progress = wishes.shows_progress;
     let (title, shown_at) = (title.to_owned(), Cell::new(None::<Instant>));
     let tell = move |Progress { scan, decided, of }: Progress| {
@@ -150,8 +144,13 @@ fn decide(
             shown_at.set(Some(Instant::now()));
         }
     };
-    let job = || telling(tell, || prove(&mut simulation, &mut watched, options));
-    let found = while_wanted(is_wanted, job).map_err(|refuted| {
+    let options = Options {
+        time: wishes.time,
+        cancel: wishes.cancel.clone(),
+        listener: Listener::new(tell),
+        ..Options::default()
+    };
+    let found = prove(&mut simulation, &mut watched, options).map_err(|refuted| {
         let message = format!(
             "the prover found a run for \"{}\" that does not happen in the simulator: this is an error in the prover, \
              please report it with the program",

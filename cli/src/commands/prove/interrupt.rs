@@ -1,25 +1,28 @@
 //! Ctrl-C while properties are decided: the first asks for the answers that are there, the second ends the program.
 
-use std::sync::atomic::AtomicBool;
+use ladder_analysis::Cancel;
 
-/// High once the answers that are there are wanted.
+/// Cancelled once the answers that are there are wanted.
 #[cfg(feature = "screen")]
-pub(super) fn watched() -> Option<&'static AtomicBool> {
+pub(super) fn watched() -> Cancel {
     use signal_hook::consts::SIGINT;
     use std::sync::Arc;
+    use std::sync::atomic::{AtomicBool, Ordering};
 
     /// As a shell says that a signal ended a program.
     const INTERRUPTED: i32 = 130;
     let came = Arc::<AtomicBool>::default();
     // In this order: the first one does not see what it brought itself.
-    signal_hook::flag::register_conditional_shutdown(SIGINT, INTERRUPTED, Arc::clone(&came)).ok()?;
-    signal_hook::flag::register(SIGINT, Arc::clone(&came)).ok()?;
-    // It is there for as long as the program is.
-    Some(&**Box::leak(Box::new(came)))
+    let ended = signal_hook::flag::register_conditional_shutdown(SIGINT, INTERRUPTED, Arc::clone(&came));
+    // Where nothing can be registered, the program just ends.
+    if ended.is_ok() {
+        let _ = signal_hook::flag::register(SIGINT, Arc::clone(&came));
+    }
+    Cancel::when(move || came.load(Ordering::Relaxed))
 }
 
 /// Without signals the program just ends.
 #[cfg(not(feature = "screen"))]
-pub(super) fn watched() -> Option<&'static AtomicBool> {
-    None
+pub(super) fn watched() -> Cancel {
+    Cancel::default()
 }

@@ -19,7 +19,6 @@ use ladder_workspace::shown;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
-use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 const EXAMPLES: &str = "\
@@ -125,14 +124,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             Renderer::plain()
         },
         workspaces: Mutex::<Workspaces>::default(),
-        stop: interrupt::watched(),
+        cancel: interrupt::watched(),
         shows_progress,
     };
-    let is_stopped = || wishes.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
     let mut out = Stdout::new();
     let mut all: Vec<FileAnswers> = Vec::new();
     for (number, path) in files.iter().enumerate() {
-        if is_stopped() {
+        if wishes.cancel.is_cancelled() {
             let left = counted(files.len() - number, "file");
             terminal::warning(&format!("stopped: {left} without answers"));
             outcome = outcome.max(Outcome::Findings);
@@ -158,7 +156,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         }
         all.push(answers);
     }
-    if all.is_empty() && errors.is_empty() && !is_stopped() {
+    if all.is_empty() && errors.is_empty() && !wishes.cancel.is_cancelled() {
         return Err(Failure::new(
             "there is no property in these files; write one, as in: never up and down",
         ));

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use ladder_analysis::rules::is_of_own_text;
-use ladder_analysis::{Finding, Severity};
+use ladder_analysis::{Cancel, Finding, Severity};
 use ladder_documents::Revision;
 use ladder_host::Work;
 use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES};
@@ -46,13 +46,14 @@ fn analyse(shared: &Arc<Shared>, first: Arc<Revision>, _work: Work) {
 fn look(shared: &Arc<Shared>, revision: &Arc<Revision>) {
     let agreed = shared.agreed();
     // What is sent of the text before stays until then.
-    let wanted = || shared.documents.is_current(revision);
+    let (documents, current) = (shared.documents.clone(), revision.clone());
+    let cancel = Cancel::when(move || !documents.is_current(&current));
     if !agreed.pulls_diagnostics
         && let Some(found) = of_own_text(shared, revision)
     {
         send(shared, revision, found);
     }
-    if revision.fits() && revision.analysis_while(&wanted).is_none() {
+    if revision.fits() && revision.analysis_unless(&cancel).is_none() {
         return;
     }
     if !agreed.pulls_diagnostics {

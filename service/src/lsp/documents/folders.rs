@@ -7,6 +7,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, PoisonError};
 
+use ladder_analysis::Cancel;
 use ladder_documents::address::path_of;
 use ladder_workspace::{SETTINGS_FILE, Survey, shown};
 use tower_lsp::ls_types::{DidChangeWorkspaceFoldersParams, InitializeParams, WorkspaceFolder};
@@ -73,22 +74,21 @@ fn is_open(shared: &Shared, folder: &Path) -> bool {
 pub(crate) fn index(shared: &Arc<Shared>) {
     shared.in_background(|shared| {
         let progress = Progress::begin(shared, "Reading ladder programs");
-        read(shared, &progress, &|| false);
+        read(shared, &progress, &Cancel::default());
         settings_file::tell(shared);
     });
 }
 
-/// Reads what lies in the open folders and was not read yet. `stop` says whether nobody waits for it any more. For a
-/// blocking thread.
-pub(crate) fn read(shared: &Shared, progress: &Progress, stop: &dyn Fn() -> bool) {
+/// Reads what lies in the open folders and was not read yet. For a blocking thread.
+pub(crate) fn read(shared: &Shared, progress: &Progress, cancel: &Cancel) {
     for folder in open(shared) {
         let Survey {
             programs,
             settings_files,
             whole,
             refused,
-        } = shared.world().disk.survey(&folder, MOST, stop);
-        if !whole && !stop() {
+        } = shared.world().disk.survey(&folder, MOST, cancel);
+        if !whole && !cancel.is_cancelled() {
             shared.outbox.log(format!(
                 "{}: this folder holds more than {MOST} files; programs that lie deep in it count when they are opened",
                 shown::path(&folder)
@@ -101,7 +101,7 @@ pub(crate) fn read(shared: &Shared, progress: &Progress, stop: &dyn Fn() -> bool
         let above = folder.join(SETTINGS_FILE);
         let all: Vec<&PathBuf> = settings_files.iter().chain([&above]).chain(&programs).collect();
         for (done, path) in all.iter().enumerate() {
-            if stop() {
+            if cancel.is_cancelled() {
                 return;
             }
             progress.report(done, all.len(), path);

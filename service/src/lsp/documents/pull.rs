@@ -120,7 +120,7 @@ pub(crate) async fn workspace(
     let next_to = shared.clone();
     let reports = blocking(&*shared.host, move |cancel| {
         let shared = next_to;
-        folders::read(&shared, &progress, &|| cancel.is_cancelled());
+        folders::read(&shared, &progress, cancel);
         let known: HashMap<&str, &str> = params
             .previous_result_ids
             .iter()

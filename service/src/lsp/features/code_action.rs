@@ -4,8 +4,9 @@
 
 use std::sync::Arc;
 
+use ladder_analysis::Cancel;
 use ladder_documents::other_files::OtherFiles;
-use ladder_documents::{Analysis, Cancel, Revision};
+use ladder_documents::{Analysis, Revision};
 use ladder_ide::{Action, ActionKind};
 use ladder_syntax::{TextRange, TextSize};
 use serde::{Deserialize, Serialize};

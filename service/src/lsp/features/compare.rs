@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
+use ladder_analysis::Cancel;
 use ladder_documents::{Lines, Revision};
 use ladder_live::{Failure, argument_of};
 use ladder_picture::Theme;
@@ -11,7 +12,7 @@ use ladder_review::outline::{Entry, why_not};
 use ladder_review::rename::renamed;
 use ladder_review::report::{html, summary};
 use ladder_review::words::{heading, names, reason, word};
-use ladder_review::{Change, Comparison, Outline, compare_renamed, is_wanted, while_wanted};
+use ladder_review::{Change, Comparison, Outline, compare_renamed};
 use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES};
 use ladder_workspace::shown;
 use serde::{Deserialize, Serialize};
@@ -33,8 +34,8 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
     let (of, documents) = (revision.clone(), Arc::clone(&shared.documents));
     let compared = blocking(&*shared.host, move |cancel| {
         let (cancel, shown) = (cancel.clone(), of.clone());
-        let is_wanted = move || !cancel.is_cancelled() && documents.shows(&shown);
-        while_wanted(is_wanted, || compare_with(&of, &asked))
+        let cancel = Cancel::when(move || cancel.is_cancelled() || !documents.shows(&shown));
+        compare_with(&of, &asked, &cancel)
     })
     .await?;
     // What it says is about lines of that text.
@@ -122,8 +123,8 @@ pub struct Changed {
     pub drawing: Option<String>,
 }
 
-/// Compares, as long as that is [wanted](ladder_review::while_wanted). None: one of the texts is too large. For a blocking thread.
-pub(crate) fn compare_with(revision: &Revision, asked: &Compare) -> Option<ComparedTexts> {
+/// Compares; once it is cancelled, no more than the texts. None: one of them is too large. For a blocking thread.
+pub(crate) fn compare_with(revision: &Revision, asked: &Compare, cancel: &Cancel) -> Option<ComparedTexts> {
     let base = &asked.base;
     let base_fits = base.len() <= MAX_OPEN_BYTES && base.lines().count() <= MAX_OPEN_LINES;
     if !base_fits || !revision.fits() {
@@ -148,8 +149,8 @@ pub(crate) fn compare_with(revision: &Revision, asked: &Compare) -> Option<Compa
         }
     }
     let mut comparison = compare_renamed(&old, &new, renames);
-    comparison.decide(TIME);
-    let drawings = asked.drawings.filter(|_| is_wanted());
+    comparison.decide(TIME, cancel);
+    let drawings = asked.drawings.filter(|_| !cancel.is_cancelled());
     let drawn = drawings.map(|_| html::sections(&comparison));
     let mut drawn = drawn.into_iter().flatten();
     let mut changes = Vec::new();

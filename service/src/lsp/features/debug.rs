@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use futures::StreamExt;
 use futures::channel::mpsc::{UnboundedReceiver, unbounded};
+use ladder_analysis::Cancel;
 use ladder_debugger::{Launch, Output, answer_of_none, is_urgent};
-use ladder_documents::{Cancel, Revision};
+use ladder_documents::Revision;
 use ladder_live::messages::{Debug, Debugged, DebuggerMessage};
 use ladder_live::{Action, Failure, Pace};
 use serde_json::Value;

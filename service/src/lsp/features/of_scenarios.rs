@@ -4,9 +4,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use ladder_analysis::Cancel;
 use ladder_documents::membership::Membership;
 use ladder_documents::other_files::OtherFiles;
-use ladder_documents::{Cancel, Kind, Revision, address};
+use ladder_documents::{Kind, Revision, address};
 use ladder_ide::{Alone, Scenarios};
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, Suite};

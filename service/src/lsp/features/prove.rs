@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use ladder_documents::{Cancel, Kind, address};
+use ladder_analysis::Cancel;
+use ladder_documents::{Kind, address};
 use ladder_live::{Failure, argument_of};
 use ladder_simulator::scenario;
 use tower_lsp::jsonrpc::{Error, Result};
@@ -74,20 +75,19 @@ fn decide(
         is_open: is_program_open,
         ..
     } = program;
-    let is_wanted = {
+    let cancel = {
         let (shared, cancel) = (shared.clone(), cancel.clone());
         let (file, program) = (scenarios.clone(), program.clone());
-        move || {
-            !cancel.is_cancelled()
-                && (!is_open || shared.companions.shows(&file))
-                && (!is_program_open || shared.documents.shows(&program))
-        }
+        Cancel::when(move || {
+            cancel.is_cancelled()
+                || (is_open && !shared.companions.shows(&file))
+                || (is_program_open && !shared.documents.shows(&program))
+        })
     };
     let files = Files {
         scenarios: &scenarios,
         program: &program,
     };
-    let still = is_wanted.clone();
     let clock = shared.world().clock.clone();
     let found = proof::run(
         &files,
@@ -95,9 +95,9 @@ fn decide(
         &mut simulation,
         asked.name.as_deref(),
         clock,
-        is_wanted,
+        cancel.clone(),
     )?;
-    if !still() {
+    if cancel.is_cancelled() {
         return Err(Given::Overtaken);
     }
     if is_open {

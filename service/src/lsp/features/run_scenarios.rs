@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use ladder_documents::{Cancel, Kind, Revision};
+use ladder_analysis::Cancel;
+use ladder_documents::{Kind, Revision};
 use ladder_live::{Failure, argument_of};
 use ladder_simulator::scenario;
 use tower_lsp::jsonrpc::Result;

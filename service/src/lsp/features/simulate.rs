@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use ladder_documents::{Cancel, Revision};
+use ladder_analysis::Cancel;
+use ladder_documents::Revision;
 use ladder_host::Host;
 use ladder_host::newest::Receiver;
 use ladder_live::messages::{OfSession, Options, Show, Shown, Start, Started, State, Status, Stopped};

@@ -6,7 +6,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use futures::channel::oneshot;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
 
-use ladder_documents::Cancel;
+use ladder_analysis::Cancel;
 use ladder_host::Host;
 
 /// Has a job done where it may take its time. When the handler that awaits it is dropped (the client cancelled the

@@ -157,7 +157,7 @@ impl Moment {
         };
         let parameters = given.iter().enumerate().filter_map(is_parameter).collect();
         let settled = simulation.state();
-        simulation.set_brake(None);
+        simulation.set_cancel(None);
         let mut moment = Moment {
             names: given.iter().map(|(point, _)| point.name.clone()).collect(),
             simulation,

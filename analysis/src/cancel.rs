@@ -1,45 +1,110 @@
-//! Whether anything waits for what is being read or looked for: what takes long is given up when a newer text is there.
+//! Work that takes long is given up once nobody waits for it.
 
-use std::cell::Cell;
+use std::fmt;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// This many networks, tags or declarations are checked between two questions. What an edit usually concerns is less, and is never given up.
 pub const BETWEEN: usize = 256;
 
-/// Asks again and again while something is being read or looked for.
-pub(crate) struct StillWanted<'a> {
-    ask: &'a dyn Fn() -> bool,
-    /// This many more are checked before the next question.
-    left: Cell<usize>,
+/// Whether work that takes long may stop before its end. Clones are one: who cancels one of them cancels all.
+pub struct Cancel {
+    source: Arc<Source>,
+    /// This many more networks, tags or declarations are checked before the next question. Each clone counts for itself.
+    left: AtomicUsize,
 }
 
-impl<'a> StillWanted<'a> {
-    pub(crate) fn new(ask: &'a dyn Fn() -> bool) -> StillWanted<'a> {
-        StillWanted {
-            ask,
-            left: Cell::new(BETWEEN),
+#[derive(Default)]
+struct Source {
+    is_cancelled: AtomicBool,
+    /// What cancels as well, for as long as it says so.
+    condition: Option<Box<dyn Fn() -> bool + Send + Sync>>,
+}
+
+impl Cancel {
+    /// Cancelled while this says so, too: it is asked now and then, from the thread that works.
+    pub fn when(condition: impl Fn() -> bool + Send + Sync + 'static) -> Cancel {
+        Cancel::of(Arc::new(Source {
+            condition: Some(Box::new(condition)),
+            ..Source::default()
+        }))
+    }
+
+    fn of(source: Arc<Source>) -> Cancel {
+        Cancel {
+            source,
+            left: AtomicUsize::new(BETWEEN),
         }
     }
 
-    /// A network, a tag or a declaration is about to be checked; none if nobody wants that any longer.
+    /// Whether the work may stop: its result would go nowhere.
+    pub fn is_cancelled(&self) -> bool {
+        let Source {
+            is_cancelled,
+            condition,
+        } = &*self.source;
+        is_cancelled.load(Ordering::Relaxed) || condition.as_ref().is_some_and(|condition| condition())
+    }
+
+    /// Tells the work to stop.
+    pub fn cancel(&self) {
+        self.source.is_cancelled.store(true, Ordering::Relaxed);
+    }
+
+    /// A guard that cancels when it is dropped: the task that awaits the work holds it.
+    pub fn on_drop(&self) -> CancelOnDrop {
+        CancelOnDrop(self.clone())
+    }
+
+    /// A network, a tag or a declaration is about to be checked; none if that is cancelled. It is asked rarely, for asking takes time.
     pub(crate) fn one_more(&self) -> Option<()> {
-        let left = self.left.get();
+        let left = self.left.load(Ordering::Relaxed);
         if left > 0 {
-            self.left.set(left - 1);
+            self.left.store(left - 1, Ordering::Relaxed);
             return Some(());
         }
-        self.left.set(BETWEEN);
-        (self.ask)().then_some(())
+        self.left.store(BETWEEN, Ordering::Relaxed);
+        (!self.is_cancelled()).then_some(())
+    }
+}
+
+impl Default for Cancel {
+    /// Not cancelled yet.
+    fn default() -> Cancel {
+        Cancel::of(Arc::default())
+    }
+}
+
+impl Clone for Cancel {
+    fn clone(&self) -> Cancel {
+        Cancel::of(self.source.clone())
+    }
+}
+
+impl fmt::Debug for Cancel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Cancel")
+    }
+}
+
+/// See [`Cancel::on_drop`].
+#[derive(Debug)]
+pub struct CancelOnDrop(Cancel);
+
+impl Drop for CancelOnDrop {
+    fn drop(&mut self) {
+        self.0.cancel();
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::BETWEEN;
+    use super::{BETWEEN, Cancel};
     use crate::{AnalyzeOptions, Others, analyze, context};
     use ladder_syntax::parse;
-    use std::cell::Cell;
     use std::fmt::Write as _;
     use std::sync::Arc;
+    use std::sync::atomic::{AtomicUsize, Ordering};
 
     /// All networks read one tag.
     fn program(networks: usize, ty: &str) -> String {
@@ -50,7 +115,15 @@ mod tests {
         text
     }
 
-    /// What is found, and how often it was asked whether that is wanted: so often the answer is yes.
+    /// Cancelled when it has been asked more often, and how often it was.
+    fn after(patience: usize) -> (Cancel, Arc<AtomicUsize>) {
+        let asked = Arc::<AtomicUsize>::default();
+        let counter = asked.clone();
+        let cancel = Cancel::when(move || counter.fetch_add(1, Ordering::Relaxed) >= patience);
+        (cancel, asked)
+    }
+
+    /// What is found, and how often it was asked whether that is cancelled: so often the answer is no.
     fn asked(before: Option<&str>, text: &str, patience: usize) -> (Option<usize>, usize) {
         let read = |text: &str| Arc::new(parse(text));
         let others = Others::default();
@@ -62,16 +135,15 @@ mod tests {
             None => read(text),
         };
         let context = Arc::new(context(&parsed, alone.after(before.as_ref())));
-        let asked = Cell::new(0);
-        let wanted = || {
-            asked.set(asked.get() + 1);
-            asked.get() <= patience
-        };
-        let found = alone.after(before.as_ref()).check_while(context, &wanted);
-        (found.map(|found| found.findings().len()), asked.get())
+        let (cancel, asked) = after(patience);
+        let found = alone.after(before.as_ref()).check_unless(context, &cancel);
+        (
+            found.map(|found| found.findings().len()),
+            asked.load(Ordering::Relaxed),
+        )
     }
 
-    /// Whether the names of a text are joined, and how often it was asked whether that is wanted: so often the answer is yes.
+    /// Whether the names of a text are joined, and how often it was asked whether that is cancelled: so often the answer is no.
     fn joined(before: Option<&str>, text: &str, patience: usize) -> (bool, usize) {
         let others = Others::default();
         let options = AnalyzeOptions::new("main.clad").among(&others);
@@ -80,15 +152,11 @@ mod tests {
             Some(before) => before.parse.updated(&before.parse.to_string(), text),
             None => parse(text),
         });
-        let asked = Cell::new(0);
-        let wanted = || {
-            asked.set(asked.get() + 1);
-            asked.get() <= patience
-        };
+        let (cancel, asked) = after(patience);
         let context = options
             .after_context(before.as_ref())
-            .context_while(&parsed, &wanted);
-        (context.is_some(), asked.get())
+            .context_unless(&parsed, &cancel);
+        (context.is_some(), asked.load(Ordering::Relaxed))
     }
 
     #[test]
