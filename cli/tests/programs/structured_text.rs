@@ -8,8 +8,6 @@ use std::path::Path;
 const UNREAD: &[&str] = &[
     "iec_for",
     "iec_numbers",
-    "lx_for_array",
-    "lx_if_case",
     "lx_tonr",
     "plc_function",
     "scl_bits_loop",

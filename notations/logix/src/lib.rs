@@ -25,6 +25,7 @@ mod repeated;
 mod scope;
 mod sketch;
 mod slc;
+mod structured;
 mod survey;
 mod times;
 mod translate;

@@ -46,7 +46,7 @@ pub(crate) fn sketch(project: &Project, text: &str) -> Reading {
 pub(crate) struct Sketcher<'p> {
     pub(crate) translator: Translator<'p>,
     lines: Lines,
-    text: &'p str,
+    pub(crate) text: &'p str,
     pub(crate) units: &'p [Unit<'p>],
     pub(crate) reading: Reading,
     /// Why the routine that is being read may not go on after an instruction that is not read.

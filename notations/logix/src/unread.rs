@@ -213,6 +213,15 @@ impl Sketcher<'_> {
 
     /// A routine in another language: a block with its text.
     pub(crate) fn foreign(&mut self, number: usize, foreign: &Foreign) -> Vec<Item> {
+        if foreign.language == Language::StructuredText {
+            return match self.structured(number, &foreign.text) {
+                Ok(items) => items,
+                Err(why) => {
+                    let why = format!("{}, and not read: {why}", foreign.language.is());
+                    self.unread_routine(number, &why, &foreign.text)
+                }
+            };
+        }
         self.unread_routine(number, foreign.language.is(), &foreign.text)
     }
 

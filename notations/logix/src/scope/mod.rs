@@ -268,13 +268,37 @@ impl Tags {
         }
     }
 
+    /// The tags that are seen in a scope by their own names, those of the scopes around it first.
+    pub(crate) fn seen(&self, scope: usize) -> Vec<&Symbol> {
+        let mut scopes: Vec<usize> =
+            std::iter::successors(Some(scope), |scope| self.scopes[*scope].parent).collect();
+        scopes.reverse();
+        let entries = scopes
+            .iter()
+            .flat_map(|scope| self.scopes[*scope].entries.values());
+        let symbols = entries.filter_map(|entry| match entry {
+            Entry::Symbol(symbol) => Some(&self.symbols[*symbol]),
+            _ => None,
+        });
+        symbols.filter(|symbol| !symbol.original.is_empty()).collect()
+    }
+
+    /// The names that are taken in a scope.
+    pub(crate) fn names(&self, scope: usize) -> Names {
+        self.scopes[scope]
+            .own_names
+            .as_ref()
+            .unwrap_or(&self.names)
+            .clone()
+    }
+
     /// Declares a tag that the translation needs.
     pub(crate) fn helper(&mut self, scope: usize, like: &str, elem: Elem, comment: &str) -> program::Path {
         let name = self.fresh(scope, like);
         let number = self.symbols.len();
         self.symbols.push(Symbol {
             name: name.clone(),
-            comment: Some(comment.to_owned()),
+            comment: (!comment.is_empty()).then(|| comment.to_owned()),
             ..Symbol::new(scope, "", Ty::Elem(elem))
         });
         let entries = &mut self.scopes[scope].entries;

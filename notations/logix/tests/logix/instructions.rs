@@ -488,7 +488,7 @@ END_CONTROLLER
         .report
         .remarks()
         .map(|entry| format!("{} {}", entry.place, entry.element));
-    expect!["42:20 routine Other"].assert_eq(&remarks.collect::<Vec<_>>().join("\n"));
+    expect!["42:20 x := 1"].assert_eq(&remarks.collect::<Vec<_>>().join("\n"));
 }
 
 #[test]

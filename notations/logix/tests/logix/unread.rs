@@ -268,7 +268,7 @@ fn what_a_message_fetches_is_written() {
 #[test]
 fn routines_in_other_languages() {
     let text = "<Routine Name=\"Calc\" Type=\"ST\">\n<STContent>\n<Line Number=\"0\">\n<![CDATA[IF go THEN // #1]]>\n</Line>\n\
-                <Line Number=\"1\">\n<![CDATA[    speed := 10;]]>\n</Line>\n<Line Number=\"2\">\n<![CDATA[END_IF;]]>\n</Line>\n\
+                <Line Number=\"1\">\n<![CDATA[    speed ?= 10;]]>\n</Line>\n<Line Number=\"2\">\n<![CDATA[END_IF;]]>\n</Line>\n\
                 </STContent>\n</Routine>\n";
     let chart = "<Routine Name=\"Draw\" Type=\"FBD\"><FBDContent SheetSize=\"Letter\"><Sheet Number=\"1\"/></FBDContent></Routine>\n";
     let file = whole(
@@ -306,11 +306,11 @@ fn routines_in_other_languages() {
             # ladder: unread #
             END_FUNCTION_BLOCK
 
-            # routine Calc: it is structured text; it is not run here. #
+            # routine Calc: it is structured text, and not read: line 2 does not parse: `:=` is expected here, not `?`; it is not run here. #
             FUNCTION_BLOCK [$routineCalc]
             # ladder: unread, writes go, speed #
             # IF go THEN // \h1 #
-            #     speed := 10; #
+            #     speed ?= 10; #
             # END_IF; #
             END_FUNCTION_BLOCK
 
@@ -321,7 +321,7 @@ fn routines_in_other_languages() {
             END_FUNCTION_BLOCK
 
             26:10 JSR(Calc,1,speed,speed): Approximated("what the routine `Calc` returns is not read: it is not run, and power passes")
-            31:1 routine Calc: Approximated("it is structured text: it is not run")
+            31:1 routine Calc: Approximated("it is structured text, and not read: line 2 does not parse: `:=` is expected here, not `?`: it is not run")
             44:1 routine Draw: Approximated("it is a function block diagram: it is not run")"#]],
     );
     goes_back(
@@ -353,7 +353,7 @@ fn routines_in_other_languages() {
             <![CDATA[IF go THEN // #1]]>
             </Line>
             <Line Number="1">
-            <![CDATA[    speed := 10;]]>
+            <![CDATA[    speed ?= 10;]]>
             </Line>
             <Line Number="2">
             <![CDATA[END_IF;]]>
@@ -410,7 +410,7 @@ fn add_on_instructions() {
     };
     let before = format!(
         "<AddOnInstructionDefinitions>\n<AddOnInstructionDefinition Name=\"Scale\">\n<Parameters>\n{}{}</Parameters>\n<Routines>\n\
-         <Routine Name=\"Logic\" Type=\"ST\"><STContent><Line Number=\"0\"><![CDATA[Out := In * 2;]]></Line></STContent></Routine>\n\
+         <Routine Name=\"Logic\" Type=\"ST\"><STContent><Line Number=\"0\"><![CDATA[Out ?= In * 2;]]></Line></STContent></Routine>\n\
          </Routines>\n</AddOnInstructionDefinition>\n<EncodedData EncodedType=\"AddOnInstructionDefinition\" Name=\"Secret\">abc</EncodedData>\n\
          </AddOnInstructionDefinitions>\n",
         parameter("In", "Input"),
@@ -452,13 +452,13 @@ fn add_on_instructions() {
             # <EncodedData EncodedType="AddOnInstructionDefinition" Name="Secret">abc</EncodedData> #
             END_FUNCTION_BLOCK
 
-            # routine Logic of Scale: it is structured text; it is not run here. #
+            # routine Logic of Scale: it is structured text, and not read: line 1 does not parse: `:=` is expected here, not `?`; it is not run here. #
             FUNCTION_BLOCK [$routineLogic]
             # ladder: unread, writes In, Out #
-            # Out := In * 2; #
+            # Out ?= In * 2; #
             END_FUNCTION_BLOCK
 
-            11:1 routine Logic of Scale: Approximated("it is structured text: it is not run")
+            11:1 routine Logic of Scale: Approximated("it is structured text, and not read: line 1 does not parse: `:=` is expected here, not `?`: it is not run")
             14:1 Add-On Instruction Secret: Approximated("its source is protected: its calls are not run")
             20:1 tag x: Approximated("its type Secret is not declared in the file; the tag is not there")
             35:10 Secret(x,n,m): Approximated("its source is protected: it is not run, and power passes")"#]],
@@ -575,16 +575,9 @@ fn of_other_files() {
 
             +--<FUN>( Calc )---------------------------------------------------------------+
 
-            +--------------------------------------------------------------[$routineCalc]--+
+            +-----------------------------------------------------------[MOV]( go, TRUE )--+
 
-            # routine Calc: it is structured text; it is not run here. #
-            FUNCTION_BLOCK [$routineCalc]
-            # ladder: unread, writes go #
-            # go := 1; #
-            #   (* \h *) #
-            END_FUNCTION_BLOCK
-
-            7:12 routine Calc: Approximated("it is structured text: it is not run")"#]],
+        "#]],
     );
     shows(
         &Rslogix500,

@@ -47,6 +47,7 @@ pub(super) fn body(
         unit: &unit.name,
         scope: &scope,
         anew: &anew,
+        instructions: None,
         first_origin: reading.places.len() as u32,
     };
     let lines = Lines::of(text);

@@ -27,7 +27,7 @@ impl Dialect {
     /// Whether integers are exact within an expression, and cut to the width of what they are assigned to. Else each
     /// operator computes in the type of its operands.
     pub(super) fn is_exact(self) -> bool {
-        matches!(self, Dialect::Iec | Dialect::Codesys)
+        self != Dialect::Scl
     }
 
     /// Whether a FOR that has ended leaves its variable one step past the end. The standard leaves it open.

@@ -23,13 +23,13 @@ mod uses;
 
 pub use dialect::Dialect;
 use ladder_notation::{Lines, Names, UnreadParts};
-pub use lower::{Anew, Body};
+pub use lower::{Anew, Body, Instructions};
 pub(crate) use program::read;
 pub use scope::{Edge, Enumeration, Known, Parameter, ParameterRole, Scope, Shape, Structure, Type};
 use tree::Problem;
 
 /// A body that is in a file of another notation.
-#[derive(Debug)]
+#[derive(Clone, Copy)]
 pub struct Source<'s> {
     /// Its text; places are bytes of it.
     pub text: &'s str,
@@ -41,6 +41,8 @@ pub struct Source<'s> {
     pub scope: &'s Scope,
     /// What begins anew at each call.
     pub anew: &'s [Anew],
+    /// What makes blocks of the other system's own instructions, where it has any.
+    pub instructions: Option<&'s Instructions<'s>>,
     /// The number of the first origin.
     pub first_origin: u32,
 }
@@ -66,6 +68,7 @@ pub fn read_body(
         unit: source.unit,
         scope: source.scope,
         comments: &comments,
+        instructions: source.instructions,
         first_origin: source.first_origin,
     };
     Ok(lower::lower(&statements, &around, source.anew, names, unread))

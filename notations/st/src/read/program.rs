@@ -317,6 +317,7 @@ impl Reader<'_> {
             unit: &unit.name,
             scope,
             comments: self.comments,
+            instructions: None,
             first_origin: self.reading.places.len() as u32,
         };
         let parts = self.unread.len();

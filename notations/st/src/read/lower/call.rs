@@ -3,7 +3,7 @@
 use super::super::scope::{Edge, ParameterRole, Shape, Type};
 use super::super::tree::{Argument, Call, Direction, Expression as Tree, ExpressionKind, Place, Step};
 use super::value::Value;
-use super::{Lowered, Lowering};
+use super::{Instructions, Lowered, Lowering};
 use ladder_analysis::values::types::Scalar;
 use ladder_format::program::{Block, Declaration, Expression, Operand, Path};
 use ladder_instructions::Shape as Brackets;
@@ -77,6 +77,9 @@ impl Lowering<'_, '_> {
                 return self.function_alone(&Rc::clone(shape), call);
             }
             if self.around.scope.known(&call.callee.root).is_none() {
+                if let Some(instructions) = self.around.instructions {
+                    return self.instruction_of_system(instructions, call);
+                }
                 return Err(super::unread::no_counterpart(&call.callee.root));
             }
         }
@@ -87,6 +90,23 @@ impl Lowering<'_, '_> {
             Type::Block(shape) => self.user_block(&shape, &path, call),
             _ => Err(format!("`{path}` is not a block that can be called")),
         }
+    }
+
+    /// An instruction that the other system has on its rungs, too.
+    fn instruction_of_system(&mut self, instructions: &Instructions<'_>, call: &Call) -> Lowered<()> {
+        let text = self.around.text;
+        let values = call
+            .arguments
+            .iter()
+            .filter_map(|argument| argument.value.as_ref());
+        let operands: Vec<&str> = values.map(|value| text[value.span.clone()].trim()).collect();
+        let name = &call.callee.root;
+        let whole = format!("{name}({})", operands.join(","));
+        let made = instructions(name, &operands, &whole, self.origin)?;
+        for circuit in made {
+            self.network(vec![circuit]);
+        }
+        Ok(())
     }
 
     /// What is called. TIA may name the instruction behind the instance: `#timer.TON(..)`.

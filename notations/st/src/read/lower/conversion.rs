@@ -1,7 +1,8 @@
 //! A value in another type.
 
+use super::super::dialect::Dialect;
 use super::super::scope::Type;
-use super::value::{Value, is_within, wide};
+use super::value::{Range, Value, is_within, wide};
 use super::{Lowered, Lowering};
 use ladder_analysis::values::types::{Scalar, common, passes};
 use ladder_format::program::{Block, Expression, Literal, Operand, Path};
@@ -38,7 +39,8 @@ impl Lowering<'_, '_> {
         let ty = value.scalar().ok_or("such a value cannot be computed here")?;
         let ty = match ty {
             _ if value.is_free || !ty.is_integer() || !self.around.dialect.is_exact() => ty,
-            _ if is_within(value.extent(), ty) => ty,
+            _ if self.holds(value.extent(), ty) => ty,
+            _ if self.around.dialect == Dialect::Logix => Scalar::Dint,
             _ => wide(value.extent()),
         };
         let path = self.temporary(ty);
@@ -48,6 +50,11 @@ impl Lowering<'_, '_> {
             kept.range = value.range;
         }
         Ok(kept)
+    }
+
+    /// Whether nothing is cut that the other system does not cut: Logix computes in DINT.
+    pub(super) fn holds(&self, range: Range, ty: Scalar) -> bool {
+        is_within(range, ty) || self.around.dialect == Dialect::Logix && ty.width() >= 32
     }
 
     /// The value in one tag or literal of a type.
@@ -91,7 +98,7 @@ impl Lowering<'_, '_> {
         let is_exact = self.around.dialect.is_exact();
         if from.is_integer() && to.is_integer() {
             let is_whole = value.is_atom() || !value.is_fixed && (is_exact || from == to);
-            let holds = value.is_atom() || !is_exact || is_within(value.hull, to);
+            let holds = value.is_atom() || !is_exact || self.holds(value.hull, to);
             if passes(from, to) && is_whole && holds {
                 return Ok(Value {
                     ty: Type::Scalar(to),

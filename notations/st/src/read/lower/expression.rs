@@ -218,7 +218,7 @@ impl Lowering<'_, '_> {
         if value.is_atom()
             || value.is_free
             || !self.around.dialect.is_exact()
-            || super::value::is_within(value.extent(), ty)
+            || self.holds(value.extent(), ty)
         {
             return Ok(value);
         }

@@ -29,6 +29,11 @@ pub(super) use place::address;
 use std::collections::{HashMap, HashSet};
 use value::Value;
 
+/// An instruction of the other system that is called like a function: its name, its operands, the whole text and the origin.
+/// It becomes the blocks of networks one after the other.
+pub type Instructions<'i> =
+    dyn Fn(&str, &[&str], &str, Option<u32>) -> Result<Vec<Circuit<Element>>, String> + 'i;
+
 /// Why something is not read: a sentence without its point.
 type Lowered<T> = Result<T, String>;
 
@@ -44,6 +49,7 @@ pub(super) struct Surroundings<'a> {
     pub(super) unit: &'a str,
     pub(super) scope: &'a Scope,
     pub(super) comments: &'a [Comment],
+    pub(super) instructions: Option<&'a Instructions<'a>>,
     /// The origins of the elements begin with this number.
     pub(super) first_origin: u32,
 }
@@ -325,7 +331,8 @@ impl Lowering<'_, '_> {
             if comment.span.start >= before {
                 break;
             }
-            self.comments.push(comment_of(&comment.text));
+            let told = comment_of(&comment.text);
+            self.comments.extend(Some(told).filter(|told| !told.is_empty()));
             self.next_comment += 1;
         }
     }

@@ -75,6 +75,7 @@ fn check(text: &str, dialect: Dialect, expected: &Expect) {
         unit: "Main",
         scope: &scope,
         anew: &[],
+        instructions: None,
         first_origin: 0,
     };
     let mut unread = UnreadParts::default();
