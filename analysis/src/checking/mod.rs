@@ -27,6 +27,7 @@ use crate::networks::NetworkAt;
 use crate::networks::control_flow::ControlFlow;
 use crate::rules::survey::Survey;
 use crate::rules::{self, Checks};
+use comments::Allows;
 use networks::InNetworks;
 
 /// What is found in a text.
@@ -56,7 +57,10 @@ pub(crate) fn find(
     let mut in_networks = InNetworks::check(memo, &checks, context, settings, cancel)?;
     let mut names = Vec::new();
     rules::of_names(context, &mut names);
-    let of_tags = tags::check(&checks, context, any, cancel)?;
+    let mut of_tags = tags::check(&checks, context, any, cancel)?;
+    let mut of_comments = Vec::new();
+    let mut allows = Allows::of(context, &mut of_comments);
+    of_tags.retain(|found| !found.rule.runs_if_allowed() || !allows.hide(found.rule, found.range.start()));
     let mut file = Vec::new();
     checks.file(context, &mut file);
 
@@ -104,7 +108,7 @@ pub(crate) fn find(
     all.append(&mut in_networks.found);
     all.extend(findings(file).chain(findings(tags)).chain(findings(program)));
     all.retain(|found| found.rule.when().holds(known));
-    let (mut shown, hidden_errors) = shown::shown(context, all, known, settings);
+    let (mut shown, hidden_errors) = shown::shown(context, all, known, settings, (allows, of_comments));
     let has_errors = shown.iter().any(|found| found.severity == Severity::Error);
     if let Some(block) = in_networks.unresolved
         && hidden_errors.is_empty()

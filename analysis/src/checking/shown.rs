@@ -17,6 +17,7 @@ pub(super) fn shown(
     mut all: Vec<Finding>,
     known: Known,
     settings: &RuleSettings,
+    (allows, of_comments): (Allows<'_>, Vec<Diagnostic>),
 ) -> (Vec<Finding>, Vec<Diagnostic>) {
     put_in_order(&mut all);
     if !all.is_empty()
@@ -33,7 +34,8 @@ pub(super) fn shown(
     let mut conflicts = Vec::new();
     rules::merge_conflict::check(context, &mut conflicts);
     all.extend(conflicts.into_iter().map(Finding::from));
-    let (mut all, hidden) = as_asked(context, all, known, settings);
+    all.extend(of_comments.into_iter().map(Finding::from));
+    let (mut all, hidden) = as_asked(all, known, settings, allows);
     rules::merge_conflict::hide_all_else(&context.parse, &mut all);
     (all, hidden)
 }
@@ -66,14 +68,11 @@ fn hide_what_is_doubtful(context: &Context, all: &mut Vec<Finding>) {
 /// What is left with the severities that the settings ask for and without what comments switch off; and the errors that are
 /// hidden so.
 fn as_asked(
-    context: &Context,
     mut all: Vec<Finding>,
     known: Known,
     settings: &RuleSettings,
+    mut allows: Allows<'_>,
 ) -> (Vec<Finding>, Vec<Diagnostic>) {
-    let mut wrong = Vec::new();
-    let mut allows = Allows::of(context, &mut wrong);
-    all.extend(wrong.into_iter().map(Finding::from));
     let mut hidden = Vec::new();
     all.retain_mut(|finding| {
         let level = settings.severity_of(finding.rule, finding.severity);

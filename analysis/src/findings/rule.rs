@@ -79,6 +79,8 @@ pub(crate) struct RuleFacts {
     without_effect: bool,
     /// It is about comments that speak to the tools.
     about_directives: bool,
+    /// An error that is none where a comment allows it, see [`RuleFacts::runs_if_allowed`].
+    runs_if_allowed: bool,
 }
 
 impl RuleFacts {
@@ -94,6 +96,7 @@ impl RuleFacts {
             about_types: false,
             without_effect: false,
             about_directives: false,
+            runs_if_allowed: false,
         }
     }
 
@@ -131,6 +134,14 @@ impl RuleFacts {
         }
     }
 
+    /// What it finds has a meaning, which is hardly ever what was meant: where a comment allows it the program runs.
+    pub(crate) const fn runs_if_allowed(self) -> RuleFacts {
+        RuleFacts {
+            runs_if_allowed: true,
+            ..self
+        }
+    }
+
     /// It finds text that has no effect.
     pub(crate) const fn without_effect(self) -> RuleFacts {
         RuleFacts {
@@ -145,6 +156,16 @@ impl Rule {
     /// nor what is found about such comments themselves.
     pub const fn may_be_switched_off(self) -> bool {
         !matches!(self.0.severity, Severity::Error) && !self.0.about_directives
+    }
+
+    /// Whether a comment may: also what is an error only where no comment allows it.
+    pub const fn may_be_allowed(self) -> bool {
+        self.may_be_switched_off() || self.0.runs_if_allowed
+    }
+
+    /// Whether a program runs in which a comment allows what it finds, though that is an error.
+    pub(crate) const fn runs_if_allowed(self) -> bool {
+        self.0.runs_if_allowed
     }
 
     /// The name in kebab case.

@@ -2,5 +2,8 @@
 
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 
-pub(crate) const RULE: Rule =
-    Rule(&RuleFacts::new(RuleGroup::Names, "duplicate-counter", Severity::Error).about_types());
+pub(crate) const RULE: Rule = Rule(
+    &RuleFacts::new(RuleGroup::Names, "duplicate-counter", Severity::Error)
+        .about_types()
+        .runs_if_allowed(),
+);

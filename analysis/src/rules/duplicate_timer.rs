@@ -18,8 +18,11 @@ use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
 use std::collections::hash_map::Entry;
 
-pub(crate) const RULE: Rule =
-    Rule(&RuleFacts::new(RuleGroup::Names, "duplicate-timer", Severity::Error).about_types());
+pub(crate) const RULE: Rule = Rule(
+    &RuleFacts::new(RuleGroup::Names, "duplicate-timer", Severity::Error)
+        .about_types()
+        .runs_if_allowed(),
+);
 
 /// Looks at the blocks of one tag.
 pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
@@ -149,8 +152,10 @@ fn second_block(rule: Rule, name: &str, state: StateType, first: &Use, second: &
         ),
     )
     .help(format!(
-        "give this block {} of its own; to use the {kind} on another rung read `{name}.{output}`",
-        with_article(kind)
+        "give this block {} of its own; to use the {kind} on another rung read `{name}.{output}`; if both are meant to work on it, write \
+         `# ladder: allow({}): reason #` above this network",
+        with_article(kind),
+        rule.name()
     ))
     .related(first.range, format!("the {kind} `{name}` belongs to this block"))
 }

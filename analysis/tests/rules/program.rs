@@ -83,7 +83,7 @@ fn second_block_on_a_timer() {
         expect![[r#"
             > +--[ ]( b )--[TON]( t, T#2s )--( )( y )--+
                                   ^ error[duplicate-timer]: the timer `t` has a second block: both would work on one TON
-                help: give this block a timer of its own; to use the timer on another rung read `t.Q`
+                help: give this block a timer of its own; to use the timer on another rung read `t.Q`; if both are meant to work on it, write `# ladder: allow(duplicate-timer): reason #` above this network
                 at 1:21 `t`: the timer `t` belongs to this block
         "#]],
     );
@@ -92,11 +92,11 @@ fn second_block_on_a_timer() {
         expect![[r#"
             > +--[ ]( b )--[CTU]( c, 5 )--[CTU]( C, 5 )--( )( y )--+
                                   ^ error[duplicate-counter]: the counter `c` has a second block: both would work on one CTU
-                help: give this block a counter of its own; to use the counter on another rung read `c.Q`
+                help: give this block a counter of its own; to use the counter on another rung read `c.Q`; if both are meant to work on it, write `# ladder: allow(duplicate-counter): reason #` above this network
                 at 1:21 `c`: the counter `c` belongs to this block
             > +--[ ]( b )--[CTU]( c, 5 )--[CTU]( C, 5 )--( )( y )--+
                                                  ^ error[duplicate-counter]: the counter `c` has a second block: both would work on one CTU
-                help: give this block a counter of its own; to use the counter on another rung read `c.Q`
+                help: give this block a counter of its own; to use the counter on another rung read `c.Q`; if both are meant to work on it, write `# ladder: allow(duplicate-counter): reason #` above this network
                 at 1:21 `c`: the counter `c` belongs to this block
         "#]],
     );

@@ -262,3 +262,38 @@ fn a_comment_that_hides_what_is_not_looked_for_is_no_finding() {
         ["suppression-unused", "unclosed-block"]
     );
 }
+
+/// Two blocks on one timer have a meaning, so a comment that allows them lets the program run, and a setting does not.
+#[test]
+fn blocks_that_share_a_state_on_purpose() {
+    let text = |first: &str, second: &str| {
+        format!(
+            "{first}+--[ ]( a )--[TON]( t, 5s )--[CTU]( c, 3 )--( )( y )--+\n{second}+--[ ]( b )--[TON]( t, 2s )--[CTU]( c, 2, R := a )--( )( z )--+\n"
+        )
+    };
+    check(
+        &text(
+            "",
+            "# ladder: allow(duplicate-timer, duplicate-counter): one instance #\n",
+        ),
+        &[],
+        expect![[r#""#]],
+    );
+    check(
+        &text("# ladder: allow-file(duplicate-timer): one instance #\n", ""),
+        &[],
+        expect![[r#"
+            3 error duplicate-counter: the counter `c` has a second block: both would work on one CTU <c>
+            does not run
+        "#]],
+    );
+    let rule = |name| ladder_analysis::rules::rule_named(name).expect("a rule");
+    check(
+        &text("", "# ladder: allow(duplicate-counter): one instance #\n"),
+        &[(rule("duplicate-timer"), Level::Shown(Severity::Warning))],
+        expect![[r#"
+            3 warning duplicate-timer: the timer `t` has a second block: both would work on one TON <t>
+            does not run
+        "#]],
+    );
+}

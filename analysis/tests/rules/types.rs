@@ -253,7 +253,7 @@ fn one_timer_one_block() {
         expect![[r#"
             > +--[TON]( Lines[1].delay, 5s )--( )( Q3 )--+
                         ^^^^^ error[duplicate-timer]: the timer `lines[1].delay` has a second block: both would work on one TON
-                help: give this block a timer of its own; to use the timer on another rung read `lines[1].delay.Q`
+                help: give this block a timer of its own; to use the timer on another rung read `lines[1].delay.Q`; if both are meant to work on it, write `# ladder: allow(duplicate-timer): reason #` above this network
                 at 13:11 `lines`: the timer `lines[1].delay` belongs to this block
         "#]],
     );

@@ -9,7 +9,7 @@ use ladder_syntax::{LineKind, TextRange, TextSize};
 
 /// The comments that hide a finding, with a reason to be filled in.
 pub(super) fn offer(context: &Context, found: &Finding, mut give: impl FnMut(Action)) {
-    if !found.rule.may_be_switched_off() {
+    if !found.rule.may_be_allowed() {
         return;
     }
     let name = found.rule.name();
