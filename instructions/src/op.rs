@@ -21,6 +21,7 @@ pub enum Op {
     // §5.2
     Mov,
     Typ,
+    Wrap,
     Add,
     Mul,
     Sub,

@@ -56,6 +56,13 @@ pub const fn origin(op: Op) -> &'static [Origin] {
         Op::Le => &[Iec("LE", FUNCTIONS)],
         Op::Mov => &[Iec("MOVE", FUNCTIONS), Cplc],
         Op::Typ => &[Cplc, Iec("the conversions such as REAL_TO_INT", FUNCTIONS)],
+        Op::Wrap => &[
+            Iec(
+                "conversions of integers, as most controllers make them",
+                FUNCTIONS,
+            ),
+            LOGIX,
+        ],
         Op::Add => &[Iec("ADD", FUNCTIONS), Cplc],
         Op::Mul => &[Iec("MUL", FUNCTIONS), Cplc],
         Op::Sub => &[Iec("SUB", FUNCTIONS), Cplc],

@@ -8,6 +8,7 @@ use crate::networks::network::Formal;
 use crate::program::Access;
 use crate::program::{Argument, BinaryOperator, Bound, Expr, ExprKind, Place, RangeRef};
 use crate::rules::{bad_operand, type_mismatch};
+use crate::values::literal::Literal;
 use crate::values::types::{Scalar, Type, converts};
 use crate::values::value::Value;
 use crate::written::constant::{natural_type, signed_literal};
@@ -102,6 +103,9 @@ impl<'c> Resolver<'c, '_> {
                         _ => Scalar::Lint,
                     });
                     expr.map(Argument::Value)
+                }
+                Accepts::Convertible if row.op == Op::Wrap => {
+                    self.wrapped(&written.value).map(Argument::Value)
                 }
                 Accepts::Convertible => match self.natural(&written.value) {
                     Some(value) => self.convertible(row.op, value, works_in).map(Argument::Value),
@@ -200,6 +204,19 @@ impl<'c> Resolver<'c, '_> {
             && !converts(value.ty, to)
         {
             self.report(type_mismatch::does_not_convert(value.ty, to, value.range));
+            return None;
+        }
+        Some(value)
+    }
+
+    /// A value that `[WRAP]` cuts to the result's type.
+    fn wrapped(&mut self, node: &Node) -> Option<Expr> {
+        if let Some((Ok(Literal::Int(_)), _)) = signed_literal(node) {
+            return self.literal_in(node, Scalar::Lint);
+        }
+        let value = self.natural(node)?;
+        if !value.ty.is_integer() && !value.ty.is_bits() {
+            self.report(type_mismatch::does_not_wrap(value.ty, value.range));
             return None;
         }
         Some(value)

@@ -232,6 +232,15 @@ pub(crate) fn does_not_convert(from: Scalar, to: Scalar, range: TextRange) -> Di
     )
 }
 
+/// `[WRAP]` has a value that has no bits to cut.
+pub(crate) fn does_not_wrap(from: Scalar, range: TextRange) -> Diagnostic {
+    wrong(
+        range,
+        format!("[WRAP] takes an integer or a bit string, this is {from}"),
+    )
+    .help("[TYP] converts any type; a value that does not fit is a fault there")
+}
+
 /// The result's type is none that the instruction gives.
 pub(crate) fn result(ty: Scalar, class: TypeClass, range: TextRange) -> Diagnostic {
     let expected = match class {

@@ -2,7 +2,7 @@
 
 use crate::checks::{Check, Checks, is_within};
 use crate::expression::pass;
-use crate::place::conversion;
+use crate::place::{bits_of, conversion};
 use crate::project::Result;
 use crate::term::{Binding, Term};
 use crate::unit::Unit;
@@ -13,6 +13,32 @@ use ladder_analysis::values::types::{Scalar, passes};
 const MOST_MILLISECONDS: i64 = i64::MAX / 1_000_000;
 
 impl Unit<'_, '_> {
+    /// `[WRAP]`: bit strings are cut and extended by zeros there, integers extended by their sign.
+    pub(crate) fn wrapped(&mut self, to: Scalar, operand: &Expr, checks: &mut Checks) -> Result<Term> {
+        let mut value = self.settled(operand, checks)?;
+        let mut from = operand.ty;
+        let mut convert = |to: Scalar| {
+            if from != to {
+                value = Term::call(&conversion(from, to), &[&value]);
+                from = to;
+            }
+        };
+        if operand.ty.is_signed() && operand.ty.width() < to.width() {
+            convert(match to.width() {
+                16 => Scalar::Int,
+                32 => Scalar::Dint,
+                _ => Scalar::Lint,
+            });
+            convert(bits_of(to));
+        }
+        if operand.ty.width() >= to.width() || !operand.ty.is_signed() {
+            convert(bits_of(operand.ty));
+        }
+        convert(bits_of(to));
+        convert(to);
+        Ok(value)
+    }
+
     pub(crate) fn converted(&mut self, to: Scalar, operand: &Expr, checks: &mut Checks) -> Result<Term> {
         let from = operand.ty;
         let value = self.settled(operand, checks)?;

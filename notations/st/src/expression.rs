@@ -83,6 +83,7 @@ impl Unit<'_, '_> {
         match op {
             Op::Mov | Op::Calc => self.value(all[0], checks),
             Op::Typ => self.converted(ty, all[0], checks),
+            Op::Wrap => self.wrapped(ty, all[0], checks),
             Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Mod | Op::Exp | Op::Min | Op::Max => {
                 self.arithmetic(op, ty, all, checks)
             }

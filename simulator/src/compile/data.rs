@@ -133,6 +133,10 @@ impl Compiler<'_> {
                 let value = self.expression(operands[0])?;
                 return Ok(self.convert_to(ty, operands[0].ty, value));
             }
+            Op::Wrap => {
+                let value = self.word(operands[0])?;
+                Slot::Word(self.convert(Conversion::Wrap(Width::of(ty)), value))
+            }
             Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Mod | Op::Exp | Op::Min | Op::Max => {
                 Slot::Word(self.arithmetic(op, ty, operands)?)
             }

@@ -42,6 +42,7 @@ impl Compiler<'_> {
             }
             Op::Mov
             | Op::Typ
+            | Op::Wrap
             | Op::Add
             | Op::Mul
             | Op::Sub

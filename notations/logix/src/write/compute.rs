@@ -38,7 +38,10 @@ impl Writer<'_> {
                 off.push(it("MOV", &["0", &to]));
                 Ok(branch(vec![on, off]))
             }
-            (Op::Mov | Op::Typ, [value]) => {
+            (Op::Wrap, [value]) if !(ty.is_signed() && value.ty.is_signed()) => {
+                Err("there integers have a sign".to_owned())
+            }
+            (Op::Mov | Op::Typ | Op::Wrap, [value]) => {
                 // A time is a number of milliseconds, there as in a conversion here.
                 let is_between = |ty: Scalar| ty.is_number() || ty.is_bits() || ty == Scalar::Time;
                 if op == Op::Typ && !(is_between(ty) && is_between(value.ty)) && !ty.is_string() {

@@ -93,6 +93,19 @@ fn operands(dice: &mut Dice, scope: &mut Scope, row: &'static Instruction) -> Ve
             let from = dice.of(&sources);
             return vec![place(dice, scope, to), read_exactly(dice, scope, from)];
         }
+        Op::Wrap => {
+            let mut integer = || {
+                dice.of(&[
+                    Scalar::Sint,
+                    Scalar::Uint,
+                    Scalar::Dint,
+                    Scalar::Word,
+                    Scalar::Lint,
+                ])
+            };
+            let (to, from) = (integer(), integer());
+            return vec![place(dice, scope, to), read_exactly(dice, scope, from)];
+        }
         Op::Persist => {
             let ty = dice.of(&SCALARS);
             return vec![scope.scalar(dice, ty, true)];
