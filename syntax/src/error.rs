@@ -53,7 +53,7 @@ pub enum SyntaxErrorKind {
     },
     /// A string without its closing quote.
     UnclosedString,
-    /// The name of a user-defined block that is not a letter, then letters and digits, as in `$my_block`.
+    /// The name of a user-defined block that is not a letter, then letters, digits and single `_`, as in `$block_`.
     BadBlockName,
     /// No value where an operand or a part of an expression must be. The range is that of the next token, or
     /// empty at the end of a line.

@@ -60,7 +60,7 @@ pub use line::{LineKind, Mode, ReadLine};
 pub use line_index::{LineColumn, LineIndex, line_around};
 pub use line_tree::{Line, LineTree, Trees};
 pub use lines::{LineList, LineReader, Lines, read_lines};
-pub use name::{Name, is_identifier, is_reserved};
+pub use name::{Name, is_block_name, is_identifier, is_reserved};
 pub use parse::{MAX_FILE_BYTES, MAX_OPEN_BYTES, MAX_OPEN_LINES, Parse, parse, tree};
 pub use part::Part;
 pub use structure::{BlockDefinition, Frame, Item, Network, Section, Structure};

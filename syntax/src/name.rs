@@ -105,6 +105,12 @@ pub fn is_identifier(text: &str) -> bool {
     crate::lexer::identifier_end(text, 0) == Some(text.len()) && !text.is_empty()
 }
 
+/// Whether a text is the name of a user-defined block, without its `$`: a letter, letters, digits and `_`, which is neither last nor
+/// twice in a row.
+pub fn is_block_name(text: &str) -> bool {
+    is_identifier(text) && !text.starts_with('_') && !text.ends_with('_') && !text.contains("__")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

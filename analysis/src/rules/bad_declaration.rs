@@ -24,7 +24,7 @@ pub(crate) fn block_name(header: bool, text: &str, range: TextRange) -> Diagnost
         super::unexpected_character::RULE
     };
     Diagnostic::new(rule, range, format!("`{text}` is not a name for a block"))
-        .help("a block's name is a `$` and a letter, then letters and digits: $Debounce2")
+        .help("a block's name is a `$` and a letter, then letters, digits and `_`, which is not last and not twice in a row: $FB_Ramp")
 }
 
 /// A word where a declaration should be that was probably meant to begin or end something.

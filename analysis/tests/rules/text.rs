@@ -256,11 +256,11 @@ fn stray_characters() {
         "#]],
     );
     check(
-        "+--[$my_block]( a )--( )( y )--+\n",
+        "+--[$my__block]( a )--( )( y )--+\n",
         expect![[r#"
-            > +--[$my_block]( a )--( )( y )--+
-                  ^^^^^^^^^ error[unexpected-character]: `$my_block` is not a name for a block
-                help: a block's name is a `$` and a letter, then letters and digits: $Debounce2
+            > +--[$my__block]( a )--( )( y )--+
+                  ^^^^^^^^^^ error[unexpected-character]: `$my__block` is not a name for a block
+                help: a block's name is a `$` and a letter, then letters, digits and `_`, which is not last and not twice in a row: $FB_Ramp
         "#]],
     );
     // The comment of a commented-out timer ends at the # of its literal.

@@ -3,7 +3,7 @@
 use super::expression::List;
 use super::{Expression, Literal, Path};
 use ladder_instructions::{Direction, Instruction, Op, Shape, by_op, lookup};
-use ladder_syntax::is_identifier;
+use ladder_syntax::is_block_name;
 use std::fmt::{self, Display, Formatter};
 
 /// A block on a rung. What the table of instructions does not allow cannot be made.
@@ -134,7 +134,7 @@ impl Block {
         operands: impl IntoIterator<Item = O>,
     ) -> Result<Block, Invalid> {
         let name = name.into();
-        if !is_identifier(&name) || name.starts_with('_') {
+        if !is_block_name(&name) {
             return Err(Invalid(format!(
                 "`{name}` is not a name that a block can have here"
             )));

@@ -20,7 +20,7 @@ pub(super) fn checked(context: &Context, symbol: &Symbol, new: &str) -> Result<S
         let header = parse(&format!("FUNCTION_BLOCK [{name}]\nEND_FUNCTION_BLOCK\n"));
         if new.contains(['\n', '\r', '#']) || !header.errors().is_empty() {
             return Err(RenameRefused(format!(
-                "`{new}` cannot name a block: write `$`, a letter, then letters and digits"
+                "`{new}` cannot name a block: write `$`, a letter, then letters, digits and `_` (not last, not two together)"
             )));
         }
         return Ok(name);

@@ -8,6 +8,7 @@ use crate::builder::Builder;
 use crate::error::{Many, OperandPlace, Surroundings, SyntaxErrorKind};
 use crate::kind::SyntaxKind;
 use crate::lexer;
+use crate::name::is_block_name;
 use std::ops::Range;
 
 /// The block that begins with the bracket `open`.
@@ -161,9 +162,9 @@ fn junk<B: Builder>(p: &mut Parser<'_, '_, B>, from: usize, to: usize) {
     p.unexpected(Surroundings::Head, from, to);
 }
 
-/// The name of a user-defined block is `$`, a letter, then letters and digits.
+/// Checks the name of a user-defined block, which begins with its `$`.
 fn block_name<B: Builder>(p: &mut Parser<'_, '_, B>, start: usize, end: usize) {
-    if p.text[start..end].contains('_') {
+    if !is_block_name(&p.text[start + 1..end]) {
         p.error(SyntaxErrorKind::BadBlockName, start, end);
     }
 }

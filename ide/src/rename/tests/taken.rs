@@ -146,7 +146,7 @@ fn names_that_are_refused() {
     let block = block.replace("raw$0", "raw").replace("[$B]", "[$$0B]");
     check(
         &block,
-        "$B_1",
+        "$B_1_",
         expect![[r#"
         refused: `$B_1` cannot name a block: write `$`, a letter, then letters and digits
     "#]],
