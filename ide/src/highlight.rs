@@ -93,30 +93,27 @@ fn rails(context: &Context, network: usize) -> Vec<TextRange> {
     rails
 }
 
-/// A `<FOR>` and the next `<NEXT>` after it in the same body (LANGUAGE §5.5).
+/// A `<FOR>` and its `<NEXT>` (LANGUAGE §5.5).
 fn loops(context: &Context, op: Op, at: TextRange) -> Vec<Highlight> {
-    let blocks = context
+    let Some(mine) = context
         .networks
         .iter()
-        .zip(context.bodies.iter())
-        .flat_map(|(network, body)| {
-            let blocks = network.blocks();
-            blocks.map(move |block| (*body, block.op(), block.head_range()))
-        });
-    let blocks: Vec<_> = blocks
-        .filter(|(_, op, _)| matches!(op, Some(Op::For | Op::Next)))
-        .collect();
-    let Some(mine) = blocks.iter().position(|(_, _, range)| *range == at) else {
+        .find(|network| network.range.contains_range(at))
+    else {
         return Vec::new();
     };
-    let same_body = |other: &&(_, Option<Op>, TextRange)| other.0 == blocks[mine].0;
-    let partner = if op == Op::For {
-        blocks[mine + 1..].iter().find(same_body)
-    } else {
-        blocks[..mine].iter().rev().find(same_body)
+    let find = |network: usize, op: Op| {
+        let mut blocks = context.networks.at(network).blocks();
+        blocks
+            .find(|block| block.op() == Some(op))
+            .map(|block| block.head_range())
     };
-    let partner = partner.filter(|(_, found, _)| *found != Some(op));
-    let mut ranges: Vec<TextRange> = partner.map(|(_, _, range)| *range).into_iter().collect();
+    let partner = context.loops().into_iter().find_map(|(first, last)| match op {
+        Op::For => (first == mine.index).then(|| find(last, Op::Next))?,
+        _ => (last == mine.index).then(|| find(first, Op::For))?,
+    });
+    let partner = partner.filter(|_| find(mine.index, op) == Some(at));
+    let mut ranges: Vec<TextRange> = partner.into_iter().collect();
     ranges.push(at);
     ranges.sort_by_key(|range| range.start());
     let mentioned = |range| Highlight {

@@ -7,10 +7,12 @@ use crate::names::named_types::NamedTypes;
 use crate::names::problem::NameProblem;
 use crate::names::scope::{Entry, Origin, Scope, TagFacts};
 use crate::names::unread_uses::UnreadUses;
+use crate::networks::control_flow::ControlFlow;
 use crate::networks::network::BoundBlock;
 use crate::networks::use_place::Use;
 use crate::networks::{NetworkAt, Networks};
 use crate::other_files::others::Others;
+use crate::program::{LoopEnds, loops};
 use crate::written::import::Import;
 use crate::written::user_block::UserBlockFacts;
 use ladder_instructions::Profile;
@@ -243,6 +245,23 @@ impl Context {
     pub(crate) fn first_at_address(&self, (scope, tag): Entry) -> Entry {
         let all = self.at_address.all(&self.scopes[scope].tags[tag]);
         all.first().copied().unwrap_or((scope, tag))
+    }
+
+    /// The loops: the network of each `<FOR>` with that of its `<NEXT>`, see [`loops`].
+    pub fn loops(&self) -> Vec<(usize, usize)> {
+        let mut of_bodies: FxHashMap<Body, Vec<LoopEnds>> = FxHashMap::default();
+        for network in &self.networks {
+            let ends = LoopEnds {
+                network: network.index,
+                begins: network.control_flow.has(ControlFlow::FOR),
+                ends: network.control_flow.has(ControlFlow::NEXT),
+            };
+            if ends.begins || ends.ends {
+                let body = self.bodies[network.index];
+                of_bodies.entry(body).or_default().push(ends);
+            }
+        }
+        of_bodies.into_values().flat_map(loops).collect()
     }
 
     /// The network that a jump from `network` to a label goes to: the nearest after it, else the nearest

@@ -5,6 +5,7 @@
 //! are in their order of evaluation (LANGUAGE §6).
 
 mod access;
+mod loops;
 mod operand;
 mod system_tag;
 mod unread;
@@ -14,6 +15,7 @@ use crate::values::value::Value;
 pub use access::Access;
 use ladder_instructions::{Instruction, Operand, Profile, Semantics, Shape};
 use ladder_syntax::{Name, TextRange};
+pub use loops::{DEEPEST_LOOP, LoopEnds, loops};
 pub use operand::{
     Argument, BinaryOperator, Chosen, Expr, ExprKind, Member, Place, RangeRef, Row, Subscript, UnaryOperator,
 };

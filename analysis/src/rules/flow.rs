@@ -7,7 +7,7 @@ use crate::findings::diagnostic::Diagnostic;
 use crate::names::context::{Body, Context};
 use crate::networks::BlockAt;
 use crate::networks::control_flow::ControlFlow;
-use crate::program::Step;
+use crate::program::{LoopEnds, Step, loops};
 use ladder_instructions::Op;
 use ladder_syntax::Name;
 use smallvec::SmallVec;
@@ -126,15 +126,16 @@ impl<'c> Flow<'c> {
             .block(exit.block)
     }
 
-    /// For each network the first one after it that holds a `<NEXT>`.
+    /// For each network with a `<FOR>` the one with its `<NEXT>`.
     fn loop_ends(&self) -> Vec<Option<usize>> {
         let mut ends = vec![None; self.networks.len()];
-        let mut end = None;
-        for (at, &network) in self.networks.iter().enumerate().rev() {
-            ends[at] = end;
-            if self.survey.control_flow(network).has(ControlFlow::NEXT) {
-                end = Some(at);
-            }
+        let of = |(at, &network): (usize, &usize)| LoopEnds {
+            network: at,
+            begins: self.survey.control_flow(network).has(ControlFlow::FOR),
+            ends: self.survey.control_flow(network).has(ControlFlow::NEXT),
+        };
+        for (first, last) in loops(self.networks.iter().enumerate().map(of)) {
+            ends[first] = Some(last);
         }
         ends
     }

@@ -139,16 +139,39 @@ fn loops() {
             help: begin the loop with <FOR>( n ) on a network before it, or remove it
     "#]],
     );
+    let nested = |count: usize| {
+        let begin = "+--<FOR>( 3 )--+\n\n".repeat(count);
+        let end = "\n+--<NEXT>--+\n".repeat(count);
+        format!("{begin}+--[ADD]( n, n, 1 )--+\n{end}")
+    };
+    clean(&nested(8));
     check(
-        "+--<FOR>( 3 )--+\n\n+--<FOR>( 2 )--[ADD]( n, n, 1 )--+\n\n+--<NEXT>--+\n\n+--<NEXT>--+\n",
+        &nested(9),
         expect![[r#"
-            > +--<FOR>( 2 )--[ADD]( n, n, 1 )--+
-                 ^^^^^^^^^^ error[unbalanced-loop]: a loop cannot be in another loop
+        > +--<FOR>( 3 )--+
+             ^^^^^^^^^^ error[unbalanced-loop]: this loop is in 8 others: no more can be in each other
+            help: end an outer loop with <NEXT> first; or put the inner loop into a function and <CALL> it
+            at 1:4 `<FOR>( 3 )`: this is the outermost of them
+    "#]],
+    );
+    check(
+        &format!("# ladder: profile click #\n{}", nested(2)),
+        expect![[r#"
+            > +--<FOR>( 3 )--+
+                 ^^^^^^^^^^ error[unbalanced-loop]: in the profile `click` a loop cannot be in another loop
                 help: end the first loop with <NEXT>; or put the inner loop into a function and <CALL> it
-                at 1:4 `<FOR>( 3 )`: this loop has not ended
-            > +--<NEXT>--+
-                 ^^^^^^ error[unbalanced-loop]: this <NEXT> ends no loop
-                help: begin the loop with <FOR>( n ) on a network before it, or remove it
+                at 2:4 `<FOR>( 3 )`: this loop has not ended
+        "#]],
+    );
+    check(
+        "+--<FOR>( 3 )--<FOR>( 2 )--[ADD]( n, n, 1 )--+\n\n+--<NEXT>--<NEXT>--+\n",
+        expect![[r#"
+            > +--<FOR>( 3 )--<FOR>( 2 )--[ADD]( n, n, 1 )--+
+                             ^^^^^^^^^^ error[unbalanced-loop]: this is the second <FOR> of its network
+                help: a network begins one loop and ends one: put it onto a network of its own
+            > +--<NEXT>--<NEXT>--+
+                         ^^^^^^ error[unbalanced-loop]: this is the second <NEXT> of its network
+                help: a network begins one loop and ends one: put it onto a network of its own
         "#]],
     );
     check(

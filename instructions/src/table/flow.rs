@@ -203,13 +203,14 @@ END_VAR
             )
             .named(),
         ],
-        doc: "Runs the networks after it n times, up to the one that holds the next `<NEXT>`.
+        doc: "Runs the networks after it n times, up to the one that holds its `<NEXT>`.
 
 - Its own network is finished first. Then come the networks after it, the one with `<NEXT>` included.
 - n is read once. With EN low, or n of 0 or less, the networks are skipped.
 - `I` receives the number of the turn, from 1, before each turn; a loop that is skipped leaves it alone.
-- A jump out of the loop, a jump right of `<FOR>` in its own network, or a `<RET>` ends it. Loops do not
-  nest, but a function that is called from one may hold its own.
+- A jump out of the loop, a jump right of `<FOR>` in its own network, or a `<RET>` ends it.
+- Loops nest, eight deep: `<FOR>` and `<NEXT>` pair as brackets do. A jump ends every loop that it leaves. A
+  function that is called counts anew. In the profile `click` loops do not nest.
 - All turns happen within one scan and see the same clock. An edge is a difference from the turn before. The
   watchdog stops a loop that is too long.",
         example: "VAR
@@ -230,8 +231,8 @@ END_VAR
         title: "End of a loop",
         doc: "Ends the networks that the `<FOR>` before it repeats.
 
-Its own power does not matter, and its whole network belongs to the loop. Reached without a loop, as after a
-jump to after the `<FOR>`, it does nothing.",
+Its own power does not matter, and its whole network belongs to the loop. Reached while its own loop does not
+run, as after a jump to after the `<FOR>`, it does nothing, also inside another loop.",
         example: "VAR
     x : DINT;
 END_VAR

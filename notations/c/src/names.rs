@@ -85,7 +85,7 @@ fn derived(library: &str) -> [String; 7] {
 }
 
 /// The words around the runtime.
-const AROUND: &str = "main state self now then bytes value bits at n b w s o frame_of back rail body after left turn noted note \
+const AROUND: &str = "main state self now then bytes value bits at n b w s o frame_of back rail body after left turn noted note loops loop \
     fault line faults fault_line faulted operands text_at text_room first_words first_bits take_inputs show_inputs put_outputs \
     put_word take_word done stopped depth frame held turns exact in out ended scans began user receive send analog pulse length \
     chars none channel duty frequency byte";

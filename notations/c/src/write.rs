@@ -1,6 +1,6 @@
 //! From a program to its two files.
 
-use crate::code::{self, Body};
+use crate::code::{self, Body, nesting};
 use crate::interface::{self, Field, Interface};
 use crate::pieces::PIECES;
 use crate::{data, header, names, retained};
@@ -136,8 +136,15 @@ fn source(p: &str, header: &str, interface: &Interface, compiled: &Compiled, bod
     ));
     out.push_str(&runtime);
     if body.says("frame") {
-        out.push_str(
-            "/* What a call, or the body of a block, has of its own. */\ntypedef struct { uint32_t back; bool rail; uint32_t body, after; int64_t left, turn, noted; } frame_of;\n\n",
+        let loops = match nesting(&compiled.code) {
+            0 => String::new(),
+            most => format!(
+                " uint32_t loops; struct {{ uint32_t body, after; int64_t left, turn; }} loop[{most}];"
+            ),
+        };
+        let _ = write!(
+            out,
+            "/* What a call, or the body of a block, has of its own. */\ntypedef struct {{ uint32_t back; bool rail; int64_t noted;{loops} }} frame_of;\n\n",
         );
     }
     if body.says("note(") || body.says("goto stopped") {

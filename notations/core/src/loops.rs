@@ -145,6 +145,7 @@ fn loops(context: &Context, networks: &[(&Network, usize)]) -> Vec<Loop> {
         .map(|block| (block.location.range.start(), block))
         .collect();
     let marks = marks(context);
+    let pairs = context.loops();
     let mut names = Fresh::of(context, "loop_");
     let mut loops = Vec::new();
     for (at, (first, begin)) in begins.iter().enumerate() {
@@ -160,15 +161,13 @@ fn loops(context: &Context, networks: &[(&Network, usize)]) -> Vec<Loop> {
                 .blocks()
                 .find(|block| head(*block) == op)
         };
-        let of_body = |index: &usize| context.bodies[*index] == body;
-        let mut after = (first + 1..context.networks.len()).take_while(of_body);
-        let Some((last, next)) = after.find_map(|index| Some((index, has(index, "<NEXT>")?))) else {
+        let pair = pairs.iter().find(|(of, _)| *of == first);
+        let Some((last, next)) = pair.and_then(|(_, last)| Some((*last, has(*last, "<NEXT>")?))) else {
             continue;
         };
         let own: Vec<&Mark> = (marks.iter().filter(|mark| context.bodies[mark.network] == body)).collect();
         let is_ruled = own.iter().any(|mark| mark.head == "<MCR>");
-        let nests = begins.get(at + 1).is_some_and(|(other, _)| *other <= last);
-        if is_ruled || nests || has(first, "<LBL>").is_some() || is_entered(&own, first + 1..=last) {
+        if is_ruled || has(first, "<LBL>").is_some() || is_entered(&own, first + 1..=last) {
             continue;
         }
         let Some(ty) = by_start

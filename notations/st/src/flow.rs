@@ -24,12 +24,29 @@ pub(crate) struct Flow {
 }
 
 impl Flow {
+    /// The loops around a network, the outermost first: the networks of FOR and NEXT.
+    fn loops_around(&self, network: usize) -> impl Iterator<Item = (usize, usize)> {
+        let around = self.loops.iter().map(|(first, (last, _))| (*first, *last));
+        around.filter(move |(first, last)| *first < network && network <= *last)
+    }
+
+    /// The innermost of them.
     fn loop_around(&self, network: usize) -> Option<(usize, usize)> {
-        let around = self
-            .loops
-            .iter()
-            .find(|(first, (last, _))| **first < network && network <= *last);
-        around.map(|(first, (last, _))| (*first, *last))
+        self.loops_around(network).last()
+    }
+
+    /// The variables of the jumps that leave the loop which ends with a network, and the one around that.
+    fn leaving(&self, last: usize) -> Vec<String> {
+        let Some((first, outer)) = (self.loops.iter())
+            .find(|(_, (at, _))| *at == last)
+            .and_then(|(first, _)| Some((*first, self.loop_around(*first)?.1)))
+        else {
+            return Vec::new();
+        };
+        let jumps = self.jumps.iter().filter(|(target, (_, sources))| {
+            **target > outer && sources.iter().any(|source| (first + 1..=last).contains(source))
+        });
+        jumps.map(|(_, (flag, _))| flag.clone()).collect()
     }
 }
 
@@ -86,6 +103,11 @@ impl Unit<'_, '_> {
             if closes {
                 self.unguard(&mut guards);
                 self.close("END_WHILE;");
+                for flag in flow.leaving(index) {
+                    self.open(format!("IF {flag} THEN"));
+                    self.line("EXIT;");
+                    self.close("END_IF;");
+                }
             }
             if let Some((_, turns)) = flow.loops.get(&index).cloned() {
                 self.unguard(&mut guards);
@@ -119,10 +141,8 @@ impl Unit<'_, '_> {
                 continue;
             };
             // What leaves a loop is FALSE before that, whose body may not be run.
-            let at = match flow.loop_around(*first) {
-                Some((loop_at, last)) if *target > last => loop_at,
-                _ => *first,
-            };
+            let mut left = flow.loops_around(*first).filter(|(_, last)| target > last);
+            let at = left.next().map_or(*first, |(outermost, _)| outermost);
             if at == index {
                 begins.push(format!("{flag} := FALSE;"));
             }
@@ -139,24 +159,9 @@ impl Unit<'_, '_> {
     fn flow(&mut self, networks: Range<usize>) -> Result<Flow> {
         let program = self.project.source.program;
         let mut flow = Flow::default();
-        for index in networks.clone() {
-            for block in &program.networks[index].blocks {
-                self.here = block.location;
-                if is(block, Op::For) {
-                    let mut after = index + 1..networks.end;
-                    let holds_next = |at: &usize| {
-                        program.networks[*at]
-                            .blocks
-                            .iter()
-                            .any(|block| is(block, Op::Next))
-                    };
-                    let Some(last) = after.find(holds_next) else {
-                        return self.stop("a FOR without a NEXT");
-                    };
-                    let turns = self.numbered("turns", "DINT");
-                    flow.loops.insert(index, (last, turns));
-                }
-            }
+        for (first, last) in program.loops(networks.clone()) {
+            let turns = self.numbered("turns", "DINT");
+            flow.loops.insert(first, (last, turns));
         }
         for index in networks {
             for block in program.networks[index]
@@ -172,8 +177,8 @@ impl Unit<'_, '_> {
                 if target <= index {
                     return self.stop("a jump back, which Structured Text has no word for: use a loop");
                 }
-                let around = |at: usize| flow.loop_around(at);
-                if around(target).is_some() && around(target) != around(index) {
+                let enters = |(first, last): (usize, usize)| index <= first || index > last;
+                if flow.loop_around(target).is_some_and(enters) {
                     return self.stop("a jump into a loop, which Structured Text has no word for");
                 }
                 let label = match block.arguments.first() {

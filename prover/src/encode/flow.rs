@@ -133,10 +133,10 @@ impl Scan<'_, '_> {
                     self.leave(taken, u32::MAX);
                 }
                 Instr::Call { en, to, .. } => self.call(en, to, pc - 1),
-                Instr::For { .. } | Instr::Enter { .. } | Instr::Again if self.is_alone() => {
+                Instr::For { .. } | Instr::Enter { .. } | Instr::Again { .. } if self.is_alone() => {
                     self.block("it begins or ends a loop", pc - 1);
                 }
-                Instr::Again => return Some(pc - 1),
+                Instr::Again { .. } => return Some(pc - 1),
                 Instr::For { en, turns } => {
                     self.frame.noted = (self.taken(en), self.word(turns));
                 }

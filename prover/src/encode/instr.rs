@@ -423,7 +423,7 @@ impl Scan<'_, '_> {
             | I::For { .. }
             | I::Enter { .. }
             | I::Turn { .. }
-            | I::Again
+            | I::Again { .. }
             | I::Mcr { .. }
             | I::EnterBody
             | I::LeaveBody => {}

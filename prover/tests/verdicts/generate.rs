@@ -383,7 +383,8 @@ END_VAR
     fn computing(&mut self) -> String {
         let (a, b) = (self.integer(), self.integer());
         let to = self.dice.of(&["n0", "n0", "list[k]", "k"]);
-        match self.dice.below(7) {
+        match self.dice.below(8) {
+            6 => format!("[WRAP]( {}, {a} )", self.dice.of(&["n1", "y3", "n0"])),
             0 => format!("[MOV]( {to}, {a} )"),
             1 => format!("[ADD]( {to}, {to}, 1 )"),
             2 => format!("[SUB]( n1, {a}, {b} )"),
@@ -406,17 +407,39 @@ END_VAR
                 let kind = self.dice.of(&["TON", "TOF", "TP", "RTO"]);
                 self.declare("VAR", format!("t{number} : {kind};"));
                 let preset = self.dice.of(&["T#30ms", "T#10ms", "T#50ms"]);
+                if self.dice.one_in(3) {
+                    let second = self.conditions();
+                    return format!(
+                        "+--{conditions}[{kind}]( t{number}, {preset} )--{coil}--+
+# ladder: allow(duplicate-timer): one instance #
++--{second}[{kind}]( t{number}, T#20ms )--( )( m1 )--+\n"
+                    );
+                }
                 format!("+--{conditions}[{kind}]( t{number}, {preset} )--{coil}--+\n")
             }
             8 => {
                 let kind = self.dice.of(&["CTU", "CTD", "CTC"]);
                 self.declare("VAR", format!("c{number} : {kind};"));
                 let (preset, reset) = (self.dice.of(&["1", "2", "3"]), self.bool());
+                if self.dice.one_in(3) {
+                    let second = self.conditions();
+                    return format!(
+                        "+--{conditions}[{kind}]( c{number}, {preset}, R := {reset} )--{coil}--+
+# ladder: allow(duplicate-counter): one instance #
++--{second}[{kind}]( c{number}, 3 )--( )( m1 )--+\n"
+                    );
+                }
                 format!("+--{conditions}[{kind}]( c{number}, {preset}, R := {reset} )--{coil}--+\n")
             }
             9 => {
                 let (one, two) = (self.computing(), self.computing());
                 let turns = self.dice.of(&["2", "3", "n0"]);
+                if self.dice.one_in(3) && !self.case.head.contains("profile click") {
+                    let (inner, out) = (self.dice.of(&["1", "2", "n0"]), self.condition());
+                    return format!(
+                        "+--{conditions}<FOR>( {turns}, I := k )--+\n+--{one}--<FOR>( {inner} )--+\n+--{two}--+\n+--{out}--<JMP>( out_{number} )--+\n+--<NEXT>--+\n+--<NEXT>--+\n+--<LBL>( out_{number} )--{coil}--+\n"
+                    );
+                }
                 format!(
                     "+--{conditions}<FOR>( {turns}, I := k )--+\n+--{one}--+\n+--{two}--+\n+--<NEXT>--+\n"
                 )

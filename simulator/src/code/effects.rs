@@ -27,7 +27,7 @@ impl Instr {
     pub fn for_each_target_mut(&mut self, mut target: impl FnMut(&mut u32)) {
         match self {
             Instr::Powered { end, .. } => target(end),
-            Instr::Jump { to, .. } | Instr::Call { to, .. } => target(to),
+            Instr::Jump { to, .. } | Instr::Call { to, .. } | Instr::Again { body: to } => target(to),
             Instr::Enter { body, after } => {
                 target(body);
                 target(after);

@@ -442,8 +442,10 @@ pub enum Instr {
         to: Word,
         width: Width,
     },
-    /// The end of the network of a `<NEXT>`.
-    Again,
+    /// The end of the network of a `<NEXT>`: of the loop with this body, if that is the one that runs.
+    Again {
+        body: u32,
+    },
     /// `<MCR>`
     Mcr {
         en: Bit,

@@ -125,7 +125,7 @@ impl Instr {
             | I::Left { .. }
             | I::Finish
             | I::Enter { .. }
-            | I::Again
+            | I::Again { .. }
             | I::EnterBody
             | I::LeaveBody => {}
         }

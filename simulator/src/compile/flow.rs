@@ -26,8 +26,18 @@ pub(super) struct Region {
     jumps: Vec<(u32, usize)>,
     /// Returns from a block's body, to be aimed at its end.
     returns: Vec<u32>,
-    /// Loops likewise: the instruction that enters, after which the body is, and the network after it.
-    loops: Vec<(u32, usize)>,
+    loops: Vec<Loop>,
+}
+
+/// A loop, to be aimed likewise.
+#[derive(Debug)]
+struct Loop {
+    /// The network of the FOR, and that of its NEXT.
+    first: usize,
+    last: usize,
+    /// The instruction that enters, after which the body is, and the one that goes back.
+    enter: u32,
+    again: u32,
 }
 
 /// What a stretch of networks is.
@@ -72,6 +82,7 @@ pub(super) fn is(kind: &BlockKind, op: Op) -> bool {
 /// to, what loops run, what is after an end.
 fn note_skippable(program: &Program, skippable: &mut [bool]) {
     let main = program.main.clone();
+    let loops = program.loops(main.clone());
     let mut outside_of_main = program
         .networks
         .iter()
@@ -97,9 +108,8 @@ fn note_skippable(program: &Program, skippable: &mut [bool]) {
                     Op::Ret | Op::End => index..main.end,
                     Op::Call if may_end_outside_of_main => index..main.end,
                     Op::For => {
-                        let after = index + 1..main.end;
-                        let next = after.clone().find(|&at| holds(&program.networks[at], Op::Next));
-                        index + 1..next.map_or(main.end, |next| next + 1)
+                        let own = loops.iter().find(|(first, _)| *first == index);
+                        index + 1..own.map_or(main.end, |(_, last)| last + 1)
                     }
                     _ => continue,
                 },
@@ -162,7 +172,14 @@ impl Compiler<'_> {
             starts: Vec::with_capacity(networks.len() + 1),
             jumps: Vec::new(),
             returns: Vec::new(),
-            loops: Vec::new(),
+            loops: (program.loops(networks.clone()).into_iter())
+                .map(|(first, last)| Loop {
+                    first,
+                    last,
+                    enter: 0,
+                    again: 0,
+                })
+                .collect(),
         });
         for index in networks {
             let start = self.here();
@@ -181,18 +198,18 @@ impl Compiler<'_> {
     fn loop_ends(&mut self, index: usize) -> Result<()> {
         let program = self.program;
         let network = &program.networks[index];
-        if holds(network, Op::Next) {
-            self.emit(Instr::Again);
+        let at = self.here();
+        if holds(network, Op::Next)
+            && let Some(ended) = self.region().loops.iter_mut().find(|it| it.last == index)
+        {
+            ended.again = at;
+            self.emit(Instr::Again { body: 0 });
         }
-        if let Some(block) = network.blocks.iter().find(|block| is(&block.kind, Op::For)) {
-            let end = self.region().networks.end;
-            let mut after = index + 1..end;
-            // Without a <NEXT> the analysis has refused the program; the loop would reach to the end.
-            let last = after
-                .find(|&at| holds(&program.networks[at], Op::Next))
-                .unwrap_or(end - 1);
-            let at = self.here();
-            self.region().loops.push((at, last + 1));
+        let at = self.here();
+        if let Some(block) = network.blocks.iter().find(|block| is(&block.kind, Op::For))
+            && let Some(begun) = self.region().loops.iter_mut().find(|it| it.first == index)
+        {
+            begun.enter = at;
             self.emit(Instr::Enter { body: 0, after: 0 });
             self.turn(block)?;
         }
@@ -235,11 +252,13 @@ impl Compiler<'_> {
                 *to = region.starts[region.networks.len()];
             }
         }
-        for &(at, next) in &region.loops {
-            self.code.instrs[at as usize] = Instr::Enter {
-                body: at + 1,
-                after: start(next),
+        for it in &region.loops {
+            let body = it.enter + 1;
+            self.code.instrs[it.enter as usize] = Instr::Enter {
+                body,
+                after: start(it.last + 1),
             };
+            self.code.instrs[it.again as usize] = Instr::Again { body };
         }
     }
 

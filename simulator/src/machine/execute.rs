@@ -70,7 +70,7 @@ pub(super) fn execute<const FORCED: bool>(
         | Instr::For { .. }
         | Instr::Enter { .. }
         | Instr::Turn { .. }
-        | Instr::Again
+        | Instr::Again { .. }
         | Instr::EnterBody
         | Instr::LeaveBody => return Ok(Onward::Flow),
 

@@ -19,13 +19,19 @@ pub(super) enum Flow {
 
 /// A loop that is being run: code from `body` up to `after`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-struct Loop {
+pub(super) struct Loop {
     body: u32,
     after: u32,
     /// Turns that follow this one; none runs if both ends are 0.
     left: i64,
     /// The number of this turn, from 1.
     turn: i64,
+}
+
+impl Loop {
+    fn holds(self, pc: u32) -> bool {
+        (self.body..self.after).contains(&pc)
+    }
 }
 
 /// What a call, or the body of a user-defined block, has of its own.
@@ -35,6 +41,8 @@ pub(super) struct Frame {
     pub(super) back: u32,
     rail: bool,
     turning: Loop,
+    /// So many loops run around that one.
+    around: usize,
     /// Turns that a `<FOR>` has noted for the end of its network.
     noted: i64,
     saved: u32,
@@ -46,9 +54,21 @@ impl Frame {
             back,
             rail: true,
             turning: Loop::default(),
+            around: 0,
             noted: 0,
             saved,
         }
+    }
+
+    /// Ends the innermost loop that runs. `outer` are those around the innermost ones of all frames.
+    fn end_loop(&mut self, outer: &mut Vec<Loop>) {
+        self.turning = match self.around.checked_sub(1) {
+            Some(around) => {
+                self.around = around;
+                outer.pop().unwrap_or_default()
+            }
+            None => Loop::default(),
+        };
     }
 }
 
@@ -70,8 +90,8 @@ impl Machine {
             } => {
                 self.left_at[network as usize] = step;
                 frame.noted = 0;
-                if to < frame.turning.body || to >= frame.turning.after {
-                    frame.turning = Loop::default();
+                while frame.turning != Loop::default() && !frame.turning.holds(to) {
+                    frame.end_loop(&mut self.outer_loops);
                 }
                 return Flow::Go(to);
             }
@@ -112,6 +132,10 @@ impl Machine {
                 if turns <= 0 {
                     return Flow::Go(after);
                 }
+                if frame.turning != Loop::default() {
+                    self.outer_loops.push(frame.turning);
+                    frame.around += 1;
+                }
                 frame.turning = Loop {
                     body,
                     after,
@@ -122,14 +146,16 @@ impl Machine {
             Instr::Turn { to, width } => {
                 self.memory.words[to.0 as usize] = width.wrap(frame.turning.turn);
             }
-            Instr::Again => {
+            // Its own loop does not run where a jump came into it.
+            Instr::Again { body } if frame.turning.body != body => {}
+            Instr::Again { body } => {
                 if frame.turning.left > 0 {
                     frame.turning.left -= 1;
                     frame.turning.turn += 1;
                     frame.noted = 0;
-                    return Flow::Go(frame.turning.body);
+                    return Flow::Go(body);
                 }
-                frame.turning = Loop::default();
+                frame.end_loop(&mut self.outer_loops);
             }
             Instr::EnterBody => {
                 let body = Frame::new(0, NOTHING_SAVED);
@@ -137,7 +163,9 @@ impl Machine {
             }
             Instr::LeaveBody => {
                 if let Some(outer) = self.frames.pop() {
+                    let around = frame.around;
                     *frame = outer;
+                    self.outer_loops.truncate(self.outer_loops.len() - around);
                 }
             }
             _ => debug_assert!(false, "{instr:?} runs straight through"),
@@ -152,6 +180,7 @@ impl Machine {
         };
         self.position.calls -= 1;
         let callee = std::mem::replace(&mut self.position.frame, caller);
+        self.outer_loops.truncate(self.outer_loops.len() - callee.around);
         self.come_back(code, callee);
         Flow::Go(callee.back)
     }

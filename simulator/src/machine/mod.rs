@@ -12,8 +12,9 @@ use crate::memory::{Bit, Memory};
 use crate::timers::Clock;
 use crate::work::{CALL_DEPTH, UNCANCELLED};
 use execute::{Onward, execute};
-use flow::{Flow, Frame};
+use flow::{Flow, Frame, Loop};
 use ladder_analysis::Cancel;
+use ladder_analysis::program::DEEPEST_LOOP;
 use ladder_instructions::Controller;
 use position::Position;
 pub(crate) use position::Until;
@@ -74,6 +75,8 @@ pub(crate) struct Machine {
     position: Position,
     frames: Vec<Frame>,
     saved: Vec<u8>,
+    /// The loops that run around the innermost one of each frame, from the outside in.
+    outer_loops: Vec<Loop>,
 }
 
 /// Room for this many faults between two checks of them.
@@ -100,6 +103,7 @@ impl Machine {
             rows: vec![0; code.records.len()],
             frames: Vec::with_capacity(CALL_DEPTH + 1),
             saved: Vec::with_capacity(CALL_DEPTH * widest),
+            outer_loops: Vec::with_capacity(DEEPEST_LOOP * (CALL_DEPTH + 1)),
         }
     }
 
@@ -121,6 +125,7 @@ impl Machine {
     pub(crate) fn begin(&mut self) {
         self.frames.clear();
         self.saved.clear();
+        self.outer_loops.clear();
         self.fault_now = false;
         self.ending = false;
         self.position = Position::start(self.watchdog);

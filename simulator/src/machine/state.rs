@@ -1,7 +1,7 @@
 //! What of a machine is kept to be brought back.
 
 use super::Machine;
-use super::flow::Frame;
+use super::flow::{Frame, Loop};
 use super::position::Position;
 use crate::memory::Memory;
 
@@ -20,6 +20,7 @@ pub(crate) struct MachineState {
     position: Position,
     frames: Vec<Frame>,
     saved: Vec<u8>,
+    outer_loops: Vec<Loop>,
 }
 
 impl Machine {
@@ -37,6 +38,7 @@ impl Machine {
             position: self.position,
             frames: self.frames.clone(),
             saved: self.saved.clone(),
+            outer_loops: self.outer_loops.clone(),
         }
     }
 
@@ -50,6 +52,7 @@ impl Machine {
         state.position = self.position;
         state.frames.clone_from(&self.frames);
         state.saved.clone_from(&self.saved);
+        state.outer_loops.clone_from(&self.outer_loops);
     }
 
     /// False, and nothing happens, if the state does not fit the machine's program. The room that scans need is kept.
@@ -69,6 +72,7 @@ impl Machine {
         self.position = state.position;
         self.frames.clone_from(&state.frames);
         self.saved.clone_from(&state.saved);
+        self.outer_loops.clone_from(&state.outer_loops);
         true
     }
 }

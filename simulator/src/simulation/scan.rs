@@ -101,7 +101,7 @@ impl Simulation {
         let mut is_marked = false;
         for (at, (instr, stops)) in code.instrs.iter().zip(&mut code.stops).enumerate() {
             let leads_back = match *instr {
-                Instr::Again | Instr::Return { .. } => true,
+                Instr::Again { .. } | Instr::Return { .. } => true,
                 Instr::Jump { to, .. } => to as usize <= at,
                 Instr::Finish => ends_main != Some(at),
                 _ => false,

@@ -171,6 +171,84 @@ fn a_jump_into_a_loop_runs_on() {
     );
 }
 
+/// Each has a number of its own, a loop that makes no turn is passed by, and a jump ends every loop that it leaves.
+#[test]
+fn loops_nest() {
+    check(
+        "VAR_INPUT n, m : INT; inner, outer : BOOL; END_VAR\nVAR i, j, k : INT; x, y, z, w : DINT; END_VAR\n\
+         +--[MOV]( x, 0 )--[MOV]( y, 0 )--[MOV]( z, 0 )--[MOV]( w, 0 )--+\n\
+         +--<FOR>( n, I => i )--+\n\
+         +--[ADD]( y, y, 1 )--<FOR>( m, I => j )--+\n\
+         +--[CALC]( x, x + i * 10 + j )--+\n\
+         +--[ ]( inner )--[EQ]( j, 2 )--<JMP>( behind )--+\n\
+         +--[ ]( outer )--[EQ]( i, 2 )--<JMP>( after )--+\n\
+         +--<FOR>( 2, I => k )--+\n\
+         +--[CALC]( w, w + k )--<NEXT>--+\n\
+         +--<NEXT>--+\n\
+         +--<LBL>( behind )--[ADD]( z, z, 1 )--<NEXT>--[ADD]( z, z, 100 )--+\n\
+         +--<LBL>( after )--[ADD]( z, z, 1000 )--+\n",
+        "n 2 0 3 3 3\nm 3 3 0 3 3\ninner ___-_\nouter ____-",
+        "x y z w i j k",
+        expect![[r#"
+            x  102 0 0 129 57
+            y  2 0 3 3 2
+            z  1202 1000 1303 1303 1101
+            w  18 0 0 9 9
+            i  2 2 3 3 2
+            j  3 3 3 2 1
+            k  2 2 2 2 2
+        "#]],
+    );
+}
+
+/// A NEXT whose FOR does not run does nothing, also in another loop; one that is jumped back to begins anew.
+#[test]
+fn jumps_among_loops_in_loops() {
+    check(
+        "VAR_INPUT a : BOOL; END_VAR\nVAR i, j : INT; x, y, z, turns : DINT; END_VAR\n\
+         +--[MOV]( x, 0 )--[MOV]( y, 0 )--[MOV]( z, 0 )--[MOV]( turns, 0 )--+\n\
+         +--<FOR>( 3, I => i )--+\n\
+         +--[ ]( a )--<JMP>( inside )--+\n\
+         +--<LBL>( anew )--<FOR>( 2, I => j )--+\n\
+         +--[ADD]( x, x, 1 )--+\n\
+         +--<LBL>( inside )--[ADD]( y, y, 1 )--+\n\
+         +--[/]( a )--[EQ]( j, 2 )--[LT]( turns, 2 )--[ADD]( turns, turns, 1 )--<JMP>( anew )--+\n\
+         +--<NEXT>--+\n\
+         +--[ADD]( z, z, 1 )--<NEXT>--+\n",
+        "a _-_",
+        "x y z turns i",
+        expect![[r#"
+            x      10 0 10
+            y      10 3 10
+            z      3 3 3
+            turns  2 0 2
+            i      3 3 3
+        "#]],
+    );
+}
+
+/// A block's body, a function that calls itself, and a scan that is stopped in the midst have loops of their own.
+#[test]
+fn loops_in_loops_of_bodies_and_functions() {
+    check(
+        "FUNCTION_BLOCK [$Count]\nVAR_INPUT n : INT; END_VAR\nVAR_OUTPUT sum : DINT; END_VAR\n\
+         +--[MOV]( sum, 0 )--<FOR>( n )--+\n+--<FOR>( n )--+\n+--[ADD]( sum, sum, 1 )--[GE]( sum, 7 )--<RET>--+\n+--<NEXT>--+\n+--<NEXT>--+\nEND_FUNCTION_BLOCK\n\
+         VAR i, j, depth : INT; s : DINT; total : DINT; END_VAR\n\
+         +--[MOV]( total, 0 )--[MOV]( depth, 0 )--<FOR>( 3, I => i )--+\n+--<FOR>( 2, I => j )--+\n\
+         +--[$Count]( i, s )--[ADD]( total, total, s )--+\n+--<NEXT>--+\n+--<CALL>( Again )--<NEXT>--+\n\
+         +--<FUN>( Again )--[ADD]( depth, depth, 1 )--<FOR>( 2 )--+\n+--<FOR>( 2 )--+\n+--[LT]( depth, 40 )--<CALL>( Again )--+\n+--<NEXT>--+\n+--<NEXT>--+\n",
+        "2",
+        "total s i j depth",
+        expect![[r#"
+            total  24 24
+            s      7 7
+            i      3 3
+            j      2 2
+            depth  42 42
+        "#]],
+    );
+}
+
 #[test]
 fn a_jump_right_of_for_takes_the_loop_back() {
     check(

@@ -3,8 +3,10 @@
 use super::{Emitter, MOST_TURNS, b, w, width};
 use crate::header::comment;
 use ladder_simulator::compiled::{Bit, CALL_DEPTH, Instr, NOTHING_SAVED};
-use std::collections::BTreeSet;
 use std::fmt::Write;
+
+/// The innermost loop that runs.
+const INNERMOST: &str = "frame.loop[frame.loops - 1]";
 
 impl Emitter<'_> {
     pub(super) fn flow(&mut self, at: u32, instr: Instr) {
@@ -13,10 +15,9 @@ impl Emitter<'_> {
             Instr::Jump { en, to, .. } => {
                 let mut actions = String::new();
                 if self.loops {
-                    actions.push_str("frame.noted = 0; ");
                     let _ = write!(
                         actions,
-                        "if ({to} < frame.body || {to} >= frame.after) frame.left = 0, frame.body = frame.after = 0; "
+                        "frame.noted = 0; while (frame.loops > 0 && ({to} < {INNERMOST}.body || {to} >= {INNERMOST}.after)) frame.loops--; "
                     );
                 }
                 if to <= at {
@@ -56,19 +57,20 @@ impl Emitter<'_> {
                     "if (frame.noted <= 0) {{ frame.noted = 0; goto L{after}; }}"
                 ));
                 self.line(format!(
-                    "frame.body = {body}; frame.after = {after}; frame.left = frame.noted - 1; frame.turn = 1; frame.noted = 0;"
+                    "frame.loops++; {INNERMOST}.body = {body}; {INNERMOST}.after = {after}; {INNERMOST}.left = frame.noted - 1; {INNERMOST}.turn = 1; frame.noted = 0;"
                 ));
             }
             Instr::Turn { to, width: wide } => {
                 self.uses("wrap");
-                self.line(format!("{} = wrap({}, frame.turn);", w(to), width(wide)));
+                self.line(format!("{} = wrap({}, {INNERMOST}.turn);", w(to), width(wide)));
             }
-            Instr::Again => {
-                self.goes_back = true;
+            Instr::Again { body } => {
+                self.line(format!("if (frame.loops > 0 && {INNERMOST}.body == {body}) {{"));
                 self.line(format!(
-                    "if (frame.left > 0) {{ if (++turns > {MOST_TURNS}) goto stopped; frame.left--; frame.turn++; frame.noted = 0; to = frame.body; goto go_to; }}"
+                    "    if ({INNERMOST}.left > 0) {{ if (++turns > {MOST_TURNS}) goto stopped; {INNERMOST}.left--; {INNERMOST}.turn++; frame.noted = 0; goto L{body}; }}"
                 ));
-                self.line("frame.body = frame.after = 0; frame.left = frame.turn = 0;");
+                self.line("    frame.loops--;");
+                self.line("}");
             }
             Instr::EnterBody if self.loops || self.zones => {
                 self.line("frames[open++] = frame; frame = fresh;");
@@ -98,49 +100,35 @@ impl Emitter<'_> {
         if self.calls { "go_back" } else { "done" }
     }
 
-    /// Where calls come back, and loops go on: places that are known only while a scan runs.
+    /// Where calls come back: places that are known only while a scan runs.
     pub(super) fn going_back(&self) -> String {
-        let mut text = String::new();
-        if self.calls {
-            text.push_str("\ngo_back:\n    if (depth == 0) goto done;\n    depth--;\n    to = frame.back;\n    frame = frames[--open];\n");
-            let callers: Vec<(u32, &Vec<Bit>)> = (0..)
-                .zip(&self.code.instrs)
-                .filter_map(|(at, instr)| match *instr {
-                    Instr::Call { saved, .. } if saved != NOTHING_SAVED => {
-                        Some((at + 1, &self.code.saved[saved as usize]))
-                    }
-                    _ => None,
-                })
-                .collect();
-            if !callers.is_empty() {
-                text.push_str("    switch (to) {\n");
-                for (back, powers) in callers {
-                    let _ = write!(text, "    case {back}:");
-                    for power in powers.iter().rev() {
-                        let _ = write!(text, " b[{}] = saved[--kept];", power.0);
-                    }
-                    text.push_str(" break;\n");
+        let mut text = String::from(
+            "\ngo_back:\n    if (depth == 0) goto done;\n    depth--;\n    to = frame.back;\n    frame = frames[--open];\n",
+        );
+        let callers: Vec<(u32, &Vec<Bit>)> = (0..)
+            .zip(&self.code.instrs)
+            .filter_map(|(at, instr)| match *instr {
+                Instr::Call { saved, .. } if saved != NOTHING_SAVED => {
+                    Some((at + 1, &self.code.saved[saved as usize]))
                 }
-                text.push_str("    default: break;\n    }\n");
+                _ => None,
+            })
+            .collect();
+        if !callers.is_empty() {
+            text.push_str("    switch (to) {\n");
+            for (back, powers) in callers {
+                let _ = write!(text, "    case {back}:");
+                for power in powers.iter().rev() {
+                    let _ = write!(text, " b[{}] = saved[--kept];", power.0);
+                }
+                text.push_str(" break;\n");
             }
-        }
-        if self.loops {
-            text.push_str("go_to:\n");
+            text.push_str("    default: break;\n    }\n");
         }
         text.push_str("    switch (to) {\n");
-        let mut targets = BTreeSet::new();
-        for (at, instr) in (0..).zip(&self.code.instrs) {
-            match *instr {
-                Instr::Call { .. } => {
-                    targets.insert(at + 1);
-                }
-                Instr::Enter { body, .. } => {
-                    targets.insert(body);
-                }
-                _ => {}
-            }
-        }
-        for target in targets {
+        let calls = (0_u32..).zip(&self.code.instrs);
+        let calls = calls.filter(|(_, instr)| matches!(instr, Instr::Call { .. }));
+        for target in calls.map(|(at, _)| at + 1) {
             let _ = writeln!(text, "    case {target}: goto L{target};");
         }
         text.push_str("    default: goto done;\n    }\n");

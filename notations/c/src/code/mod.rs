@@ -44,7 +44,7 @@ pub(crate) fn body(
     let code = &compiled.code;
     let is = |wanted: fn(&Instr) -> bool| code.instrs.iter().any(wanted);
     let calls = is(|instr| matches!(instr, Instr::Call { .. }));
-    let loops = is(|instr| matches!(instr, Instr::For { .. }));
+    let loops = nesting(code) > 0;
     let zones = is(|instr| matches!(instr, Instr::Mcr { .. }));
     let mut emitter = Emitter {
         code,
@@ -78,8 +78,9 @@ fn locals(body: &Body, code: &Code, calls: bool, loops: bool, zones: bool) -> St
         let frames = if calls { (CALL_DEPTH + 1) * each } else { each };
         let _ = write!(
             locals,
-            "    const frame_of fresh = {{0, true, 0, 0, 0, 0, 0}};\n    frame_of frame = fresh;\n    frame_of frames[{frames}];\n    \
-             uint32_t open = 0, to = 0;\n    (void)frame;\n    (void)frames;\n    (void)open;\n    (void)to;\n"
+            "    const frame_of fresh = {{0, true, 0{}}};\n    frame_of frame = fresh;\n    frame_of frames[{frames}];\n    \
+             uint32_t open = 0, to = 0;\n    (void)frame;\n    (void)frames;\n    (void)open;\n    (void)to;\n",
+            if loops { ", 0, {{0, 0, 0, 0}}" } else { "" }
         );
     }
     if calls {
@@ -94,6 +95,20 @@ fn locals(body: &Body, code: &Code, calls: bool, loops: bool, zones: bool) -> St
         }
     }
     locals
+}
+
+/// How many loops lie in each other at most.
+pub(crate) fn nesting(code: &Code) -> usize {
+    let (mut open, mut most) = (0_usize, 0);
+    for instr in &code.instrs {
+        match instr {
+            Instr::Enter { .. } => open += 1,
+            Instr::Again { .. } => open = open.saturating_sub(1),
+            _ => {}
+        }
+        most = most.max(open);
+    }
+    most
 }
 
 /// How many bodies of blocks lie in each other at most.

@@ -41,6 +41,8 @@ pub(super) fn helper_tag(bound: Option<&Bound>) -> Option<TagId> {
     }
 }
 
+const NESTED: &str = "loops do not nest in Click: put the inner loop into a function and <CALL> it";
+
 impl Back<'_> {
     /// What the importer says of a tag of its own, if an operand is one.
     pub(super) fn helper(&self, bound: Option<&Bound>) -> Option<(TagId, &str)> {
@@ -215,8 +217,20 @@ impl Back<'_> {
                 Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Mod | Op::And | Op::Or | Op::Xor,
                 [target, parts @ ..],
             ) => alone(self.arithmetic(op, target, parts)?),
-            (Op::For, [count]) => alone(Instruction::For(self.operand(count)?)),
-            (Op::Next, _) => alone(Instruction::Next),
+            (Op::For, [count]) => {
+                self.loops += 1;
+                if self.loops > 1 {
+                    return Err(NESTED.to_owned());
+                }
+                alone(Instruction::For(self.operand(count)?))
+            }
+            (Op::Next, _) => {
+                self.loops = self.loops.saturating_sub(1);
+                if self.loops > 0 {
+                    return Err(NESTED.to_owned());
+                }
+                alone(Instruction::Next)
+            }
             (Op::Ret, _) => alone(if self.in_subroutine {
                 Instruction::Return
             } else {

@@ -31,6 +31,8 @@ struct Back<'p> {
     meanings: Vec<Meaning>,
     report: Report,
     in_subroutine: bool,
+    /// So many loops are open.
+    loops: usize,
     computed: Computed,
 }
 
@@ -74,6 +76,7 @@ pub(super) fn program(analysis: &Analysis) -> Result<(model::Program, Report), W
         meanings,
         report,
         in_subroutine: false,
+        loops: 0,
         computed: Computed::default(),
     };
     let mut out = back.routines();

@@ -28,7 +28,8 @@ pub(super) struct Networks<'n, 'u> {
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Under {
     Nothing,
-    Loop,
+    /// So many loops are open.
+    Loops(usize),
     MasterControl,
 }
 
@@ -193,18 +194,23 @@ impl Networks<'_, '_> {
         if *under != Under::MasterControl && has(Op::Mcr) {
             *under = Under::MasterControl;
         } else if *under == Under::Nothing && has(Op::For) {
-            *under = Under::Loop;
+            *under = Under::Loops(0);
         }
         let drawn = match (*under, self.unit.context().bodies[facts.index]) {
-            (Under::Loop, _) => Err("the standard has no loops of networks, and jumps cannot stand for this one: something jumps into it, or an <MCR> is around".to_owned()),
+            (Under::Loops(_), _) => Err("the standard has no loops of networks, and jumps cannot stand for this one: something jumps into it, or an <MCR> is around".to_owned()),
             (Under::MasterControl, _) => {
                 Err("the standard has no <MCR>, which this is or stands after".to_owned())
             }
             (_, OwnBody::Function(_)) => Err("the standard has no functions without parameters".to_owned()),
             _ => self.rung(at, facts, network),
         };
-        if *under == Under::Loop && has(Op::Next) {
-            *under = Under::Nothing;
+        if let Under::Loops(open) = under {
+            let left = open.saturating_sub(usize::from(has(Op::Next))) + usize::from(has(Op::For));
+            *under = if left == 0 {
+                Under::Nothing
+            } else {
+                Under::Loops(left)
+            };
         }
         match drawn {
             Ok((nodes, mut made)) => {
