@@ -149,6 +149,15 @@ pub(super) fn declared(name: &str, text: &TypeText, scope: &Scope) -> Result<(Ty
 
 /// The name of a block: what it cannot hold is left out, and what was parted so is told apart by capitals.
 pub(super) fn block_name(name: &str, taken: &mut HashSet<String>) -> String {
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let is_kept = name.starts_with(|c: char| c.is_ascii_alphabetic())
+        && name.len() <= 100
+        && name.chars().all(is_word)
+        && !name.contains("__")
+        && !name.ends_with('_');
+    if is_kept && taken.insert(name.to_lowercase()) {
+        return name.to_owned();
+    }
     let mut plain = String::new();
     for word in name
         .split(|c: char| !c.is_ascii_alphanumeric())

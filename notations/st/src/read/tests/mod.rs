@@ -250,29 +250,20 @@ fn integers_are_exact_and_cut_where_they_are_assigned() {
         "i := (j + k) / 2; a := i + j = k; a := i MOD 2 = 1; u := i * j; i := u;",
         Dialect::Iec,
         &expect![[r#"
-        # line 1 of Main: there is no instruction `WRAP`; it is not run here. #
-        FUNCTION_BLOCK [$line1OfMain]
-        # ladder: unread, writes i #
-        # i := (j + k) / 2 #
-        END_FUNCTION_BLOCK
+            VAR
+                st1 : DINT;
+                st2 : DINT;
+            END_VAR
 
-        # line 1 of Main: there is no instruction `WRAP`; it is not run here. #
-        FUNCTION_BLOCK [$line1OfMain2]
-        # ladder: unread, writes i #
-        # i := u #
-        END_FUNCTION_BLOCK
-        VAR
-            st2 : DINT;
-        END_VAR
+            # i := (j + k) / 2 #
+            +--------------[CALC]( st1, j + k )--[CALC]( st2, st1 / 2 )--[WRAP]( i, st2 )--+
 
-        +--------------------------------------------------------------[$line1OfMain]--+
-
-        # a := i + j = k #
-        +----------------------------------[CALC]( st2, i + j )--[CALC]( a, st2 = k )--+
-        +----------------------------------------------------[CALC]( a, i MOD 2 = 1 )--+
-        +----------------------------------------------------------[CALC]( u, i * j )--+
-        +-------------------------------------------------------------[$line1OfMain2]--+
-    "#]],
+            # a := i + j = k #
+            +----------------------------------[CALC]( st2, i + j )--[CALC]( a, st2 = k )--+
+            +----------------------------------------------------[CALC]( a, i MOD 2 = 1 )--+
+            +----------------------------------------------------------[CALC]( u, i * j )--+
+            +--------------------------------------------------------------[WRAP]( i, u )--+
+        "#]],
     );
     check(
         "i := (j + k) / 2; u := i * j;",
@@ -313,42 +304,25 @@ fn conversions() {
          i := TRUNC(r); a := INT_TO_BOOL(i); i := WORD_TO_INT(w); u := TIME_TO_DINT(p);",
         Dialect::Iec,
         &expect![[r#"
-            # line 1 of Main: there is no instruction `WRAP`; it is not run here. #
-            FUNCTION_BLOCK [$line1OfMain]
-            # ladder: unread #
-            # i := DINT_TO_INT(u) #
-            END_FUNCTION_BLOCK
-
-            # line 1 of Main: there is no instruction `WRAP`; it is not run here. #
-            FUNCTION_BLOCK [$line1OfMain2]
-            # ladder: unread #
-            # i := REAL_TO_INT(r) #
-            END_FUNCTION_BLOCK
-
-            # line 1 of Main: there is no instruction `WRAP`; it is not run here. #
-            FUNCTION_BLOCK [$line1OfMain3]
-            # ladder: unread #
-            # i := TRUNC(r) #
-            END_FUNCTION_BLOCK
-
-            # line 1 of Main: there is no instruction `WRAP`; it is not run here. #
-            FUNCTION_BLOCK [$line1OfMain4]
-            # ladder: unread #
-            # i := WORD_TO_INT(w) #
-            END_FUNCTION_BLOCK
             VAR
                 st2 : REAL;
+                st3 : LINT;
+                st4 : DINT;
             END_VAR
 
-            +--------------------------------------------------------------[$line1OfMain]--+
+            +--------------------------------------------------------------[WRAP]( i, u )--+
             +----------------------------------------------------------[CALC]( u, i * j )--+
 
             # r := INT_TO_REAL(i) / 2.0 #
             +-------------------------------------[TYP]( st2, i )--[CALC]( r, st2 / 2.0 )--+
-            +-------------------------------------------------------------[$line1OfMain2]--+
-            +-------------------------------------------------------------[$line1OfMain3]--+
+
+            # i := REAL_TO_INT(r) #
+            +-------------------------------------------[TYP]( st3, r )--[WRAP]( i, st3 )--+
+
+            # i := TRUNC(r) #
+            +---------------------[TRUNC]( st3, r )--[WRAP]( st4, st3 )--[WRAP]( i, st4 )--+
             +---------------------------------------------------------[CALC]( a, i <> 0 )--+
-            +-------------------------------------------------------------[$line1OfMain4]--+
+            +--------------------------------------------------------------[WRAP]( i, w )--+
             +---------------------------------------------------------------[TYP]( u, p )--+
         "#]],
     );
@@ -598,17 +572,11 @@ fn timers_counters_and_edges() {
         "t(IN := a AND b, PT := T#5s, Q => c); p := t.ET; z(CU := a, R := b, PV := 10); i := z.CV;",
         Dialect::Iec,
         &expect![[r#"
-        # line 1 of Main: there is no instruction `WRAP`; it is not run here. #
-        FUNCTION_BLOCK [$line1OfMain]
-        # ladder: unread, writes i #
-        # i := z.CV #
-        END_FUNCTION_BLOCK
-
-        +--[ ]( a )--[ ]( b )------------------------------[TON]( t, T#5s )--( )( c )--+
-        +------------------------------------------------------------[MOV]( p, t.ET )--+
-        +--[ ]( a )--------------------------------------------[CTU]( z, 10, R := b )--+
-        +--------------------------------------------------------------[$line1OfMain]--+
-    "#]],
+            +--[ ]( a )--[ ]( b )------------------------------[TON]( t, T#5s )--( )( c )--+
+            +------------------------------------------------------------[MOV]( p, t.ET )--+
+            +--[ ]( a )--------------------------------------------[CTU]( z, 10, R := b )--+
+            +-----------------------------------------------------------[WRAP]( i, z.CV )--+
+        "#]],
     );
     check(
         "t(IN := a, PT := T#5s); t(IN := b);",
@@ -800,7 +768,7 @@ fn files() {
             +--<LBL>( endif1 )-------------------------------------------------------------+
             END_FUNCTION_BLOCK
 
-            FUNCTION_BLOCK [$FBRamp]
+            FUNCTION_BLOCK [$FB_Ramp]
             VAR_INPUT
                 go : BOOL;
             END_VAR
@@ -826,7 +794,7 @@ fn files() {
                 step           : Phase              := RUN;
                 p              : Pump               := (speed := 4);
                 a    AT %IX0.0 : BOOL;
-                r              : $FBRamp;
+                r              : $FB_Ramp;
                 g              : ARRAY[1..K] OF INT := [3(1), 2];
             END_VAR
 
@@ -839,7 +807,7 @@ fn files() {
             +--[EQ]( step, Phase.RUN )-----------------------------------[MOV]( p.on, a )--+
 
             # told #
-            +--<LBL>( endcase1 )----------------------------------[$FBRamp]( r, go := a )--+
+            +--<LBL>( endcase1 )---------------------------------[$FB_Ramp]( r, go := a )--+
 
             # last #
             +----------------------------------------------------------[MOV]( g[2], r.y )--+
