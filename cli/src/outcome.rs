@@ -40,7 +40,7 @@ pub(crate) fn unreadable(errors: &[FileError]) -> Outcome {
     }
 }
 
-/// Says what went wrong, if anything did, and gives the exit status.
+/// Says what went wrong, if anything did, and returns the exit status.
 pub(crate) fn exit(result: Result<Outcome, Failure>) -> ExitCode {
     match result {
         Ok(outcome) => outcome.into(),

@@ -231,7 +231,7 @@ fn acts(row: &'static ladder_instructions::Instruction) -> bool {
     row.role == ladder_instructions::Role::Acting
 }
 
-/// Gives each network the lines up to its last rung, and what is written and wrong there; the last one has the rest.
+/// Assigns to each network the lines up to its last rung, and what is written and wrong there; the last one has the rest.
 fn shared(
     networks: Vec<Network>,
     phrases: Vec<Vec<Phrase>>,

@@ -55,7 +55,7 @@ impl Layout {
         self.rails.right
     }
 
-    /// Draws the network after `out`, each rung with `line_end` after it. `text` gives the text of each block
+    /// Draws the network after `out`, each rung with `line_end` after it. `text` returns the text of each block
     /// and comment by its number in the sketch; it must be as wide as the sketch says.
     pub fn draw<'t>(&self, text: impl Fn(usize) -> &'t str, line_end: &str, out: &mut String) {
         for rung in 0..self.sketch.rungs.len() {

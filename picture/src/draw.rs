@@ -80,7 +80,7 @@ impl Flow {
 }
 
 impl Drawing<'_> {
-    /// Draws it below `top`; gives its lower end.
+    /// Draws it below `top`; returns its lower end.
     pub(super) fn draw(&self, paper: &mut Paper, top: i32) -> i32 {
         let mut wires = Vec::with_capacity(self.figure.rooms.len());
         let mut y = top;

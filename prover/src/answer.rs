@@ -68,7 +68,7 @@ pub enum Verdict {
     Impossible(Times),
     /// Neither was found: there is no such run in so many scans.
     Unknown(usize),
-    /// What is assumed cannot hold at the start: nothing is reported.
+    /// What is assumed cannot hold at the start: nothing follows from it.
     Vacuous,
 }
 

@@ -340,7 +340,7 @@ pub(crate) fn another_part([mut old, mut new]: [Vec<&UnreadPlace>; 2]) -> Option
     Some(&first.name)
 }
 
-/// Why nothing is reported of two programs with different unread parts.
+/// Why there is no verdict on two programs with different unread parts.
 pub(crate) fn is_another(name: &str) -> String {
     format!("the unread part `{name}` is another one")
 }

@@ -5,7 +5,7 @@ use crate::limits::{End, Limits};
 use batsat::{Solver, SolverInterface, SolverOpts, lbool};
 use rustc_hash::FxHashMap;
 
-/// Of a function of more nodes nothing is reported.
+/// On a function of more nodes there is no verdict.
 const MOST_NODES: usize = 4_000;
 const CONFLICTS: u64 = 500;
 

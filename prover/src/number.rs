@@ -1,7 +1,7 @@
 //! Whole numbers as bits of a graph: two's complement, the last bit the sign, and no more bits than are needed.
 //!
 //! A word of the simulator holds the value of a 64-bit number whatever the type of its tag; here it has as many bits as its
-//! values take, and all that is reported of it is reported of the value.
+//! values take, and whatever holds for it holds for the value.
 
 use crate::graph::{Graph, Lit};
 use ladder_simulator::compiled::Width;

@@ -36,7 +36,7 @@ impl Verdict {
 }
 
 impl Answer {
-    /// What is reported next to the name. `interval`: between two scans, in nanoseconds.
+    /// The text next to the name. `interval`: between two scans, in nanoseconds.
     pub fn note(&self, interval: i64) -> String {
         match &self.verdict {
             Verdict::Proved(Times::Any) | Verdict::Impossible(Times::Any) => "for any times".into(),

@@ -131,7 +131,7 @@ pub struct Entry {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct UnreadPart {
     pub(crate) name: String,
-    /// What is reported of it.
+    /// The comment on it.
     pub(crate) about: String,
     /// What it may write, and what the other system has there.
     pub(crate) text: String,

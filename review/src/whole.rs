@@ -26,7 +26,7 @@ pub enum Whole {
     Refuted,
 }
 
-/// What is reported of [`Whole::Refuted`].
+/// What is reported about [`Whole::Refuted`].
 pub const REFUTED: &str = "a run was found that the simulator does not have: this is an error of the prover";
 
 impl Comparison<'_> {
@@ -87,7 +87,7 @@ fn interval_of_both(old: Option<i64>, new: Option<i64>) -> Result<i64, String> {
     Ok(old)
 }
 
-/// What is reported of tags that only one of two programs shares with other programs, which these runs do not have.
+/// What is reported about tags that only one of two programs shares with other programs, which these runs do not have.
 fn shared_by_one(comparison: &Comparison<'_>) -> Vec<String> {
     let shared = |outline: &Outline| -> BTreeMap<Name, String> {
         let tags = outline.context.scopes.iter().flat_map(|scope| &scope.tags);
@@ -117,7 +117,7 @@ fn only_one_has((which, name): (Which, String)) -> String {
     format!("only the {which} program has the output {name}")
 }
 
-/// What is reported of a run in which two programs differ, and its rows.
+/// What is reported about a run in which two programs differ, and its rows.
 pub fn told(run: &Divergence) -> (String, Vec<String>) {
     let scan = run.scans.saturating_sub(1);
     let time = duration(run.interval.saturating_mul(scan as i64));
@@ -133,7 +133,7 @@ pub fn told(run: &Divergence) -> (String, Vec<String>) {
     (told, rows_of(run))
 }
 
-/// What is reported of unread parts that are not the same in both programs, and in the files that they use.
+/// What is reported about unread parts that are not the same in both programs, and in the files that they use.
 pub(crate) fn other_unread(comparison: &Comparison<'_>) -> Vec<String> {
     let [old, new] = [comparison.old, comparison.new].map(unread_of);
     let gone = old.iter().filter(|part| !new.contains(part));

@@ -1,4 +1,4 @@
-//! What is reported of a change, in words.
+//! A change in words.
 
 use crate::comparison::{Change, Comparison};
 use crate::outline::{Entry, Kind};

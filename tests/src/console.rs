@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
 
-/// Runs what is typed in a session, in a folder, and gives the session as it really goes: standard output and
+/// Runs what is typed in a session, in a folder, and returns the session as it really goes: standard output and
 /// standard error as they come, commands as they were written. `programs` is the folder where `ladder` and `ldfmt`
 /// are found.
 pub fn replay(session: &str, folder: &Path, programs: &Path) -> String {

@@ -6,7 +6,7 @@
 //! inputs
 //! watch (below otherwise)
 //! fault    if there is one
-//! info     what is selected, what was reported, what is being typed
+//! info     what is selected, the last message, what is being typed
 //! hints    the keys
 //! ```
 

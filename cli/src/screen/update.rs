@@ -62,7 +62,7 @@ impl View {
             return vec![Command::Quit];
         }
         self.note = None;
-        // Each mode gives itself back if it goes on.
+        // Each mode returns itself if it goes on.
         match std::mem::replace(&mut self.mode, Mode::Diagram) {
             Mode::Diagram => match keys::action(key) {
                 Some(action) => self.act(action, plant),

@@ -12,7 +12,7 @@ fn field(name: &str) -> PathBuf {
         .join(name)
 }
 
-/// The Python files of the field whose names begin so, and what is reported of each.
+/// The Python files of the field whose names begin so, and what is reported about each.
 #[track_caller]
 fn check(expected: Expect) {
     let entries = fs::read_dir(field("")).expect("the folder can be read");

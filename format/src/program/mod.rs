@@ -1,5 +1,5 @@
-//! A whole program without columns: what is declared, what is drawn, and what is reported about it. Importers of other
-//! notations make one; [`ProgramSketch::write`] gives its text.
+//! A whole program without columns: what is declared, what is drawn, and the comments on it. Importers of other
+//! notations make one; [`ProgramSketch::write`] returns its text.
 
 mod block;
 mod expression;
@@ -57,7 +57,7 @@ pub enum Item {
 pub struct Section {
     /// What its tags are for.
     pub kind: SectionKind,
-    /// What else is reported of all of them.
+    /// `CONSTANT` or `RETAIN`, if it has one.
     pub qualifier: Option<Qualifier>,
     /// Its declarations in their order.
     pub declarations: Vec<Declaration>,
@@ -141,7 +141,7 @@ pub struct Declaration {
     pub ty: String,
     /// The initial value, as it is written.
     pub initial: Option<String>,
-    /// What is reported about it.
+    /// The comment on it.
     pub comment: Option<String>,
     /// What it was made from.
     pub origin: Option<Origin>,

@@ -3,7 +3,7 @@
 use ladder_format::{Options, apply, format, format_ranges, format_text};
 use ladder_syntax::{TextRange, TextSize, parse};
 
-/// Checks that the parts of a text come out as the text as a whole does, and gives that.
+/// Checks that the parts of a text come out as the text as a whole does, and returns that.
 #[track_caller]
 fn check(text: &str) -> String {
     let options = Options::default();

@@ -266,6 +266,6 @@ fn before_section(context: &Context, section: usize) -> usize {
         .rev()
         .take_while(|line| lines[*line].kind == LineKind::Comment);
     let above = above.count();
-    // What begins the file is reported of all of it.
+    // A comment at the beginning of the file is about all of it.
     if above == line { line } else { line - above }
 }

@@ -66,7 +66,7 @@ fn inlined(
     Ok((edits, InScenarios::Members(tag.symbol.clone(), members.collect())))
 }
 
-/// What is reported of a tag that has a declaration of its own: the blanks and comments after it.
+/// The comment on a tag that has a declaration of its own: the blanks and comments after it.
 fn comment(context: &Context, tag: &DeclaredTag<'_>) -> Option<String> {
     let parts = parts(context, tag.line).filter(|parts| parts.names.len() == 1)?;
     let (_, comment) = parts.says.split_once('#')?;

@@ -313,7 +313,7 @@ fn column(context: &Context, facts: NetworkAt<'_>, row: usize, item: &Item) -> T
     item.at.start() - context.parse.line_start(facts.line(row))
 }
 
-/// Puts a block on a row of a drawing, nearest to the column that it comes from, and gives its index there.
+/// Puts a block on a row of a drawing, nearest to the column that it comes from, and returns its index there.
 fn put_on_row(
     drawing: &mut Drawing,
     context: &Context,

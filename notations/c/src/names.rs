@@ -35,7 +35,7 @@ static OWN: LazyLock<HashSet<String>> = LazyLock::new(|| {
         .collect()
 });
 
-/// Gives each thing a name of its own.
+/// Names each thing, no two alike.
 #[derive(Debug, Default)]
 pub(crate) struct Names {
     used: HashSet<String>,

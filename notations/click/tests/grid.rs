@@ -116,7 +116,7 @@ fn every_instruction() {
     );
 }
 
-/// The files that a ladder text gives: the grid first.
+/// The files that are written from a ladder text: the grid first.
 fn write(ladder: &str) -> Result<Vec<(String, String)>, String> {
     let analysis = ladder_analysis::analyze(&ladder_syntax::parse(ladder).into(), "test.clad");
     let writing = notation().write(&analysis).map_err(|error| error.to_string())?;

@@ -1,4 +1,4 @@
-//! The items of a program that was read: blocks with what is reported above them, and the lines around them.
+//! The items of a program that was read: blocks with the comments above them, and the lines around them.
 
 use ladder_format::program::Item;
 use ladder_syntax::Name;

@@ -210,7 +210,7 @@ fn definition(items: &[Item], block: usize) -> Vec<Item> {
     items[at - above..=at].to_vec()
 }
 
-/// Gives all of some items, which come from a text, one origin.
+/// Sets one origin for all of some items, which come from a text.
 fn mark(items: &mut [Item], origin: Origin) {
     for item in items {
         match item {

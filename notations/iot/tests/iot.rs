@@ -78,7 +78,7 @@ fn every_program_of_the_corpus_is_read_whole() {
     }
 }
 
-/// The program that a ladder text gives, and what there is to say about it.
+/// The program that is written from a ladder text, and what there is to say about it.
 fn write(ladder: &str) -> Result<(String, String), String> {
     let analysis = ladder_analysis::analyze(&ladder_syntax::parse(ladder).into(), "test.clad");
     let writing = notation().write(&analysis).map_err(|error| error.to_string())?;

@@ -142,7 +142,7 @@ pub(super) fn comments(text: &str) -> Vec<Rung> {
     let mut rung = |parts| rungs.push(Rung { line: 0, parts });
     let mut in_definition = false;
     for line in text.lines().map(str::trim).chain([""]) {
-        // What is reported of a block, in it or right above it, is not a rung.
+        // A comment on a block, in it or right above it, is not a rung.
         if line.starts_with("FUNCTION_BLOCK") {
             in_definition = true;
             lines.clear();

@@ -84,7 +84,7 @@ pub(super) fn numbers(text: &[Piece]) -> usize {
     text.iter().filter(is_number).count()
 }
 
-/// The line for a text, in the spelling that export gives it.
+/// The line for a text, as export spells it.
 pub(super) fn line(variable: &str, text: &[Piece]) -> String {
     let spelled: String = text.iter().map(|piece| spelled(*piece)).collect();
     let mut line = format!("FORMATTED_STRING {variable} {}", spelled.chars().count());

@@ -38,7 +38,7 @@ fn writes_of(name: &str) -> Writes {
     }
 }
 
-/// What is reported of a routine that is unread for one of its instructions.
+/// What is reported about a routine that is unread for one of its instructions.
 pub(crate) const LEFT: &str = "in it is not read";
 
 /// An instruction that is not read, as it is on a rung.

@@ -32,7 +32,7 @@ fn text(notation: &dyn Notation, bytes: &[u8]) -> String {
     }
 }
 
-/// What the two say alike: the XML has a task, and lost what is reported about rungs.
+/// What the two say alike: the XML has a task, and lost the comments on rungs.
 fn program(file: &Path, notation: &dyn Notation) -> String {
     let bytes = std::fs::read(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
     let text = text(notation, &bytes);

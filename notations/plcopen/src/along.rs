@@ -1,6 +1,6 @@
 //! What ladder text has and the standard does not: a project that uses it has units of its own for it, in ST. Three instructions
 //! are function blocks; the tags of `SYS` are globals, which a function block sets: the program calls it before all else. Remarks say
-//! what they are. The reader takes out again what is as it was written: what was changed since stays, and is reported like any other text
+//! what they are. The reader takes out again what is as it was written: what was changed since stays, and is read like any other text
 //! in ST.
 
 use crate::arrays;

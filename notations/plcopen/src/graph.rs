@@ -114,7 +114,7 @@ pub enum Kind {
     Return(bool),
     /// A point of the wire: connectors, continuations, the ends of branches.
     Joint,
-    /// What is reported.
+    /// Its text.
     Comment(String),
     /// What has no counterpart; what it is.
     Other(String),

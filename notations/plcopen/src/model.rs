@@ -7,7 +7,7 @@ use ladder_notation::{LineColumn, Report};
 /// A whole project.
 #[derive(Debug, Default)]
 pub struct Project {
-    /// What is reported of it above everything else.
+    /// The comment above everything else.
     pub comments: Vec<String>,
     /// How its own system runs a network.
     pub evaluation: Evaluation,
@@ -46,7 +46,7 @@ pub struct TypeDeclaration {
     pub ty: Type,
     /// What a variable of it begins with.
     pub initial: Option<Initial>,
-    /// What is reported of it.
+    /// The comment on it.
     pub comment: Option<String>,
 }
 
@@ -63,7 +63,7 @@ pub struct Unit {
     pub returns: Option<Type>,
     /// Its variables in their order.
     pub variables: Vec<Variable>,
-    /// What is reported of it.
+    /// The comment on it.
     pub comment: Option<String>,
     /// What it does.
     pub body: Body,
@@ -107,7 +107,7 @@ pub struct Variable {
     pub name: String,
     /// What it is for.
     pub role: Role,
-    /// What else is reported of it.
+    /// `CONSTANT` or `RETAIN`, if it has one.
     pub qualifier: Option<Qualifier>,
     /// A direct address, with its `%`.
     pub address: Option<String>,
@@ -115,7 +115,7 @@ pub struct Variable {
     pub ty: Type,
     /// What it begins with.
     pub initial: Option<Initial>,
-    /// What is reported of it.
+    /// The comment on it.
     pub comment: Option<String>,
 }
 

@@ -6,7 +6,7 @@ use crate::model::{Body, Project, Role, Unit, UnitKind, Variable};
 use ladder_notation::LineColumn;
 use std::collections::HashSet;
 
-/// What the remark on such a global begins with. What was reported of the tag follows.
+/// What the remark on such a global begins with. The comment on the tag follows.
 const SHARED: &str = "handed to functions in ladder text.";
 
 /// Makes globals of the variables of the last unit, the program, that have these names.

@@ -65,7 +65,7 @@ impl Flow {
 }
 
 impl Drawing<'_> {
-    /// Draws it; gives what is where.
+    /// Draws it; returns what is where.
     ///
     /// # Errors
     /// It is too large, in words.

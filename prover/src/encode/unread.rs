@@ -244,7 +244,7 @@ impl Scan<'_, '_> {
         bits
     }
 
-    /// Gives a cell a value, from its bits.
+    /// Sets a cell, from the bits of a value.
     fn write_unread(&mut self, cell: Cell, bits: Vec<Lit>) {
         match cell {
             Cell::Bit(bit) => self.write_bit(bit, bits[0]),

@@ -191,7 +191,7 @@ impl World {
         });
     }
 
-    /// A bit that is remembered; what it is next is reported later. Returns its leaf and its number.
+    /// A bit that is remembered; what it is next is set later. Returns its leaf and its number.
     pub(crate) fn remember(&mut self, initial: bool) -> (Lit, usize) {
         let twin = self.twins.first.pop_front().flatten();
         let leaf = twin.unwrap_or_else(|| self.graph.leaf());

@@ -16,7 +16,7 @@ fn program(text: &str) -> Arc<Program> {
     )
 }
 
-/// What is reported of the first networks of two programs.
+/// The verdict on the first networks of two programs.
 fn told(old: &str, new: &str) -> String {
     let compared = Compared::new(&program(old), &program(new)).expect("they compile");
     match compared.networks(0, 0, Duration::from_secs(10), &Cancel::default()) {

@@ -1,4 +1,4 @@
-//! What is reported of programs, by the prover; and next to it by judges that see something else than what is there.
+//! Verdicts on programs, by the prover; and next to it by judges that see something else than what is there.
 
 use super::case::Case;
 use super::runs;
@@ -24,7 +24,7 @@ pub(crate) struct Tally {
     pub(crate) undecided: usize,
 }
 
-/// Asks for properties of a program. What is reported of them that a run contradicts.
+/// Asks for properties of a program. Returns the verdicts that a run contradicts.
 pub(crate) fn wrong_proof(
     case: &Case,
     properties: &str,

@@ -62,7 +62,7 @@ fn ask(case: &Case, seed: u64, sees: Sees, tally: &mut Tally) -> Vec<String> {
     wrong
 }
 
-/// Asks about as many programs as `made` makes: what was reported of them.
+/// Asks about as many programs as `made` makes: the verdicts on them.
 fn no_run_contradicts(programs: u64, made: impl Fn(u64) -> Option<Case>) -> Tally {
     let mut tally = Tally::default();
     // So that several nights try different programs.

@@ -1,4 +1,4 @@
-//! Runs of cases that contradict what is reported of them.
+//! Runs of cases that contradict the verdict on them.
 
 use super::case::Case;
 use ladder_analysis::program::Role;

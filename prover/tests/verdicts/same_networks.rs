@@ -11,7 +11,7 @@ use ladder_prover::{Compared, Meaning, other_tags};
 use ladder_simulator::{Options as Running, Simulation};
 use std::time::Duration;
 
-/// What is reported of each pair of networks. None: they cannot be compared one by one.
+/// The verdict on each pair of networks. None: they cannot be compared one by one.
 fn meanings(old: &str, new: &str) -> Option<Vec<Meaning>> {
     let (old, new) = (compile(old)?, compile(new)?);
     if old.networks.len() != new.networks.len() {

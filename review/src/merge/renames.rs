@@ -14,7 +14,7 @@ pub(super) struct Carried {
     pub(super) refused: Vec<String>,
 }
 
-/// Gives the base, and the other side, the names that one side has given.
+/// Renames the base, and the other side, as one side has.
 pub(super) fn carried(sides: Sides<'_>) -> Carried {
     let (our, their) = (found(sides.base, sides.ours), found(sides.base, sides.theirs));
     let mut carried = Carried {
@@ -55,7 +55,7 @@ impl Carried {
     }
 }
 
-/// Gives something its new name, if it is in a program.
+/// Renames something, if it is in a program.
 fn renamed(outline: &mut Outline, rename: &Rename) -> Result<(), String> {
     let text = outline.context.parse.to_string();
     let changed = rename

@@ -56,7 +56,7 @@ pub fn of_whole(comparison: &Comparison<'_>) -> Option<(String, Vec<String>)> {
         Whole::Same => Some(("the programs do the same in every run".to_owned(), Vec::new())),
         Whole::Differs(run) => Some(told(run)),
         Whole::Refuted => Some((REFUTED.to_owned(), Vec::new())),
-        // What has changed is not in the text: this is all that is reported of it.
+        // What has changed is not in the text: this is all that the report has of it.
         Whole::NotDecided(why)
             if !comparison.changes.iter().any(Change::is_change) || !other_unread(comparison).is_empty() =>
         {
@@ -73,7 +73,7 @@ pub fn unread(comparison: &Comparison<'_>) -> BTreeSet<String> {
     parts.into_iter().flatten().map(|part| part.name).collect()
 }
 
-/// What is reported of both programs before their changes, a line each.
+/// What the report has on both programs before their changes, a line each.
 fn notes(comparison: &Comparison<'_>) -> Vec<String> {
     let renames = comparison.renames.iter();
     let mut notes: Vec<String> = renames.map(|rename| format!("renamed: {rename}")).collect();

@@ -1,4 +1,4 @@
-//! What is reported of two texts.
+//! What is reported about two texts.
 
 use crate::harness::outline;
 use expect_test::{Expect, expect};

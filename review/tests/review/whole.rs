@@ -7,7 +7,7 @@ use ladder_review::whole::{Whole, told};
 use ladder_review::{Limits, compare};
 use std::time::Duration;
 
-/// What is reported of two programs.
+/// What is reported about two programs.
 fn answer(old: &str, new: &str) -> String {
     let (old, new) = (outline(old), outline(new));
     let mut comparison = compare(&old, &new);

@@ -97,7 +97,7 @@ async fn scenarios_that_are_opened_read_nothing_outside_and_wait_for_nothing() {
         assert!(told.contains(sentence), "{name}: {told}");
     }
     open(&mut client, &plant, "plant/ladder.toml", "toml").await;
-    // What was reported of the file on disk may come first, and be taken back.
+    // Findings in the file on disk may come first, and be taken back.
     let mut told = String::new();
     while told.is_empty() {
         told = said_of(&mut client, &plant, "plant/ladder.toml").await;

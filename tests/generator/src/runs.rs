@@ -69,7 +69,7 @@ impl<'c> Inputs<'c> {
         }
     }
 
-    /// Gives the inputs of the next scan, also again, as the program may write what it is given.
+    /// Returns the inputs of the next scan, also again, as the program may write what it is given.
     pub fn give(&mut self, programs: &mut [&mut Simulation]) {
         for (name, given) in self.names.iter().zip(&mut self.values) {
             let points: Vec<Option<Point>> = programs.iter().map(|it| it.resolve(name).ok()).collect();

@@ -143,7 +143,7 @@ fn renamed(text: &str, offset: TextSize, new: &str) -> Option<(String, String)> 
     Some((old, apply(text, &edits)))
 }
 
-/// Renames here and there in a text; gives how often.
+/// Renames here and there in a text; returns how often.
 fn rename_in(text: &str, seed: u64, times: usize) -> usize {
     let formatted = format_text(text, &Options::default());
     let (Some(of_text), Some(of_formatted)) = (compile(text), compile(&formatted)) else {

@@ -43,7 +43,7 @@ struct At {
 }
 
 impl<'g> Around<'g> {
-    /// Those of the side that is compared with `other`; its file is taken to be at `among`, if that is reported.
+    /// Those of the side that is compared with `other`; its file is taken to be at `among`, if that is given.
     pub(super) fn new(other: &Path, among: Option<&Path>, git: &'g Git) -> Around<'g> {
         Around {
             git,

@@ -104,7 +104,7 @@ fn program(
     }))
 }
 
-/// Gives what was renamed its new name in the old program, and says what that is.
+/// Renames in the old program what has a new name, and says what that is.
 fn give_new_names(
     around: &mut Around<'_>,
     file: &File,

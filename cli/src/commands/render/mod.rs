@@ -328,7 +328,7 @@ fn at_rest(arguments: &Arguments, source: &Source) -> (Scene, Outcome) {
     (scene, rest(source))
 }
 
-/// What is reported of a program that is drawn without being run.
+/// What is reported about a program that is drawn without being run.
 fn rest(source: &Source) -> Outcome {
     if !source.has_errors() {
         return Outcome::Fine;

@@ -322,7 +322,7 @@ fn mutate(
     Ok(mutated)
 }
 
-/// Runs the files on all processors, and gives their reports in the order of the files, each as soon as it can be.
+/// Runs the files on all processors, and returns their reports in the order of the files, each as soon as it can be.
 fn in_order(
     files: &[PathBuf],
     wishes: &Wishes,

@@ -1,4 +1,4 @@
-//! The line above the keys: what is selected, what was reported, what is being typed.
+//! The line above the keys: what is selected, the last message, what is being typed.
 
 use super::{Scene, put};
 use crate::screen::picker;

@@ -143,7 +143,7 @@ pub(super) fn expression(expression: &Expr) -> &'static str {
 mod tests {
     use expect_test::expect;
 
-    /// What is reported of a statement that is where none of its kind can, at its place.
+    /// What is reported about a statement that is where none of its kind can, at its place.
     fn told(text: &str) -> String {
         let error = super::super::read(text).expect_err(text);
         let (_, message) = error.all().next().expect("something is wrong");

@@ -216,7 +216,7 @@ struct File<'s> {
 }
 
 impl File<'_> {
-    /// What is reported at its places is reported at the call, with the place in words.
+    /// Findings in it are reported at the call, with the place in words.
     fn bring_home(&self, reading: &mut Reading) {
         let own = |place: LineColumn| {
             (place.line > self.before).then(|| LineColumn {

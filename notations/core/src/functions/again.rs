@@ -213,7 +213,7 @@ impl Marked {
     }
 }
 
-/// Looks for the tag of each block's state: one, which nothing else is reported of.
+/// Looks for the tag of each block's state: one, with no comment of its own.
 fn find_states(files: &[&mut ProgramSketch], found: &mut [Marked]) {
     let by_key = found.iter().enumerate();
     let by_key: HashMap<Name, usize> = by_key

@@ -183,7 +183,7 @@ impl Found {
             } else if !self.gone.contains(&at) {
                 out.push(item);
             } else if let Item::Network(network) = item {
-                // What is reported there stays.
+                // A comment there stays.
                 out.extend(network.comments.into_iter().map(Item::Comment));
             }
         }

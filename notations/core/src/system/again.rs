@@ -120,7 +120,7 @@ fn called(items: &[Item]) -> BTreeSet<Name> {
     called
 }
 
-/// Takes out the instances and their calls. What is reported above a call stays.
+/// Takes out the instances and their calls. A comment above a call stays.
 fn remove_instances(items: &mut Vec<Item>) {
     let Some(call) = call() else {
         return;

@@ -91,7 +91,7 @@ impl Exporter<'_> {
         Ok(made.line(&given?, self.initial(block), self.input.dialect))
     }
 
-    /// The line of an element that is not read, if a block of this name is one: what is reported above its definition begins
+    /// The line of an element that is not read, if a block of this name is one: the comment above its definition begins
     /// with its word.
     fn unread(&self, block: &Block, name: &str) -> Option<Result<String, String>> {
         let definition = definition_in(self.input.text, &format!("[{name}]"))?;

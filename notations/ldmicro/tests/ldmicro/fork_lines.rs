@@ -194,7 +194,7 @@ fn one_by_one() {
     "#]].assert_eq(&out);
 }
 
-/// What is outside of a program becomes an unread part: what it writes is reported, the program has no errors, and the element
+/// What is outside of a program becomes an unread part: what it writes is named, the program has no errors, and the element
 /// comes back.
 #[test]
 fn what_is_outside_of_a_program_is_unread() {

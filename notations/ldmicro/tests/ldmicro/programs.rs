@@ -36,7 +36,7 @@ pub(crate) fn read(text: &str) -> String {
     out
 }
 
-/// The file that a ladder text gives.
+/// The file that is written from a ladder text.
 pub(crate) fn write(ladder: &str) -> Result<String, String> {
     let analysis = ladder_analysis::analyze(&ladder_syntax::parse(ladder).into(), "test.clad");
     let writing = notation().write(&analysis).map_err(|error| error.to_string())?;

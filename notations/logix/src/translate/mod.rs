@@ -53,7 +53,7 @@ pub(crate) struct Translator<'p> {
     scope: usize,
     origin: Option<u32>,
     note: Option<String>,
-    /// What is reported of the first instruction of its sort alone.
+    /// What is reported at the first instruction of its sort alone.
     told: HashSet<&'static str>,
 }
 

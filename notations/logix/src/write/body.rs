@@ -10,7 +10,7 @@ use ladder_syntax::Name;
 use std::collections::HashMap;
 
 impl Writer<'_> {
-    /// Keeps what is reported above a definition.
+    /// Keeps the comment above a definition.
     pub(super) fn described(&mut self, body: usize, waiting: &mut Vec<String>) {
         let told = std::mem::take(waiting).join("\n");
         self.data.body_comments.insert(body, told);

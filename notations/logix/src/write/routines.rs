@@ -47,7 +47,7 @@ impl Writer<'_> {
             match *item {
                 Item::Decoration(line) => {
                     let told = comments_on(&parse, line);
-                    // A blank line within what is reported.
+                    // A blank line within a comment.
                     if told.is_empty() && !waiting.is_empty() {
                         waiting.push(String::new());
                     }
@@ -256,7 +256,7 @@ impl Writer<'_> {
         self.report.translated(place, "network");
     }
 
-    /// A network as rungs, with what is reported of it on the first.
+    /// A network as rungs, with its comment on the first.
     fn rungs_of(&mut self, network: &Network, mut comment: Option<String>) -> Vec<Rung> {
         let place = self.at(network.location.range.start().into());
         self.sheet.note = None;

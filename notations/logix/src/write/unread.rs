@@ -35,7 +35,7 @@ impl UnreadPart {
         })
     }
 
-    /// What it is called there, and the rest of what is reported of it.
+    /// What it is called there, and the rest of its comment.
     fn named(&self) -> Result<(&str, &str)> {
         let parted = self.about.split_once(": ");
         parted.ok_or_else(|| "the comment above its definition does not say what it is there".to_owned())

@@ -8,7 +8,7 @@ use ladder_format::Options;
 use ladder_notation::{Converted, Notation, Source, convert};
 use ladder_notation_logix::{L5k, L5x, Rslogix500};
 
-/// The networks and the unread parts of a program, and what is reported of it.
+/// The networks and the unread parts of a program, and the report.
 #[track_caller]
 fn shows(notation: &dyn Notation, file: &str, expected: Expect) -> Converted {
     let converted = converted(notation, file.as_bytes());

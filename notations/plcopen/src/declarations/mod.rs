@@ -149,7 +149,7 @@ impl Declared<'_> {
         variables
     }
 
-    /// The variables that a statement declares, with what is reported of them after it.
+    /// The variables that a statement declares, with the comments on them after it.
     fn variable(
         &self,
         (offset, statement): (usize, &str),
@@ -168,14 +168,14 @@ impl Declared<'_> {
         all
     }
 
-    /// What is reported on the rest of a line.
+    /// The comment on the rest of a line.
     fn comment_behind(&self, end: usize) -> Option<String> {
         let rest = self.text[end..].lines().next()?;
         let rest = rest.trim_start().trim_start_matches(';').trim_start();
         told(rest)
     }
 
-    /// What is reported on the lines above.
+    /// The comment on the lines above.
     fn comment_above(&self, at: usize) -> Option<String> {
         let lines: Vec<String> = self.text[..at]
             .lines()

@@ -133,7 +133,7 @@ impl<'b> Body<'b> {
         match &drawn.kind {
             Kind::LeftRail | Kind::RightRail => {}
             Kind::Comment(text) if text.is_empty() => {}
-            // What is reported after something was begun is about what comes next.
+            // A comment after something was begun is about what comes next.
             Kind::Comment(text) if !self.next.group.is_empty() => self.next.further.push(text.clone()),
             Kind::Comment(text) => self.next.comments.push(text.clone()),
             Kind::Label(name) => {

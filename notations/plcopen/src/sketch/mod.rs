@@ -59,7 +59,7 @@ pub fn reading(project: Project) -> Reading {
         let place = (place, run.when);
         let inside = unit_items(&shared, project, run.unit, own, place, &mut unread, &mut reading);
         if !told_of.insert(std::ptr::from_ref(run.unit)) {
-            // What there is to say of another instance was reported of the first.
+            // Findings on another instance were reported on the first.
             reading.report.entries.truncate(told.0);
             reading.findings.truncate(told.1);
         }

@@ -105,7 +105,7 @@ pub(super) struct Next {
     /// What is done in it, and what feeds that.
     pub(super) group: Vec<usize>,
     pub(super) shown: HashSet<usize>,
-    /// What is reported above it, and above the one after it.
+    /// The comments above it, and above the one after it.
     pub(super) comments: Vec<String>,
     pub(super) further: Vec<String>,
     /// The drawing is taken apart.

@@ -28,7 +28,7 @@ pub(super) struct Inside {
     pub(super) items: Vec<Item>,
     /// With the names that its networks took.
     pub(super) scope: Scope,
-    /// What is reported of it, where nothing of its body is read.
+    /// What its body is, where nothing of it is read.
     pub(super) about: Option<String>,
 }
 

@@ -104,7 +104,7 @@ impl Networks<'_, '_> {
         told == ["[](EN)", "()(ENO)"]
     }
 
-    /// All networks; comes back what is reported of the unit as a whole.
+    /// All networks; returns the comment on the unit as a whole.
     pub(super) fn draw(&mut self, block: Option<usize>) -> Option<String> {
         let context = self.unit.context();
         let parse = &context.parse;

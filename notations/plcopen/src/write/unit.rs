@@ -295,7 +295,7 @@ impl<'u> Unit<'u> {
         }
     }
 
-    /// The networks of a unit, and what is reported of it as a whole. What they need is added to its variables.
+    /// The networks of a unit, and the comment on it as a whole. What they need is added to its variables.
     fn networks(
         &self,
         (project, block): (&Project<'_>, Option<usize>),

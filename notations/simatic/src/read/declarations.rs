@@ -98,7 +98,7 @@ fn comment_after<'t>(cursor: &Cursor<'t>) -> Option<&'t str> {
     (!told.is_empty()).then_some(told)
 }
 
-/// A type. `texts`: what is reported of the members of a structure.
+/// A type. `texts`: the comments on the members of a structure.
 pub(crate) fn type_of(cursor: &mut Cursor<'_>, texts: &Texts, depth: usize) -> Result<Type> {
     if depth > DEEPEST {
         return cursor.error(format!("types nest deeper than {DEEPEST}"));

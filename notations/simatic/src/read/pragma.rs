@@ -2,7 +2,7 @@
 
 use crate::cursor::{Cursor, Result};
 
-/// What is reported in one.
+/// The texts in one.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Pragma(Vec<(String, String)>);
 

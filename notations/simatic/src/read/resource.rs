@@ -36,7 +36,7 @@ impl Texts {
         Texts(texts)
     }
 
-    /// What is reported by a pragma under these names; text in the place of an id is taken as it is.
+    /// The texts that a pragma has under these names; text in the place of an id is taken as it is.
     pub(super) fn told<const N: usize>(&self, pragma: &Pragma, names: [&str; N]) -> Vec<String> {
         let mut told: Vec<String> = Vec::new();
         for value in names.iter().filter_map(|name| pragma.get(name)) {

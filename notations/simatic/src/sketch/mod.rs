@@ -121,7 +121,7 @@ impl Sketcher<'_> {
                 continue;
             }
             if let Some(Ok(unit)) = library.get(&name.to_lowercase()) {
-                // What there is to say of it is reported where it is read itself.
+                // Its findings are reported where it is read itself.
                 let before = (self.reading.report.clone(), self.reading.findings.clone());
                 let places = self.reading.places.len();
                 let body = self.unit(unit, true);

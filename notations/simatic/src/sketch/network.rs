@@ -12,7 +12,7 @@ use ladder_format::program::{self, Block, Drawing, Element, Item, Path};
 use ladder_instructions::Op;
 
 impl Sketcher<'_> {
-    /// A network of a block, which is the one of this number, with what is reported of it.
+    /// A network of a block, which is the one of this number, with the comment on it.
     pub(super) fn network(
         &mut self,
         translator: &mut Translator<'_, '_>,

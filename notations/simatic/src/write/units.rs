@@ -23,7 +23,7 @@ pub(super) struct Source {
     pub(super) told: Vec<String>,
     /// Whether it declares tags.
     declares: bool,
-    /// Networks by their number in the structure, each with what is reported above it.
+    /// Networks by their number in the structure, each with the comment above it.
     pub(super) networks: Vec<(usize, Vec<String>)>,
     /// Of an unread part: its text in SCL, or why it is not written.
     pub(super) unread: Option<Result<String, String>>,

@@ -27,7 +27,7 @@ pub enum DrawnPart {
     Gap,
 }
 
-/// Evaluates a network once. Each block gets its EN and gives its ENO; what is given back is the power of every
+/// Evaluates a network once. Each block gets its EN and returns its ENO; what is given back is the power of every
 /// part, of a connector that of its point.
 pub fn evaluate(network: &[Vec<DrawnPart>], block: &mut dyn FnMut(usize, bool) -> bool) -> Vec<Vec<bool>> {
     let mut run = Run {

@@ -125,7 +125,7 @@ fn line_to(content: &mut Content, (x, y): At) {
     content.line_to(x as f32, y as f32);
 }
 
-/// A step of a path from `here`; gives where it leads.
+/// A step of a path from `here`; returns where it leads.
 fn follow(content: &mut Content, here: At, step: PathStep) -> At {
     match step {
         PathStep::Move(to) => {

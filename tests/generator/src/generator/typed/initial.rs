@@ -3,7 +3,7 @@
 use super::{Dice, Initial, Ty, Typed};
 
 impl Typed {
-    /// Gives some of what is declared an initial value.
+    /// Adds initial values to some of what is declared.
     pub(super) fn give_initial_values(&mut self, dice: &mut Dice) {
         if dice.one_in(2) {
             let values = &self.phase.values;
