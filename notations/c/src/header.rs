@@ -1,10 +1,10 @@
 //! The header: what a caller includes.
 
+use crate::constants::Constants;
 use crate::data::sizes;
 use crate::interface::{Field, Interface};
-use crate::names::{Names, identifier};
 use crate::retained;
-use ladder_simulator::compiled::{Compiled, Home};
+use ladder_simulator::compiled::Compiled;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -15,7 +15,7 @@ pub(crate) fn comment(text: &str) -> String {
         .replace(['\n', '\r'], " ")
 }
 
-const FAULTS: [(&str, &str); 13] = [
+pub(crate) const FAULTS: [(&str, &str); 13] = [
     ("DIVISION", "a division by zero"),
     ("EXPONENT", "a whole number with a negative exponent"),
     ("SHIFT", "a shift by less than 0 places"),
@@ -53,7 +53,7 @@ fn structure(name: &str, what: &str, fields: &[Field]) -> String {
 }
 
 /// The header of a library.
-pub(crate) fn header(p: &str, interface: &Interface, compiled: &Compiled) -> String {
+pub(crate) fn header(p: &str, interface: &Interface, constants: &Constants, compiled: &Compiled) -> String {
     let upper = p.to_ascii_uppercase();
     let sizes = sizes(compiled);
     let mut out = format!(
@@ -130,7 +130,7 @@ pub(crate) fn header(p: &str, interface: &Interface, compiled: &Compiled) -> Str
         );
     }
     let _ = write!(out, "}} {p};\n\n");
-    out.push_str(&others(p, &upper, interface));
+    out.push_str(&places(constants));
     let _ = write!(
         out,
         "/* A cold start. The functions for ports stay as they are set. */\nvoid {p}_init({p} *self);\n\n\
@@ -149,28 +149,17 @@ pub(crate) fn header(p: &str, interface: &Interface, compiled: &Compiled) -> Str
     out
 }
 
-/// Where each other tag is: for a debugger, or a test.
-fn others(p: &str, upper: &str, interface: &Interface) -> String {
-    let mut names = Names::of_constants(p);
-    for (name, _) in FAULTS {
-        names.name(&format!("{upper}_FAULT_{name}"));
-    }
+/// Where the tags are: for the source, a debugger, or a test.
+fn places(constants: &Constants) -> String {
     let mut out = String::new();
-    for field in &interface.others {
-        let (bank, at) = match field.home {
-            Home::Bits { at, .. } => ('b', at.0),
-            Home::Words { at, .. } => ('w', at.0),
-            _ => continue,
-        };
-        let name = names.name(&format!("{upper}_{}", identifier(&field.name)));
-        let _ = writeln!(
-            out,
-            "    {name} = {at}, /* in {bank}: {} */",
-            comment(&field.meaning)
-        );
+    for (bank, tags) in [('b', &constants.bits), ('w', &constants.words)] {
+        for tag in tags.values() {
+            let meaning = comment(&tag.meaning);
+            let _ = writeln!(out, "    {} = {}, /* in {bank}: {meaning} */", tag.name, tag.at);
+        }
     }
     if out.is_empty() {
         return out;
     }
-    format!("/* Where the tags are that are neither inputs nor outputs. */\nenum {{\n{out}}};\n\n")
+    format!("/* Where the tags are in the memory. */\nenum {{\n{out}}};\n\n")
 }

@@ -13,6 +13,7 @@
 #![forbid(unsafe_code)]
 
 mod code;
+mod constants;
 mod data;
 mod header;
 mod interface;

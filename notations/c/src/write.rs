@@ -1,6 +1,7 @@
 //! From a program to its two files.
 
 use crate::code::{self, Body, nesting};
+use crate::constants::Constants;
 use crate::interface::{self, Field, Interface};
 use crate::pieces::PIECES;
 use crate::{data, header, names, retained};
@@ -47,7 +48,16 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
                 .collect(),
         )
     };
-    let body = code::body(&compiled, comment, &|location| place(location).line + 1);
+    // The file that is written may be called otherwise than the program.
+    let file = &*analysis.context.name;
+    let file = file.strip_suffix(".clad").unwrap_or(file);
+    let stem = file.rsplit('/').next().unwrap_or(file);
+    let name = names::library(stem);
+    let interface = interface::interface(&name, program, &compiled);
+    let constants = Constants::of(&name, &interface);
+    let body = code::body(&compiled, &constants, comment, &|location| {
+        place(location).line + 1
+    });
     let mut report = Report::default();
     for network in &program.networks {
         if network.location.file == 0 {
@@ -74,11 +84,6 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
         let why = "what it does is not known: a scan runs past it";
         report.approximated(at, format!("unread part {}", part.name), why);
     }
-    // The file that is written may be called otherwise than the program.
-    let file = &*analysis.context.name;
-    let file = file.strip_suffix(".clad").unwrap_or(file);
-    let stem = file.rsplit('/').next().unwrap_or(file);
-    let name = names::library(stem);
     // The header is called as the source is, but for what cannot stand in an `#include`.
     let is_plain = |c: char| !c.is_control() && !"\"\\<>:?".contains(c);
     let header = if !stem.is_empty() && stem.chars().all(is_plain) {
@@ -86,12 +91,11 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     } else {
         &name
     };
-    let interface = interface::interface(&name, program, &compiled);
     Ok(Writing {
         bytes: source(&name, header, &interface, &compiled, &body).into_bytes(),
         companions: vec![Companion {
             name: format!("{header}.h"),
-            bytes: header::header(&name, &interface, &compiled).into_bytes(),
+            bytes: header::header(&name, &interface, &constants, &compiled).into_bytes(),
         }],
         report,
     })

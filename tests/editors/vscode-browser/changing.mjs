@@ -49,6 +49,7 @@ export async function changing(page, { step, until, weights, row, screenshot }) 
     await step('stepping back goes across the change, and forward again', async () => {
         await steps('Alt+F10', 3, 2);
         await is('lamp', '0');
+        await row(page, 'warmQ=').click();
         await is('warm.ET', '10ms');
         assert.equal(await bold(LAMP), '', 'a line that is another one now has no power to show');
         assert.match(await bold('+--\\--[ ]( go )'), /\(runs\)--\+$/);

@@ -52,6 +52,8 @@ export async function foreign(page, { step, until, screenshot }) {
         await tab('press.station.clad').waitFor();
         await command(page, 'View: Revert and Close Editor');
         await tab('press.station.clad').waitFor({ state: 'detached' });
+        // What other parts have typed would be asked about.
+        await command(page, 'File: Save All');
         await command(page, 'View: Close All Editors');
     });
 }

@@ -1,6 +1,6 @@
 //! Whole numbers, reals, conversions.
 
-use super::{Emitter, w, width};
+use super::{Emitter, width};
 use ladder_simulator::compiled::{Bit, Conversion, IntegerOp, RealFunction, RealOp, Width, Word};
 
 impl Emitter<'_> {
@@ -13,7 +13,7 @@ impl Emitter<'_> {
         [to, a, other]: [Word; 3],
     ) {
         let bits = width(wide);
-        let (to, a, other) = (w(to), w(a), w(other));
+        let (to, a, other) = (self.w(to), self.w(a), self.w(other));
         let plain = match op {
             IntegerOp::Add => Some(("plus", format!("plus({a}, {other})"))),
             IntegerOp::Sub => Some(("minus", format!("minus({a}, {other})"))),
@@ -31,7 +31,7 @@ impl Emitter<'_> {
                 self.uses(piece);
             }
             self.uses("wrap");
-            let when = when.map_or(String::new(), |out| format!("if (b[{}]) ", out.0));
+            let when = when.map_or(String::new(), |out| format!("if ({}) ", self.slot(out)));
             self.line(format!("{when}{to} = wrap({bits}, {value});"));
             return;
         }
@@ -45,7 +45,7 @@ impl Emitter<'_> {
             _ => "i_ror",
         });
         let call = format!("{piece}({bits}, &{to}, {a}, {other})");
-        self.faulting(at, &guarded(when, &call));
+        self.faulting(at, &self.guarded(when, &call));
     }
 
     pub(super) fn real(
@@ -57,8 +57,11 @@ impl Emitter<'_> {
         [to, a, other]: [Word; 3],
     ) {
         self.uses("to_real");
-        let to = w(to);
-        let (a, other) = (format!("to_real({})", w(a)), format!("to_real({})", w(other)));
+        let to = self.w(to);
+        let (a, other) = (
+            format!("to_real({})", self.w(a)),
+            format!("to_real({})", self.w(other)),
+        );
         let sign = |op| match op {
             RealOp::Add | RealOp::RawAdd => Some('+'),
             RealOp::Sub | RealOp::RawSub => Some('-'),
@@ -77,7 +80,7 @@ impl Emitter<'_> {
             } else {
                 value
             };
-            let when = when.map_or(String::new(), |out| format!("if (b[{}]) ", out.0));
+            let when = when.map_or(String::new(), |out| format!("if ({}) ", self.slot(out)));
             self.line(format!("{when}{to} = to_word({value});"));
             return;
         }
@@ -100,13 +103,20 @@ impl Emitter<'_> {
                 format!("put_real(&{to}, {value}, {single})")
             }
         };
-        self.faulting(at, &guarded(when, &call));
+        self.faulting(at, &self.guarded(when, &call));
+    }
+
+    fn guarded(&self, when: Option<Bit>, call: &str) -> String {
+        match when {
+            Some(out) => format!("({} ? {call} : 0)", self.slot(out)),
+            None => call.to_owned(),
+        }
     }
 
     pub(super) fn function(&mut self, at: u32, function: RealFunction, single: bool, to: Word, a: Word) {
         self.uses("to_real");
         self.uses("put_real");
-        let a = format!("to_real({})", w(a));
+        let a = format!("to_real({})", self.w(a));
         let (outside, value) = match function {
             RealFunction::Abs => ("", format!("fabs({a})")),
             RealFunction::Neg => ("", format!("-{a}")),
@@ -124,7 +134,7 @@ impl Emitter<'_> {
             RealFunction::Rad => ("", format!("{a} * (3.14159265358979323846 / 180.0)")),
             RealFunction::Deg => ("", format!("{a} * (180.0 / 3.14159265358979323846)")),
         };
-        let inside = format!("put_real(&{}, {value}, {single})", w(to));
+        let inside = format!("put_real(&{}, {value}, {single})", self.w(to));
         let call = match outside {
             "" => inside,
             "one" => format!("(fabs({a}) > 1.0 ? FAULT_DOMAIN : {inside})"),
@@ -134,7 +144,7 @@ impl Emitter<'_> {
     }
 
     pub(super) fn convert(&mut self, at: u32, conversion: Conversion, to: Word, from: Word) {
-        let (to, from) = (w(to), w(from));
+        let (to, from) = (self.w(to), self.w(from));
         let mut need = |pieces: &[&'static str]| self.body.used.extend(pieces);
         let plain = match conversion {
             Conversion::Wrap(wide) => {
@@ -224,13 +234,6 @@ impl Emitter<'_> {
             _ => return,
         };
         self.faulting(at, &call);
-    }
-}
-
-fn guarded(when: Option<Bit>, call: &str) -> String {
-    match when {
-        Some(out) => format!("(b[{}] ? {call} : 0)", out.0),
-        None => call.to_owned(),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Jumps, calls, loops, zones.
 
-use super::{Emitter, MOST_TURNS, b, w, width};
+use super::{Emitter, MOST_TURNS, width};
 use crate::header::comment;
 use ladder_simulator::compiled::{Bit, CALL_DEPTH, Instr, NOTHING_SAVED};
 use std::fmt::Write;
@@ -11,7 +11,7 @@ const INNERMOST: &str = "frame.loop[frame.loops - 1]";
 impl Emitter<'_> {
     pub(super) fn flow(&mut self, at: u32, instr: Instr) {
         match instr {
-            Instr::Mcr { en } => self.line(format!("frame.rail = {};", b(en))),
+            Instr::Mcr { en } => self.line(format!("frame.rail = {};", self.whole(en))),
             Instr::Jump { en, to, .. } => {
                 let mut actions = String::new();
                 if self.loops {
@@ -23,7 +23,7 @@ impl Emitter<'_> {
                 if to <= at {
                     let _ = write!(actions, "if (++turns > {MOST_TURNS}) goto stopped; ");
                 }
-                self.line(format!("if ({}) {{ {actions}goto L{to}; }}", b(en)));
+                self.line(format!("if ({}) {{ {actions}goto L{to}; }}", self.whole(en)));
             }
             Instr::Call { en, to, saved } => {
                 let mut actions =
@@ -38,20 +38,25 @@ impl Emitter<'_> {
                     "frames[open++] = frame; frame = fresh; frame.back = {}; ",
                     at + 1
                 );
-                self.line(format!("if ({}) {{ {actions}goto L{to}; }}", b(en)));
+                self.line(format!("if ({}) {{ {actions}goto L{to}; }}", self.whole(en)));
             }
             Instr::Return { en, .. } => {
                 let target = self.back();
-                self.line(format!("if ({}) goto {target};", b(en)));
+                self.line(format!("if ({}) goto {target};", self.whole(en)));
             }
             Instr::Finish => {
                 let target = self.back();
                 self.line(format!("goto {target};"));
             }
             Instr::End { en, .. } => {
-                self.line(format!("if ({}) {{ self->ended = true; goto done; }}", b(en)));
+                self.line(format!(
+                    "if ({}) {{ self->ended = true; goto done; }}",
+                    self.whole(en)
+                ));
             }
-            Instr::For { en, turns } => self.line(format!("frame.noted = {} ? {} : 0;", b(en), w(turns))),
+            Instr::For { en, turns } => {
+                self.line(format!("frame.noted = {} ? {} : 0;", self.b(en), self.w(turns)));
+            }
             Instr::Enter { body, after } => {
                 self.line(format!(
                     "if (frame.noted <= 0) {{ frame.noted = 0; goto L{after}; }}"
@@ -62,7 +67,7 @@ impl Emitter<'_> {
             }
             Instr::Turn { to, width: wide } => {
                 self.uses("wrap");
-                self.line(format!("{} = wrap({}, {INNERMOST}.turn);", w(to), width(wide)));
+                self.line(format!("{} = wrap({}, {INNERMOST}.turn);", self.w(to), width(wide)));
             }
             Instr::Again { body } => {
                 self.line(format!("if (frame.loops > 0 && {INNERMOST}.body == {body}) {{"));

@@ -1,6 +1,7 @@
 //! One instruction as statements of C.
 
-use super::{Emitter, b, operator, w, width};
+use super::term::{Rank, Term};
+use super::{Emitter, operator, width};
 use crate::pieces::PIECES;
 use ladder_analysis::values::compound::EnumId;
 use ladder_simulator::compiled::{Bit, Instr, Routine, TYPES, Test, Word};
@@ -9,30 +10,34 @@ impl Emitter<'_> {
     /// A comparison of something with itself, of which compilers warn. No tag holds what is not equal to itself.
     fn same(&mut self, test: Test, out: Bit, en: Bit) {
         let holds = [Test::EQ, Test::GE, Test::LE].contains(&test);
-        self.bit(out, if holds { b(en) } else { "0".into() });
+        let term = if holds { self.term(en) } else { Term::atom("0") };
+        self.power(out, term);
     }
 
     #[allow(clippy::too_many_lines, reason = "one line for each instruction")]
     pub(super) fn instr(&mut self, at: u32, instr: Instr) {
         match instr {
-            Instr::Contact { out, en, tag } => self.bit(out, format!("{} & {}", b(en), b(tag))),
+            Instr::Rail { out } | Instr::Follow { out, .. } if self.always.contains(&out) => {}
+            Instr::Contact { out, en, tag } => self.power(out, self.term(en).and(self.term(tag))),
             Instr::NegatedContact { out, en, tag } => {
-                self.bit(out, format!("(uint8_t)({} & ({} ^ 1))", b(en), b(tag)));
+                self.power(out, self.term(en).and(!self.term(tag)));
             }
-            Instr::Join { out, upper, lower } => self.bit(out, format!("{} | {}", b(upper), b(lower))),
-            Instr::Invert { out, en } => self.bit(out, format!("{} ^ 1", b(en))),
-            Instr::Follow { out, en } => self.bit(out, b(en)),
+            Instr::Join { out, upper, lower } => self.power(out, self.term(upper).or(self.term(lower))),
+            Instr::Invert { out, en } => self.power(out, !self.term(en)),
+            Instr::Follow { out, en } => self.power(out, self.term(en)),
             Instr::Rail { out } => {
                 let rail = if self.zones { "frame.rail" } else { "1" };
-                self.bit(out, rail);
+                self.power(out, Term::atom(rail));
             }
             Instr::Rising { out, en, tag, before } => {
                 let piece = self.uses("rising");
-                self.bit(out, format!("{piece}({}, {}, &b[{}])", b(en), b(tag), before.0));
+                let call = format!("{piece}({}, {}, &b[{}])", self.whole(en), self.b(tag), before.0);
+                self.remembered(out, call);
             }
             Instr::Falling { out, en, tag, before } => {
                 let piece = self.uses("falling");
-                self.bit(out, format!("{piece}({}, {}, &b[{}])", b(en), b(tag), before.0));
+                let call = format!("{piece}({}, {}, &b[{}])", self.whole(en), self.b(tag), before.0);
+                self.remembered(out, call);
             }
             Instr::Compare {
                 test,
@@ -64,10 +69,8 @@ impl Emitter<'_> {
                 a,
                 b: other,
             } => {
-                self.bit(
-                    out,
-                    format!("{} & ({} {} {})", b(en), w(a), operator(test), w(other)),
-                );
+                let holds = format!("{} {} {}", self.w(a), operator(test), self.w(other));
+                self.power(out, self.term(en).and(Term::comparison(holds)));
             }
             Instr::CompareUnsigned {
                 test,
@@ -79,8 +82,13 @@ impl Emitter<'_> {
                 b: other,
             } => {
                 self.uses("order");
-                let order = format!("order({}, {a_unsigned}, {}, {b_unsigned})", w(a), w(other));
-                self.bit(out, format!("{} & ({order} {} 0)", b(en), operator(test)));
+                let order = format!(
+                    "order({}, {a_unsigned}, {}, {b_unsigned})",
+                    self.w(a),
+                    self.w(other)
+                );
+                let holds = Term::comparison(format!("{order} {} 0", operator(test)));
+                self.power(out, self.term(en).and(holds));
             }
             Instr::CompareReal {
                 test,
@@ -90,8 +98,12 @@ impl Emitter<'_> {
                 b: other,
             } => {
                 self.uses("to_real");
-                let (a, other) = (format!("to_real({})", w(a)), format!("to_real({})", w(other)));
-                self.bit(out, format!("{} & ({a} {} {other})", b(en), operator(test)));
+                let (a, other) = (
+                    format!("to_real({})", self.w(a)),
+                    format!("to_real({})", self.w(other)),
+                );
+                let holds = Term::comparison(format!("{a} {} {other}", operator(test)));
+                self.power(out, self.term(en).and(holds));
             }
             Instr::CompareBit {
                 test,
@@ -100,10 +112,8 @@ impl Emitter<'_> {
                 a,
                 b: other,
             } => {
-                self.bit(
-                    out,
-                    format!("{} & ({} {} {})", b(en), b(a), operator(test), b(other)),
-                );
+                let holds = format!("{} {} {}", self.b(a), operator(test), self.b(other));
+                self.power(out, self.term(en).and(Term::comparison(holds)));
             }
             Instr::CompareText {
                 test,
@@ -114,23 +124,40 @@ impl Emitter<'_> {
             } => {
                 self.uses("text_order");
                 let order = format!("text_order(self, {}, {})", a.0, other.0);
-                self.bit(out, format!("{} & ({order} {} 0)", b(en), operator(test)));
+                let holds = Term::comparison(format!("{order} {} 0", operator(test)));
+                self.power(out, self.term(en).and(holds));
             }
-            Instr::Coil { en, tag } => self.bit(tag, b(en)),
-            Instr::NegatedCoil { en, tag } => self.bit(tag, format!("{} ^ 1", b(en))),
-            Instr::Set { en, tag } => self.line(format!("if ({}) b[{}] = 1;", b(en), tag.0)),
-            Instr::Reset { en, tag } => self.line(format!("if ({}) b[{}] = 0;", b(en), tag.0)),
+            Instr::Coil { en, tag } => self.bit(tag, self.whole(en)),
+            Instr::NegatedCoil { en, tag } => self.bit(tag, (!self.term(en)).within(Rank::Or)),
+            Instr::Set { en, tag } => self.line(format!("if ({}) {} = 1;", self.whole(en), self.slot(tag))),
+            Instr::Reset { en, tag } => self.line(format!("if ({}) {} = 0;", self.whole(en), self.slot(tag))),
+            Instr::Powered { out, .. } if self.always.contains(&out) => {}
+            Instr::MoveWhen { out, to, from, .. } if self.always.contains(&out) => {
+                self.line(format!("{} = {};", self.w(to), self.w(from)));
+            }
+            Instr::MoveWhen { out, en, to, from } if self.unread.contains(&out) => {
+                self.line(format!(
+                    "if ({}) {} = {};",
+                    self.whole(en),
+                    self.w(to),
+                    self.w(from)
+                ));
+            }
             Instr::Powered { out, en, end } => {
-                self.bit(out, b(en));
-                self.line(format!("if (!b[{}]) goto L{end};", out.0));
+                self.bit(out, self.whole(en));
+                self.line(format!("if (!{}) goto L{end};", self.slot(out)));
             }
-            Instr::MoveBit { to, from } => self.bit(to, b(from)),
-            Instr::AndBit { to, a, b: other } => self.bit(to, format!("{} & {}", b(a), b(other))),
-            Instr::OrBit { to, a, b: other } => self.bit(to, format!("{} | {}", b(a), b(other))),
-            Instr::XorBit { to, a, b: other } => self.bit(to, format!("{} ^ {}", b(a), b(other))),
-            Instr::NotBit { to, a } => self.bit(to, format!("{} ^ 1", b(a))),
+            Instr::MoveBit { to, from } => self.power(to, self.term(from)),
+            Instr::AndBit { to, a, b } => self.power(to, self.term(a).and(self.term(b))),
+            Instr::OrBit { to, a, b } => self.power(to, self.term(a).or(self.term(b))),
+            Instr::XorBit { to, a, b } => {
+                let differ = format!("{} != {}", self.b(a), self.b(b));
+                self.power(to, Term::comparison(differ));
+            }
+            Instr::NotBit { to, a } => self.power(to, !self.term(a)),
             Instr::LoadBitOf { to, word, bit } => {
-                self.bit(to, format!("(uint8_t)((uint64_t){} >> {bit} & 1)", w(word)));
+                let shifted = format!("(uint8_t)((uint64_t){} >> {bit} & 1)", self.w(word));
+                self.power(to, Term::atom(shifted));
             }
             Instr::StoreBitOf {
                 word,
@@ -140,14 +167,19 @@ impl Emitter<'_> {
             } => {
                 self.uses("wrap");
                 let mask = format!("(UINT64_C(1) << {bit})");
-                let cleared = format!("((uint64_t){} & ~{mask})", w(word));
-                let value = format!("(int64_t)({cleared} | (uint64_t){} << {bit})", b(from));
-                self.line(format!("{} = wrap({}, {value});", w(word), width(wide)));
+                let cleared = format!("((uint64_t){} & ~{mask})", self.w(word));
+                let value = format!("(int64_t)({cleared} | (uint64_t){} << {bit})", self.b(from));
+                self.line(format!("{} = wrap({}, {value});", self.w(word), width(wide)));
             }
-            Instr::Move { to, from } => self.line(format!("{} = {};", w(to), w(from))),
+            Instr::Move { to, from } => self.line(format!("{} = {};", self.w(to), self.w(from))),
             Instr::MoveWhen { out, en, to, from } => {
-                self.bit(out, b(en));
-                self.line(format!("if (b[{}]) {} = {};", out.0, w(to), w(from)));
+                self.bit(out, self.whole(en));
+                self.line(format!(
+                    "if ({}) {} = {};",
+                    self.slot(out),
+                    self.w(to),
+                    self.w(from)
+                ));
             }
             Instr::Integer {
                 op,
@@ -165,7 +197,7 @@ impl Emitter<'_> {
                 a,
                 b: other,
             } => {
-                self.bit(out, b(en));
+                self.bit(out, self.whole(en));
                 self.integer(at, Some(out), op, wide, [to, a, other]);
             }
             Instr::Real {
@@ -184,7 +216,7 @@ impl Emitter<'_> {
                 a,
                 b: other,
             } => {
-                self.bit(out, b(en));
+                self.bit(out, self.whole(en));
                 self.real(at, Some(out), op, single, [to, a, other]);
             }
             Instr::RealFunction {
@@ -194,28 +226,36 @@ impl Emitter<'_> {
                 a,
             } => self.function(at, function, single, to, a),
             Instr::Convert { conversion, to, from } => self.convert(at, conversion, to, from),
-            Instr::BitToWord { to, from } => self.line(format!("{} = {};", w(to), b(from))),
+            Instr::BitToWord { to, from } => self.line(format!("{} = {};", self.w(to), self.whole(from))),
             Instr::MoveText { to, from } => self.text(to.0.to_string(), from.0.to_string()),
             Instr::Index { to, index, array } => {
                 let place = self.code.arrays[array as usize];
                 self.uses("index_of");
                 let call = format!(
                     "index_of(&{}, {}, {}, {}, {})",
-                    w(to),
-                    w(index),
+                    self.w(to),
+                    self.w(index),
                     place.base,
                     crate::data::number(place.first),
                     crate::data::number(place.last)
                 );
                 self.faulting(at, &call);
             }
-            Instr::LoadBit { to, at: slot } => self.bit(to, format!("b[{}]", w(slot))),
-            Instr::StoreBit { at: slot, from } => self.line(format!("b[{}] = {};", w(slot), b(from))),
-            Instr::LoadWord { to, at: slot } => self.line(format!("{} = w[{}];", w(to), w(slot))),
-            Instr::StoreWord { at: slot, from } => self.line(format!("w[{}] = {};", w(slot), w(from))),
-            Instr::LoadText { to, at: slot } => self.text(to.0.to_string(), format!("(uint32_t){}", w(slot))),
+            Instr::LoadBit { to, at: slot } => {
+                self.power(to, Term::atom(format!("b[{}]", self.w(slot))));
+            }
+            Instr::StoreBit { at: slot, from } => {
+                self.line(format!("b[{}] = {};", self.w(slot), self.whole(from)));
+            }
+            Instr::LoadWord { to, at: slot } => self.line(format!("{} = w[{}];", self.w(to), self.w(slot))),
+            Instr::StoreWord { at: slot, from } => {
+                self.line(format!("w[{}] = {};", self.w(slot), self.w(from)));
+            }
+            Instr::LoadText { to, at: slot } => {
+                self.text(to.0.to_string(), format!("(uint32_t){}", self.w(slot)));
+            }
             Instr::StoreText { at: slot, from } => {
-                self.text(format!("(uint32_t){}", w(slot)), from.0.to_string());
+                self.text(format!("(uint32_t){}", self.w(slot)), from.0.to_string());
             }
             Instr::Ton {
                 out,
@@ -283,16 +323,26 @@ impl Emitter<'_> {
             Instr::Sr { out, en, reset, bits } => {
                 self.bit(
                     bits,
-                    format!("(uint8_t)({} | (b[{}] & ({} ^ 1)))", b(en), bits.0, b(reset)),
+                    format!(
+                        "(uint8_t)({} | (b[{}] & ({} ^ 1)))",
+                        self.b(en),
+                        bits.0,
+                        self.b(reset)
+                    ),
                 );
-                self.bit(out, b(bits));
+                self.bit(out, self.b(bits));
             }
             Instr::Rs { out, en, reset, bits } => {
                 self.bit(
                     bits,
-                    format!("(uint8_t)(({} ^ 1) & ({} | b[{}]))", b(reset), b(en), bits.0),
+                    format!(
+                        "(uint8_t)(({} ^ 1) & ({} | b[{}]))",
+                        self.b(reset),
+                        self.b(en),
+                        bits.0
+                    ),
                 );
-                self.bit(out, b(bits));
+                self.bit(out, self.b(bits));
             }
             Instr::Clear {
                 en,
@@ -305,7 +355,7 @@ impl Emitter<'_> {
                 state,
                 bits,
                 words,
-            } => self.clear(en, state, &w(bits), &w(words)),
+            } => self.clear(en, state, &self.w(bits), &self.w(words)),
             Instr::StateAt {
                 op,
                 out,
@@ -330,7 +380,7 @@ impl Emitter<'_> {
             let values = usize::try_from(pool[1])
                 .ok()
                 .and_then(|number| EnumId::from_number(number.checked_sub(TYPES.len())? as u32));
-            let (to, from) = (w(Word(pool[0])), w(Word(pool[2])));
+            let (to, from) = (self.w(Word(pool[0])), self.w(Word(pool[2])));
             if let Some(id) = values {
                 let tests: Vec<String> = (id.get().values.iter().map(|(_, value)| *value))
                     .map(|value| format!("{from} == {}", crate::data::number(value.into())))

@@ -3,12 +3,18 @@
 mod arithmetic;
 mod flow;
 mod instr;
+mod powers;
 mod states;
+mod term;
 
+use crate::constants::Constants;
 use ladder_analysis::program::Location;
 use ladder_simulator::compiled::{Bit, CALL_DEPTH, Code, Compiled, Instr, Test, Width, Word};
-use std::collections::BTreeSet;
+use powers::Powers;
+use std::cell::RefCell;
+use std::collections::{BTreeSet, HashSet};
 use std::fmt::Write;
+use term::Pending;
 
 /// How often a scan may jump back or call before it is stopped.
 const MOST_TURNS: u32 = 1_000_000;
@@ -38,6 +44,7 @@ impl Body {
 /// `line` is the line of the program that a block is on.
 pub(crate) fn body(
     compiled: &Compiled,
+    constants: &Constants,
     comment: impl Fn(usize) -> Option<String>,
     line: &dyn Fn(Location) -> u32,
 ) -> Body {
@@ -46,6 +53,7 @@ pub(crate) fn body(
     let calls = is(|instr| matches!(instr, Instr::Call { .. }));
     let loops = nesting(code) > 0;
     let zones = is(|instr| matches!(instr, Instr::Mcr { .. }));
+    let powers = Powers::of(compiled);
     let mut emitter = Emitter {
         code,
         line_of: line,
@@ -55,6 +63,11 @@ pub(crate) fn body(
         zones,
         goes_back: false,
         labels: labels(code, calls),
+        constants,
+        always: powers.always(code, zones),
+        once: powers.read(1),
+        unread: powers.read(0),
+        pending: RefCell::default(),
     };
     emitter.all(comment);
     emitter.body.locals = locals(&emitter.body, code, calls, loops, zones);
@@ -152,18 +165,14 @@ struct Emitter<'c> {
     /// Something ends in `go_back`.
     goes_back: bool,
     labels: BTreeSet<u32>,
-}
-
-fn b(bit: Bit) -> String {
-    match bit {
-        Bit::LOW => "0".into(),
-        Bit::HIGH => "1".into(),
-        Bit(at) => format!("b[{at}]"),
-    }
-}
-
-fn w(word: Word) -> String {
-    format!("w[{}]", word.0)
+    constants: &'c Constants,
+    /// The bits that have power whenever they are read.
+    always: HashSet<Bit>,
+    /// The bits that are part of the expression which reads them.
+    once: HashSet<Bit>,
+    /// Those that nothing reads.
+    unread: HashSet<Bit>,
+    pending: RefCell<Vec<Pending>>,
 }
 
 fn operator(test: Test) -> &'static str {
@@ -193,7 +202,17 @@ fn width(width: Width) -> i32 {
 
 impl Emitter<'_> {
     fn line(&mut self, text: impl AsRef<str>) {
-        let _ = writeln!(self.body.text, "    {}", text.as_ref());
+        self.flush();
+        self.write_line(text.as_ref());
+    }
+
+    fn write_line(&mut self, text: &str) {
+        let _ = writeln!(self.body.text, "    {text}");
+    }
+
+    /// A word.
+    fn w(&self, word: Word) -> String {
+        format!("w[{}]", self.constants.word(word))
     }
 
     fn uses(&mut self, piece: &'static str) -> &'static str {
@@ -205,6 +224,7 @@ impl Emitter<'_> {
         let mut places = self.code.networks.iter().peekable();
         for at in 0..self.code.instrs.len() as u32 {
             while let Some(place) = places.next_if(|place| place.start <= at) {
+                self.flush();
                 if let Some(comment) = comment(place.network as usize) {
                     self.body.text.push('\n');
                     self.body.text.push_str(&comment);
@@ -214,6 +234,7 @@ impl Emitter<'_> {
             let instr = self.code.instrs[at as usize];
             self.instr(at, instr);
         }
+        self.flush();
         self.label(self.code.instrs.len() as u32);
         if self.goes_back {
             self.body.text.push_str(&self.going_back());
@@ -222,6 +243,7 @@ impl Emitter<'_> {
 
     fn label(&mut self, at: u32) {
         if self.labels.contains(&at) {
+            self.flush();
             let _ = writeln!(self.body.text, "L{at}:;");
         }
     }
@@ -233,7 +255,7 @@ impl Emitter<'_> {
         let out = if block.out == Bit::LOW || block.out == Bit::HIGH {
             String::new()
         } else {
-            format!("{} = 0; ", b(block.out))
+            format!("{} = 0; ", self.slot(block.out))
         };
         self.line(format!(
             "if ((fault = {call}) != 0) {{ note(self, fault, {line}); {out}goto L{}; }}",
@@ -242,6 +264,6 @@ impl Emitter<'_> {
     }
 
     fn bit(&mut self, to: Bit, value: impl AsRef<str>) {
-        self.line(format!("b[{}] = {};", to.0, value.as_ref()));
+        self.line(format!("{} = {};", self.slot(to), value.as_ref()));
     }
 }

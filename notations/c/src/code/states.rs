@@ -1,18 +1,18 @@
 //! Timers, counters, bistables.
 
-use super::{Emitter, b, w};
+use super::Emitter;
 use ladder_instructions::{Op, StateType};
 use ladder_simulator::compiled::{Bit, Word};
 
 impl Emitter<'_> {
     pub(super) fn timer(&mut self, piece: &'static str, [out, en, bits]: [Bit; 3], pt: Word, words: Word) {
         let state = (format!("b + {}", bits.0), format!("w + {}", words.0));
-        self.state(piece, out, en, &w(pt), &state);
+        self.state(piece, out, en, &self.w(pt), &state);
     }
 
     pub(super) fn counter(&mut self, piece: &'static str, [out, en, bits]: [Bit; 3], pv: Word, words: Word) {
         let state = (format!("b + {}", bits.0), format!("w + {}", words.0));
-        self.state(piece, out, en, &w(pv), &state);
+        self.state(piece, out, en, &self.w(pv), &state);
     }
 
     /// A timer or counter whose state begins at these places.
@@ -26,10 +26,8 @@ impl Emitter<'_> {
     ) {
         self.uses(piece);
         let of_time = if piece.starts_with('c') { "" } else { "self, " };
-        self.bit(
-            out,
-            format!("{piece}({of_time}{bits}, {words}, {}, {preset})", b(en)),
-        );
+        let call = format!("{piece}({of_time}{bits}, {words}, {}, {preset})", self.whole(en));
+        self.remembered(out, call);
     }
 
     /// The state of an instruction that an index has chosen.
@@ -45,7 +43,7 @@ impl Emitter<'_> {
             Op::Ctud => "ctud",
             Op::Ctc => "ctc",
             _ => {
-                let (set, reset, q) = (b(en), b(Bit(operand)), format!("b[{}]", w(bits)));
+                let (set, reset, q) = (self.b(en), self.b(Bit(operand)), format!("b[{}]", self.w(bits)));
                 let value = if op == Op::Sr {
                     format!("{set} | ({q} & ({reset} ^ 1))")
                 } else {
@@ -56,8 +54,8 @@ impl Emitter<'_> {
                 return;
             }
         };
-        let state = (format!("b + {}", w(bits)), format!("w + {}", w(words)));
-        self.state(piece, out, en, &w(Word(operand)), &state);
+        let state = (format!("b + {}", self.w(bits)), format!("w + {}", self.w(words)));
+        self.state(piece, out, en, &self.w(Word(operand)), &state);
     }
 
     pub(super) fn clear(&mut self, en: Bit, state: StateType, bits: &str, words: &str) {
@@ -77,6 +75,6 @@ impl Emitter<'_> {
         } else {
             format!("b[{bits}] = 0")
         };
-        self.line(format!("if ({}) {action};", b(en)));
+        self.line(format!("if ({}) {action};", self.whole(en)));
     }
 }
