@@ -65,6 +65,8 @@ pub struct Compiled {
     pub(crate) fused: Fused,
     /// Where each tag lives, in the order of the program's tags.
     pub homes: Vec<Home>,
+    /// The words that hold a literal of the program and are never written.
+    pub literals: HashMap<Word, i64>,
     /// Memory at a cold start.
     pub initial: Memory,
     /// What can be shown as live or dead, in the order of the drawing.
@@ -298,6 +300,11 @@ impl Compiler<'_> {
             ),
             code: self.code,
             homes: self.homes,
+            literals: self
+                .constants
+                .into_iter()
+                .map(|(value, word)| (word, value))
+                .collect(),
             initial: memory,
             elements: self.elements,
             skippable: self.skippable,

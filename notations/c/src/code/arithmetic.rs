@@ -13,7 +13,7 @@ impl Emitter<'_> {
         [to, a, other]: [Word; 3],
     ) {
         let bits = width(wide);
-        let (to, a, other) = (self.w(to), self.w(a), self.w(other));
+        let (to, a, other) = (self.w(to), self.number(a), self.number(other));
         let plain = match op {
             IntegerOp::Add => Some(("plus", format!("plus({a}, {other})"))),
             IntegerOp::Sub => Some(("minus", format!("minus({a}, {other})"))),

@@ -69,7 +69,7 @@ impl Emitter<'_> {
                 a,
                 b: other,
             } => {
-                let holds = format!("{} {} {}", self.w(a), operator(test), self.w(other));
+                let holds = format!("{} {} {}", self.number(a), operator(test), self.number(other));
                 self.power(out, self.term(en).and(Term::comparison(holds)));
             }
             Instr::CompareUnsigned {

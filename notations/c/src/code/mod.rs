@@ -12,7 +12,7 @@ use ladder_analysis::program::Location;
 use ladder_simulator::compiled::{Bit, CALL_DEPTH, Code, Compiled, Instr, Test, Width, Word};
 use powers::Powers;
 use std::cell::RefCell;
-use std::collections::{BTreeSet, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::fmt::Write;
 use term::Pending;
 
@@ -64,6 +64,7 @@ pub(crate) fn body(
         goes_back: false,
         labels: labels(code, calls),
         constants,
+        literals: &compiled.literals,
         always: powers.always(code, zones),
         once: powers.read(1),
         unread: powers.read(0),
@@ -166,6 +167,7 @@ struct Emitter<'c> {
     goes_back: bool,
     labels: BTreeSet<u32>,
     constants: &'c Constants,
+    literals: &'c HashMap<Word, i64>,
     /// The bits that have power whenever they are read.
     always: HashSet<Bit>,
     /// The bits that are part of the expression which reads them.
@@ -208,6 +210,12 @@ impl Emitter<'_> {
 
     fn write_line(&mut self, text: &str) {
         let _ = writeln!(self.body.text, "    {text}");
+    }
+
+    /// A word that holds a whole number, for one who reads it.
+    fn number(&self, word: Word) -> String {
+        let literal = self.literals.get(&word);
+        literal.map_or_else(|| self.w(word), |value| crate::data::number(*value))
     }
 
     /// A word.

@@ -7,12 +7,12 @@ use ladder_simulator::compiled::{Bit, Word};
 impl Emitter<'_> {
     pub(super) fn timer(&mut self, piece: &'static str, [out, en, bits]: [Bit; 3], pt: Word, words: Word) {
         let state = (format!("b + {}", bits.0), format!("w + {}", words.0));
-        self.state(piece, out, en, &self.w(pt), &state);
+        self.state(piece, out, en, &self.number(pt), &state);
     }
 
     pub(super) fn counter(&mut self, piece: &'static str, [out, en, bits]: [Bit; 3], pv: Word, words: Word) {
         let state = (format!("b + {}", bits.0), format!("w + {}", words.0));
-        self.state(piece, out, en, &self.w(pv), &state);
+        self.state(piece, out, en, &self.number(pv), &state);
     }
 
     /// A timer or counter whose state begins at these places.
