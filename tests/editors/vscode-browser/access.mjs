@@ -195,7 +195,9 @@ export async function access(page, { step, until, weights, row, screenshot, useT
             await page.keyboard.press('F10');
             await page.getByText(`Ladder: paused, scan ${scan},`).waitFor();
         }
-        await row(page, 'warmQ=').click();
+        if (!(await row(page, 'warm.ET').isVisible())) {
+            await row(page, 'warmQ=').click();
+        }
         await row(page, 'warm.ET').hover();
         await row(page, 'warm.ET').locator('.codicon-pulse').click();
         await traceOf();
