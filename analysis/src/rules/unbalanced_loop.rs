@@ -3,6 +3,7 @@
 use super::survey::Survey;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
+use crate::networks::BlockAt;
 use crate::networks::control_flow::ControlFlow;
 use crate::program::DEEPEST_LOOP;
 use ladder_instructions::{Op, Profile};
@@ -30,7 +31,7 @@ pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
         // A loop begins after the network of its FOR and ends with that of its NEXT.
         let of = |op| {
             let own = network.blocks().filter(move |bound| bound.op() == Some(op));
-            own.map(|bound| bound.range()).enumerate()
+            own.map(BlockAt::range).enumerate()
         };
         for (number, at) in of(Op::Next) {
             match open.pop() {

@@ -67,7 +67,11 @@ impl Emitter<'_> {
             }
             Instr::Turn { to, width: wide } => {
                 self.uses("wrap");
-                self.line(format!("{} = wrap({}, {INNERMOST}.turn);", self.w(to), width(wide)));
+                self.line(format!(
+                    "{} = wrap({}, {INNERMOST}.turn);",
+                    self.w(to),
+                    width(wide)
+                ));
             }
             Instr::Again { body } => {
                 self.line(format!("if (frame.loops > 0 && {INNERMOST}.body == {body}) {{"));
