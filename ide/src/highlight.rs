@@ -4,6 +4,7 @@
 use crate::locate::{OnRung, on_rung};
 use crate::symbol::{Found, Symbol, Usage, find, occurrences};
 use ladder_analysis::context::Context;
+use ladder_analysis::networks::BlockAt;
 use ladder_instructions::{Op, by_op};
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{LineKind, SyntaxKind, TextRange, TextSize};
@@ -106,7 +107,7 @@ fn loops(context: &Context, op: Op, at: TextRange) -> Vec<Highlight> {
         let mut blocks = context.networks.at(network).blocks();
         blocks
             .find(|block| block.op() == Some(op))
-            .map(|block| block.head_range())
+            .map(BlockAt::head_range)
     };
     let partner = context.loops().into_iter().find_map(|(first, last)| match op {
         Op::For => (first == mine.index).then(|| find(last, Op::Next))?,

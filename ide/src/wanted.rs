@@ -229,6 +229,7 @@ fn of_row(typing: &Typing<'_>, operand: &Operand, accepts: Accepts) -> Wanted {
             ty.map_or(Kind::Any, Kind::With)
         }
         Accepts::Convertible | Accepts::Tag | Accepts::RangeOrValue => Kind::Any,
+        Accepts::Wrapped => Kind::Class(TypeClass::BitsOrInteger),
         Accepts::Integer => Kind::Integer,
         Accepts::Number => Kind::Number,
         Accepts::String => Kind::Class(TypeClass::String),

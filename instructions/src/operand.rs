@@ -256,6 +256,8 @@ pub enum Accepts {
     Compared,
     /// A tag or literal of any elementary type, converted or taken apart (`[TYP]`, `[UNPACK]`).
     Convertible,
+    /// An integer or a bit string, kept in its own type and cut to the bits of the result (`[WRAP]`).
+    Wrapped,
     /// Any integer: a count, selector or index; it takes no part in the result's type.
     Integer,
     /// A STRING tag or literal, whatever the result's type (the string functions, `[FMT]`).

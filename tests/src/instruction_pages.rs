@@ -183,6 +183,7 @@ fn takes(operand: &Operand) -> String {
         Accepts::Value => "what passes to the result's type",
         Accepts::Compared => "values that can be compared",
         Accepts::Convertible => "any elementary type",
+        Accepts::Wrapped => "any integer or bit string",
         Accepts::Integer => "any integer",
         Accepts::String => "STRING",
         Accepts::Number => "any integer or real",

@@ -104,9 +104,7 @@ impl<'c> Resolver<'c, '_> {
                     });
                     expr.map(Argument::Value)
                 }
-                Accepts::Convertible if row.op == Op::Wrap => {
-                    self.wrapped(&written.value).map(Argument::Value)
-                }
+                Accepts::Wrapped => self.wrapped(&written.value).map(Argument::Value),
                 Accepts::Convertible => match self.natural(&written.value) {
                     Some(value) => self.convertible(row.op, value, works_in).map(Argument::Value),
                     None => None,
@@ -361,7 +359,8 @@ impl<'c> Resolver<'c, '_> {
             | Accepts::Value
             | Accepts::Compared
             | Accepts::Expression
-            | Accepts::Convertible => None,
+            | Accepts::Convertible
+            | Accepts::Wrapped => None,
         }
     }
 

@@ -57,7 +57,7 @@ fn takes(accepts: Accepts, literal: &Literal) -> bool {
         }
         // A plain number is so many milliseconds here, and seconds or tenths of them elsewhere.
         Accepts::Duration | Accepts::Time => matches!(literal, Literal::Time(_)),
-        Accepts::Integer | Accepts::Count => matches!(literal, Literal::Int(_)),
+        Accepts::Integer | Accepts::Count | Accepts::Wrapped => matches!(literal, Literal::Int(_)),
         Accepts::Number => matches!(literal, Literal::Int(_) | Literal::Real(_)),
         Accepts::String => matches!(literal, Literal::Text(_)),
         Accepts::Value

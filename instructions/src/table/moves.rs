@@ -125,13 +125,13 @@ END_VAR
                 Accepts::Result(TypeClass::BitsOrInteger),
                 "The tag that is written; its type is the target.",
             ),
-            Operand::input("a", Accepts::Convertible, "The value: an integer or a bit string."),
+            Operand::input("a", Accepts::Wrapped, "The value: an integer or a bit string."),
         ],
         doc: "Brings an integer or a bit string to the type of y, whatever its value is.
 
-The value is extended by its sign if its type has one, else by zeros, and cut to the bits of y. So 300 gives 44
-in a USINT, and -1 gives 65535 in a UINT. It is never a fault: for a value that must fit use `[TYP]`. A literal
-is a LINT.
+The value is extended by its sign if its type has one, else by zeros, and cut to the bits of y. So 300 gives
+44 in a USINT, and -1 gives 65535 in a UINT. It is never a fault: for a value that must fit use `[TYP]`. A
+literal is a LINT.
 
 It is what the conversions between integers do in most controllers, and in Structured Text.",
         example: "VAR_INPUT

@@ -34,6 +34,7 @@ fn signatures() {
         [LE]( a, b, ... )                                  condition; ENO: EN and a <= b
         [MOV]( y, a )                                      acts; ENO: EN, low on a fault
         [TYP]( y, a )                                      acts; ENO: EN, low on a fault
+        [WRAP]( y, a )                                     acts; ENO: EN, low on a fault
         [ADD]( y, a, b, ... )                              acts; ENO: EN, low on a fault
         [MUL]( y, a, b, ... )                              acts; ENO: EN, low on a fault
         [SUB]( y, a, b, ... )                              acts; ENO: EN, low on a fault

@@ -162,7 +162,7 @@ pub(crate) fn take_out(project: &mut Project) {
         .iter()
         .filter_map(|global| Some((system(global)?, global.name.clone())))
         .collect();
-    let (mut is_set, mut called, mut moves) = (false, Vec::new(), Vec::new());
+    let (mut is_set, mut called, mut moves, mut taken) = (false, Vec::new(), Vec::new(), Vec::new());
     let units = std::mem::take(&mut project.units);
     for unit in units {
         let written = match unit.kind {
@@ -200,6 +200,19 @@ pub(crate) fn take_out(project: &mut Project) {
         project
             .report
             .translated(unit.place, format!("unit {}", unit.name));
+        taken.push(unit);
+    }
+    // What was changed since may use others: each those above it.
+    while let Some(unit) = taken.pop() {
+        let uses = |other: &Unit| {
+            let mut types = other.variables.iter().map(|variable| &variable.ty);
+            types.any(|ty| is_of(ty, &unit.name))
+                || matches!(&other.body, Body::Text("ST", text, _) if text.contains(&unit.name))
+        };
+        let mut changed = (project.units.iter()).filter(|other| other.comment.as_deref() == Some(ALONG));
+        if changed.any(uses) {
+            project.units.insert(0, unit);
+        }
     }
     for unit in &mut project.units {
         for name in &called {

@@ -117,8 +117,8 @@ fn first_part_with_junk() {
             RUNG + -- ‹‹( a !"+ b" )›› -- +
                 "+ b" 7..10 UnexpectedCharacter {place: Head, after_comment: false}
 
-            RUNG + -- ‹‹[$my_block]›‹( ‹NAME_EXPR:a› )›› -- +
-                "$my_block" 4..13 BadBlockName
+            RUNG + -- ‹‹[$my__block]›‹( ‹NAME_EXPR:a› )›› -- +
+                "$my__block" 4..14 BadBlockName
 
             RUNG + -- ‹‹[!"$"]›‹( ‹NAME_EXPR:a› )›› -- +
                 "$" 4..5 UnexpectedCharacter {place: Head, after_comment: false}

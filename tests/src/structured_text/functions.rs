@@ -35,7 +35,9 @@ pub(super) fn binary(operator: &str, a: Value, b: Value) -> Result {
             let is_bits = matches!(ty, Some(Type::Int(_, _, true)));
             let unsigned = matches!(ty, Some(Type::Int(64, false, _)));
             let number = match operator {
-                "AND" | "OR" | "XOR" if !is_bits => return Err(format!("{operator} of {ty:?}")),
+                "AND" | "OR" | "XOR" if !is_bits && ty.is_some() => {
+                    return Err(format!("{operator} of {ty:?}"));
+                }
                 "+" | "-" | "*" | "/" | "MOD" if is_bits => return Err(format!("{operator} of {ty:?}")),
                 "AND" => a & b,
                 "OR" => a | b,
@@ -130,6 +132,8 @@ fn order(a: &Value, b: &Value) -> std::result::Result<Option<Ordering>, String> 
 pub(super) fn unary(operator: &str, a: Value) -> Result {
     match (operator, a) {
         ("NOT", Value::Bool(a)) => Ok(Value::Bool(!a)),
+        // It gets its width where it is assigned.
+        ("NOT", Value::Int(a, None)) => Ok(Value::Int(!a, None)),
         ("NOT", Value::Int(a, Some(ty @ Type::Int(_, _, true)))) => Ok(Value::Int(ty.wrap(!a), Some(ty))),
         ("-", Value::Int(a, ty)) => Ok(Value::Int(a.wrapping_neg(), ty)),
         ("-", Value::Real(a, ty)) => Ok(Value::Real(-a, ty)),

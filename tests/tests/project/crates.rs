@@ -119,6 +119,8 @@ fn may_use(name: &str, used: &str) -> bool {
         "notation-c" if used == "simulator" => true,
         // The same networks in other files.
         "notation-openplc" | "notation-twincat" if used == "notation-plcopen" => true,
+        // Their files have bodies in Structured Text.
+        "notation-logix" | "notation-plcopen" if used == "notation-st" => true,
         _ if name.starts_with("notation-") => LANGUAGE.contains(&used) || used == "notation",
         _ => {
             let (_, own) = RULES.iter().find(|(other, _)| *other == name).expect(name);

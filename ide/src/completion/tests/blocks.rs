@@ -66,7 +66,7 @@ fn mnemonics_by_the_brackets() {
             [RTOF]         Retentive off-delay timer
             [CTU]          Up counter
             [CTD]          Down counter
-            ... 101 in all
+            ... 102 in all
         "#]],
     );
     check(
@@ -330,7 +330,7 @@ fn an_empty_rung() {
             (P)            Rising-edge coil
             (N)            Falling-edge coil
             (M)            Retentive coil
-            ... 120 in all
+            ... 121 in all
         "#]],
     );
     accept(

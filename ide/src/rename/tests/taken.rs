@@ -148,15 +148,15 @@ fn names_that_are_refused() {
         &block,
         "$B_1_",
         expect![[r#"
-        refused: `$B_1` cannot name a block: write `$`, a letter, then letters and digits
-    "#]],
+            refused: `$B_1_` cannot name a block: write `$`, a letter, then letters, digits and `_` (not last, not two together)
+        "#]],
     );
     check(
         &block,
         "1",
         expect![[r#"
-        refused: `1` cannot name a block: write `$`, a letter, then letters and digits
-    "#]],
+            refused: `1` cannot name a block: write `$`, a letter, then letters, digits and `_` (not last, not two together)
+        "#]],
     );
     check(
         "+--[ ]( a$0 )--<CALL>( f )--+\n",

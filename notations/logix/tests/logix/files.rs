@@ -108,7 +108,7 @@ fn rungs_contacts_coils_and_legs() {
         alex-optim.DINT_2_BOOLS: 32/32/32/0, 0 approximated, 0 refused
         alex-optim.DUTY_CYCLE: 76/86/71/14, 0 approximated, 0 refused
         fanno.Plc_emulator: 211/64/72/35, 67 approximated, 0 refused
-        hutcheb.ACDTestsWithAOI: 8/2/2/0, 5 approximated, 0 refused
+        hutcheb.ACDTestsWithAOI: 7/2/2/0, 4 approximated, 0 refused
         invalid.EC013_duplicate_jmp_label: 2/0/0/0, 0 approximated, 0 refused
         invalid.ER009_wrong_operand_count: 1/0/1/0, 0 approximated, 1 refused
         invalid.ER013_invalid_jmp_target: 1/0/0/0, 0 approximated, 0 refused; 8:68: there is no label `BadLabel` to jump to: BadLabel

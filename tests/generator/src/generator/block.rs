@@ -208,6 +208,7 @@ fn operand_text(
         Accepts::Time
         | Accepts::Compared
         | Accepts::Convertible
+        | Accepts::Wrapped
         | Accepts::TimerOrCounter
         | Accepts::Range
         | Accepts::RangeOrValue

@@ -191,10 +191,10 @@ fn comments_nest_where_they_do() {
     "#]],
     );
     check_tokens(
-        "{attribute 'x'} a {IF defined(b)} 'it$'s' \"w\" '",
+        "{attribute 'x'} x {IF defined(b)} 'it$'s' \"w\" '",
         Dialect::Codesys,
         &expect![[r#"
-        Word a
+        Word x
         Stray {IF defined(b)}
         Text 'it$'s'
         Text "w"
