@@ -105,6 +105,7 @@ fn nothing_is_written_that_nobody_said_yes_to() {
           + *.[iI][oO][tT] diff=ladder-text
           + *.[sS]7[dD][cC][lL] diff=ladder-text
           + *.[tT][cC][pP][oO][uU] diff=ladder-text
+          + *.[sS][tT] diff=ladder-text
           + # ladder: end
         git config --local:
           + diff.ladder.xfuncname = ^(#.*|FUNCTION_BLOCK.*|.*<(FUN|LBL)>.*)$
