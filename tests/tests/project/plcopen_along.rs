@@ -116,7 +116,11 @@ fn what_was_changed_since_stays() {
     };
     assert_eq!(read(&project).report.remarks().count(), 0);
     for (was, is, drawn) in [
-        ("ET + clock.PASSED", "ET + clock.PASSED + PT", "ET + clock.PASSED + PT"),
+        (
+            "ET + clock.PASSED",
+            "ET + clock.PASSED + PT",
+            "ET + clock.PASSED + PT",
+        ),
         ("runs := TRUE;", "runs := FALSE;", "[MOV]( runs, FALSE )"),
     ] {
         let changed = project.replace(was, is);
