@@ -63,6 +63,17 @@ impl Unit<'_, '_> {
                 .collect();
             checks.push(Check::Holds(order(&to_lint(count, types[0]), "<=", &length)));
             if let [position] = rest {
+                // matiec has these functions with numbers of one type.
+                if types[0] != types[1] {
+                    for ((term, expr), number) in terms
+                        .iter_mut()
+                        .zip(all)
+                        .filter(|(_, expr)| !expr.ty.is_string())
+                        .zip([count, position])
+                    {
+                        *term = to_lint(number, expr.ty);
+                    }
+                }
                 checks.push(Check::Holds(order(position, ">=", &whole("1"))));
                 let end = Term::binary(&length, "-", &to_lint(count, types[0]), Binding::Sum);
                 let start = Term::binary(&to_lint(position, types[1]), "-", &whole("1"), Binding::Sum);
