@@ -7,7 +7,7 @@ use crate::unit::Owner;
 use ladder_analysis::values::types::Scalar;
 use ladder_drawings::neutral::Instruction;
 use ladder_format::program::{Item, Path};
-use ladder_notation::{LineColumn, Lines, Outcome};
+use ladder_notation::{LineColumn, Lines};
 use ladder_notation_st::read::{self as st, Dialect, Parameter, ParameterRole, Shape, Structure};
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -15,9 +15,6 @@ use std::rc::Rc;
 
 /// What is before the text of a line.
 const SECTION: &str = "<![CDATA[";
-
-/// So much of a statement is shown in the report.
-const SHOWN: usize = 60;
 
 impl Sketcher<'_> {
     /// The networks of a routine in Structured Text.
@@ -38,7 +35,6 @@ impl Sketcher<'_> {
         };
         let mut names = self.translator.tags.names(scope_number);
         let mut unread = std::mem::take(&mut self.translator.unread);
-        let parts = unread.len();
         let start = self.place(at);
         self.translator.routine.clone_from(&unit.routine.name);
         let translator = RefCell::new(&mut self.translator);
@@ -59,27 +55,15 @@ impl Sketcher<'_> {
             dialect: Dialect::Logix,
             unit: &what,
             scope: &scope,
-            anew: &[],
+            restarted: &[],
             instructions: Some(&instructions),
             first_origin: self.reading.places.len() as u32,
         };
-        let read = st::read_body(&source, &mut names, &mut unread);
-        let body = read.map_err(|problems| {
-            let lines = Lines::of(text);
-            let first = problems.first();
-            let line = first.map_or(1, |problem| lines.place(text, problem.span.start).line);
-            format!(
-                "line {line} does not parse: {}",
-                first.map_or("", |problem| problem.message.as_str())
-            )
-        });
-        let body = body.and_then(|body| body.unread.clone().map_or(Ok(body), Err));
-        if body.is_err() {
-            unread.truncate(parts);
-        }
-        self.translator.unread = unread;
-        let body = body?;
         let lines = Lines::of(text);
+        let line = |at| lines.place(text, at).line;
+        let read = st::read_body(&source, &mut names, &mut unread, line);
+        self.translator.unread = unread;
+        let body = read?;
         let begins = self.begins_of_lines(at, text);
         let place = |at: usize| {
             let place = lines.place(text, at);
@@ -92,20 +76,7 @@ impl Sketcher<'_> {
                 None => start,
             }
         };
-        for at in &body.origins {
-            self.reading.origin(place(*at));
-        }
-        for (span, outcome) in body.entries {
-            let first = text[span.clone()].lines().next().unwrap_or_default();
-            let shown: String = first.chars().take(SHOWN).collect();
-            let report = &mut self.reading.report;
-            match outcome {
-                Outcome::Translated => report.translated(place(span.start), shown),
-                Outcome::Approximated(why) | Outcome::Refused(why) => {
-                    report.approximated(place(span.start), shown, why);
-                }
-            }
-        }
+        body.note(text, place, &mut self.reading);
         for tag in body.tags {
             let elem =
                 Elem::named(&tag.ty).ok_or_else(|| format!("it needs a tag of the type {}", tag.ty))?;

@@ -24,6 +24,7 @@ use ladder_format::Circuit;
 use ladder_format::program::{Block, Drawing, Element, Item, Network, Path, ProgramSketch};
 use ladder_notation::{Content, Names, ProjectFile, Reading, UnreadParts, is_function};
 use std::collections::HashSet;
+use structured::Seen;
 use tasks::{Run, When, at_times, order, shortest};
 use units::{Inside, Place, network, unit_items};
 
@@ -46,7 +47,8 @@ pub fn reading(project: Project) -> Reading {
     let types = declare::types(&shared, project, &mut reading);
     let globals = declare::globals(&shared, project, &mut reading);
     let mut unread = UnreadParts::default();
-    let mut blocks = blocks(&shared, project, &mut unread, &mut reading);
+    let seen = Seen::of(&shared, project);
+    let mut blocks = blocks(&seen, &mut unread, &mut reading);
     let order = order(project, &mut reading.report);
     let is_alone = matches!(&order[..], [run] if !matches!(run.when, When::Never));
     let place = if is_alone { Place::Program } else { Place::Function };
@@ -57,7 +59,7 @@ pub fn reading(project: Project) -> Reading {
         let own = shared.program(run.unit, Some(&scope));
         let told = (reading.report.entries.len(), reading.findings.len());
         let place = (place, run.when);
-        let inside = unit_items(&shared, project, run.unit, own, place, &mut unread, &mut reading);
+        let inside = unit_items(&seen, run.unit, own, place, &mut unread, &mut reading);
         if !told_of.insert(std::ptr::from_ref(run.unit)) {
             // Findings on another instance were reported on the first.
             reading.report.entries.truncate(told.0);
@@ -103,7 +105,7 @@ pub fn reading(project: Project) -> Reading {
     let is_project = order.len() > 1 || !types.is_empty() || !blocks.is_empty() || !globals.is_empty();
     if is_project {
         let parts = [("types", types), ("globals", globals), ("blocks", shared_blocks)];
-        reading.files = files(&shared, project, &order, &mut unread, parts);
+        reading.files = files(&seen, &order, &mut unread, parts);
     }
     reading.report.entries.sort_by_key(|entry| entry.place);
     reading.findings.sort_by_key(|finding| finding.place);
@@ -121,12 +123,8 @@ fn push_part(items: &mut Vec<Item>, part: Vec<Item>) {
 }
 
 /// The function blocks and functions.
-fn blocks(
-    shared: &Shared<'_>,
-    project: &Project,
-    unread: &mut UnreadParts,
-    reading: &mut Reading,
-) -> Vec<Item> {
+fn blocks(seen: &Seen<'_>, unread: &mut UnreadParts, reading: &mut Reading) -> Vec<Item> {
+    let Seen { shared, project, .. } = *seen;
     let mut items = Vec::new();
     let enabled = enabled(project);
     for unit in &project.units {
@@ -156,15 +154,7 @@ fn blocks(
             items: body,
             about,
             ..
-        } = unit_items(
-            shared,
-            project,
-            unit,
-            scope,
-            (Place::Block, When::EachScan),
-            unread,
-            reading,
-        );
+        } = unit_items(seen, unit, scope, (Place::Block, When::EachScan), unread, reading);
         if !items.is_empty() {
             items.push(Item::Blank);
         }
@@ -251,12 +241,12 @@ fn together(
 
 /// The project as files: what is shared, each program, and the settings.
 fn files(
-    shared: &Shared<'_>,
-    project: &Project,
+    seen: &Seen<'_>,
     order: &[Run<'_>],
     unread: &mut UnreadParts,
     parts: [(&str, Vec<Item>); 3],
 ) -> Vec<ProjectFile> {
+    let Seen { shared, project, .. } = *seen;
     let mut names = Names::default();
     let mut file = |name: &str, content| {
         let plain: String = name
@@ -278,7 +268,7 @@ fn files(
         let unit = run.unit;
         let scope: Scope = shared.program(unit, None);
         let place = (Place::Program, run.when);
-        let inside = unit_items(shared, project, unit, scope, place, unread, &mut again);
+        let inside = unit_items(seen, unit, scope, place, unread, &mut again);
         let mut items: Vec<Item> = unit.comment.iter().cloned().map(Item::Comment).collect();
         push_part(&mut items, inside.sections);
         items.extend(inside.items);

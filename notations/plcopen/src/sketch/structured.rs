@@ -8,18 +8,16 @@ use crate::scope::{BlockOf, Scope, Shared, local, member, trigger};
 use crate::standard::{self, StandardBlock};
 use ladder_analysis::values::types::Scalar;
 use ladder_format::program::Expression;
-use ladder_notation::{LineColumn, Lines, Outcome, Reading};
+use ladder_notation::{LineColumn, Lines, Reading};
 use ladder_notation_st::read::{
-    self as st, Anew, Dialect, Edge, Enumeration, Parameter, ParameterRole, Shape, Structure,
+    self as st, Dialect, Edge, Enumeration, Parameter, ParameterRole, Restarted, Shape, Structure,
 };
+use std::cell::OnceCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
 /// Types are made of others no deeper.
 const DEEPEST: usize = 16;
-
-/// So much of a statement is shown in the report.
-const SHOWN: usize = 60;
 
 /// Reads the text of a unit's body, and says why it cannot be.
 ///
@@ -27,15 +25,20 @@ const SHOWN: usize = 60;
 ///
 /// What keeps it from being read.
 pub(super) fn body(
-    shared: &Shared<'_>,
-    project: &Project,
+    seen: &Seen<'_>,
     unit: &Unit,
     (text, place): (&str, LineColumn),
     made: &mut Made,
     reading: &mut Reading,
 ) -> Result<(), String> {
-    let scope = Scopes::of(shared, project).of_unit(&made.scope);
-    let anew = anew(shared, unit);
+    let Seen {
+        shared,
+        project,
+        scopes,
+    } = seen;
+    let scopes = scopes.get_or_init(|| Scopes::of(shared, project));
+    let scope = scopes.of_unit(&made.scope);
+    let restarted = restarted(shared, unit);
     let dialect = if shared.is_compiled || project.is_own {
         Dialect::Iec
     } else {
@@ -46,42 +49,15 @@ pub(super) fn body(
         dialect,
         unit: &unit.name,
         scope: &scope,
-        anew: &anew,
+        restarted: &restarted,
         instructions: None,
         first_origin: reading.places.len() as u32,
     };
     let lines = Lines::of(text);
     let in_file = |at: usize| within(place, lines.place(text, at));
-    let parts = made.unread.len();
-    let read = st::read_body(&source, made.scope.names_mut(), &mut made.unread);
-    let body = read.map_err(|problems| {
-        let first = problems.first();
-        let at = first.map_or(place, |problem| in_file(problem.span.start));
-        let message = first.map_or("", |problem| problem.message.as_str());
-        format!("line {} does not parse: {message}", at.line)
-    })?;
-    if let Some(why) = body.unread {
-        made.unread.truncate(parts);
-        return Err(why);
-    }
-    for at in &body.origins {
-        reading.origin(in_file(*at));
-    }
-    for (span, outcome) in body.entries {
-        let shown: String = text[span.clone()]
-            .lines()
-            .next()
-            .unwrap_or_default()
-            .chars()
-            .take(SHOWN)
-            .collect();
-        let at = in_file(span.start);
-        match outcome {
-            Outcome::Translated => reading.report.translated(at, shown),
-            Outcome::Approximated(why) => reading.report.approximated(at, shown, why),
-            Outcome::Refused(why) => reading.report.refused(at, shown, why),
-        }
-    }
+    let (names, unread) = (made.scope.names_mut(), &mut made.unread);
+    let body = st::read_body(&source, names, unread, |at| in_file(at).line)?;
+    body.note(text, in_file, reading);
     made.needed
         .extend(body.used.iter().map(|name| name.to_lowercase()));
     made.items.extend(body.items);
@@ -106,10 +82,10 @@ fn within(start: LineColumn, at: LineColumn) -> LineColumn {
     }
 }
 
-/// What begins anew at each call.
-fn anew(shared: &Shared<'_>, unit: &Unit) -> Vec<Anew> {
+/// What begins again at each call.
+fn restarted(shared: &Shared<'_>, unit: &Unit) -> Vec<Restarted> {
     let is_own = |role: Role| role == Role::Temp || unit.kind == UnitKind::Function && role == Role::Local;
-    let result = unit.returns.as_ref().map(|_| Anew {
+    let result = unit.returns.as_ref().map(|_| Restarted {
         name: unit.name.clone(),
         initial: None,
         is_compound: false,
@@ -122,7 +98,7 @@ fn anew(shared: &Shared<'_>, unit: &Unit) -> Vec<Anew> {
             .and_then(|initial| initial_text(shared, &variable.ty, initial).ok());
         let initial = text.and_then(|text| Expression::read(&text).ok());
         let is_compound = variable.initial.is_some() && initial.is_none();
-        Anew {
+        Restarted {
             name: variable.name.clone(),
             initial,
             is_compound,
@@ -131,7 +107,25 @@ fn anew(shared: &Shared<'_>, unit: &Unit) -> Vec<Anew> {
     result.into_iter().chain(locals).collect()
 }
 
+/// A project, and what all its bodies in Structured Text see of it, found where the first one is read.
+pub(super) struct Seen<'s> {
+    pub(super) shared: &'s Shared<'s>,
+    pub(super) project: &'s Project,
+    scopes: OnceCell<Scopes<'s>>,
+}
+
+impl<'s> Seen<'s> {
+    pub(super) fn of(shared: &'s Shared<'s>, project: &'s Project) -> Seen<'s> {
+        Seen {
+            shared,
+            project,
+            scopes: OnceCell::new(),
+        }
+    }
+}
+
 /// The types, blocks and globals of a project, as bodies in Structured Text see them.
+#[derive(Clone)]
 struct Scopes<'s> {
     shared: &'s Shared<'s>,
     known: HashMap<String, st::Type>,
@@ -164,12 +158,13 @@ impl<'s> Scopes<'s> {
         scopes
     }
 
-    fn of_unit(mut self, unit: &Scope) -> st::Scope {
+    fn of_unit(&self, unit: &Scope) -> st::Scope {
+        let mut own = self.clone();
         for (name, known) in unit.all() {
-            let ty = self.ty(&known.ty, 0);
-            self.scope.tag(name, known.path.clone(), ty, false);
+            let ty = own.ty(&known.ty, 0);
+            own.scope.tag(name, known.path.clone(), ty, false);
         }
-        self.scope
+        own.scope
     }
 
     fn shape(&mut self, block: &BlockOf<'_>) -> Rc<Shape> {

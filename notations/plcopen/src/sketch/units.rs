@@ -2,7 +2,7 @@
 
 use super::body::{Body as Networks, Made};
 use super::declare;
-use super::structured;
+use super::structured::{self, Seen};
 use super::tasks::When;
 use crate::model::{Body, Part, Project, Type, Unit, UnitKind, WORKSHEET};
 use crate::scope::{Scope, Shared};
@@ -37,14 +37,14 @@ pub(super) const UNREAD: &str = "a scan runs past it, and what it may write is n
 
 /// A unit as it is written at a place.
 pub(super) fn unit_items(
-    shared: &Shared<'_>,
-    project: &Project,
+    seen: &Seen<'_>,
     unit: &Unit,
     scope: Scope,
     (place, when): (Place, When<'_>),
     unread: &mut UnreadParts,
     reading: &mut Reading,
 ) -> Inside {
+    let Seen { shared, project, .. } = *seen;
     let what = match unit.kind {
         UnitKind::Program => "program",
         UnitKind::Function => "function",
@@ -61,7 +61,7 @@ pub(super) fn unit_items(
         made.items.extend(unit.comment.iter().cloned().map(Item::Comment));
     }
     let structured =
-        structured::text(unit).map(|text| structured::body(shared, project, unit, text, &mut made, reading));
+        structured::text(unit).map(|text| structured::body(seen, unit, text, &mut made, reading));
     let is_read = matches!(structured, Some(Ok(())));
     let why = structured.and_then(Result::err);
     let whole = if is_read {

@@ -194,7 +194,7 @@ impl<'t> Cursor<'t> {
         read
     }
 
-    /// Goes on behind the next `;`, or at a word that begins or ends a statement.
+    /// Goes on after the next `;`, or at a word that begins or ends a statement.
     pub(super) fn recover(&mut self) {
         while !self.is_at_end() && !self.is_any(&BOUNDARIES) {
             if self.take_sign(";") {

@@ -4,6 +4,7 @@
 //! text --token--> tokens --statements, expressions, declarations, units--> tree --lower--> networks of a sketch
 //! ```
 
+mod body;
 mod cursor;
 mod declarations;
 mod declare;
@@ -16,17 +17,17 @@ mod program;
 mod scope;
 mod statements;
 mod token;
-pub mod tree;
+mod tree;
 mod types;
 mod units;
 mod uses;
 
+pub use body::Body;
 pub use dialect::Dialect;
 use ladder_notation::{Lines, Names, UnreadParts};
-pub use lower::{Anew, Body, Instructions};
+pub use lower::{Instructions, Restarted};
 pub(crate) use program::read;
 pub use scope::{Edge, Enumeration, Known, Parameter, ParameterRole, Scope, Shape, Structure, Type};
-use tree::Problem;
 
 /// A body that is in a file of another notation.
 #[derive(Clone, Copy)]
@@ -39,27 +40,29 @@ pub struct Source<'s> {
     pub unit: &'s str,
     /// What names mean in it.
     pub scope: &'s Scope,
-    /// What begins anew at each call.
-    pub anew: &'s [Anew],
+    /// What begins again at each call.
+    pub restarted: &'s [Restarted],
     /// What makes blocks of the other system's own instructions, where it has any.
     pub instructions: Option<&'s Instructions<'s>>,
     /// The number of the first origin.
     pub first_origin: u32,
 }
 
-/// Reads the statements of a body. `names` has the names of the unit's tags; unread parts are added to the others.
+/// Reads the statements of a body. `names` has the names of the unit's tags; unread parts are added to the others. `line` is the line
+/// of a byte, for a message.
 ///
 /// # Errors
 ///
-/// Where it does not parse.
+/// Why it is unread as a whole: it does not parse, or a statement without a counterpart may leave it.
 pub fn read_body(
     source: &Source<'_>,
     names: &mut Names,
     unread: &mut UnreadParts,
-) -> Result<Body, Vec<Problem>> {
+    line: impl Fn(usize) -> u32,
+) -> Result<Body, String> {
     let (statements, comments, problems) = units::body(source.text, source.dialect);
-    if !problems.is_empty() {
-        return Err(problems);
+    if let Some(problem) = problems.first() {
+        return Err(problem.in_words(line(problem.span.start)));
     }
     let around = lower::Surroundings {
         text: source.text,
@@ -71,7 +74,8 @@ pub fn read_body(
         instructions: source.instructions,
         first_origin: source.first_origin,
     };
-    Ok(lower::lower(&statements, &around, source.anew, names, unread))
+    let mut body = lower::lower(&statements, &around, source.restarted, names, unread);
+    body.unread.take().map_or(Ok(body), Err)
 }
 
 /// Whether a text begins as a file of Structured Text does, after comments.

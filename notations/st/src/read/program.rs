@@ -1,10 +1,11 @@
 //! A file as a program: what it declares, what runs, and the blocks that it is made of.
 
+use super::body::Body;
 use super::declare::{Sections, type_section};
 use super::declared::{File, Role, Unit, UnitKind};
 use super::dialect::Dialect;
 use super::initial::initial_text;
-use super::lower::{self, Anew, Body, Surroundings, comment_of};
+use super::lower::{self, Restarted, Surroundings, comment_of};
 use super::scope::{Parameter, ParameterRole, Scope, Shape, Type};
 use super::token::Comment;
 use super::{types, units};
@@ -14,13 +15,10 @@ use ladder_format::program::{
     Block, Drawing, Element, Expression, Item, Network, Path, Section, SectionKind,
 };
 use ladder_notation::{
-    Finding, Lines, Names, Outcome, Power, ReadError, Reading, Turn, Unread, UnreadParts, unread_body,
+    Finding, Lines, Names, Power, ReadError, Reading, Turn, Unread, UnreadParts, unread_body,
 };
 use std::collections::HashSet;
 use std::rc::Rc;
-
-/// So much of a statement is shown in the report.
-const SHOWN: usize = 60;
 
 /// Reads a file.
 ///
@@ -300,8 +298,7 @@ impl Reader<'_> {
                     message,
                 });
             }
-            let line = self.lines.place(self.text, problem.span.start).line;
-            return Err(format!("line {line} does not parse: {}", problem.message));
+            return Err(problem.in_words(self.lines.place(self.text, problem.span.start).line));
         }
         for (span, method) in &unit.methods {
             self.remark(
@@ -320,26 +317,13 @@ impl Reader<'_> {
             instructions: None,
             first_origin: self.reading.places.len() as u32,
         };
-        let parts = self.unread.len();
-        let anew = Reader::anew(unit, scope);
-        let body = lower::lower(&unit.body, &around, &anew, names, &mut self.unread);
-        if let Some(why) = body.unread {
-            self.unread.truncate(parts);
+        let restarted = Reader::restarted(unit, scope);
+        let mut body = lower::lower(&unit.body, &around, &restarted, names, &mut self.unread);
+        if let Some(why) = body.unread.take() {
             return Err(why);
         }
-        for at in &body.origins {
-            self.origin(*at);
-        }
-        for (span, outcome) in &body.entries {
-            let place = self.lines.place(self.text, span.start);
-            let text = self.text[span.clone()].lines().next().unwrap_or_default();
-            let element: String = text.chars().take(SHOWN).collect();
-            match outcome {
-                Outcome::Translated => self.reading.report.translated(place, element),
-                Outcome::Approximated(why) => self.reading.report.approximated(place, element, why.clone()),
-                Outcome::Refused(why) => self.reading.report.refused(place, element, why.clone()),
-            }
-        }
+        let place = |at| self.lines.place(self.text, at);
+        body.note(self.text, place, &mut self.reading);
         Ok(body)
     }
 
@@ -381,8 +365,8 @@ impl Reader<'_> {
         items
     }
 
-    /// What begins anew at each call: the result and the locals of functions, temporary variables.
-    fn anew(unit: &Unit, scope: &Scope) -> Vec<Anew> {
+    /// What begins again at each call: the result and the locals of functions, temporary variables.
+    fn restarted(unit: &Unit, scope: &Scope) -> Vec<Restarted> {
         let is_own =
             |role: Role| role == Role::Temp || unit.kind == UnitKind::Function && role == Role::Local;
         let result = unit.returns.as_ref().map(|_| (&unit.name, None));
@@ -398,7 +382,7 @@ impl Reader<'_> {
                 let text = initial_text(initial, &scope.known(name)?.ty, scope).ok()?;
                 Expression::read(&text).ok()
             });
-            Anew {
+            Restarted {
                 name: name.clone(),
                 is_compound: initial.is_some() && value.is_none(),
                 initial: value,

@@ -4,7 +4,7 @@ use super::dialect::Dialect;
 use std::ops::Range;
 
 /// From one byte of the text to another.
-pub type Span = Range<usize>;
+pub(super) type Span = Range<usize>;
 
 /// A token.
 #[derive(Debug, Clone, PartialEq, Eq)]

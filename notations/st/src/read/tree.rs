@@ -1,11 +1,11 @@
 //! What a text in Structured Text says: statements and expressions, with their places.
 
-pub use super::token::Span;
+pub(super) use super::token::Span;
 use ladder_format::program::{Operator, Sign};
 
 /// A value.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Expression {
+pub(super) struct Expression {
     /// Where it is.
     pub span: Span,
     /// What it is.
@@ -14,7 +14,7 @@ pub struct Expression {
 
 /// What a value is.
 #[derive(Debug, Clone, PartialEq)]
-pub enum ExpressionKind {
+pub(super) enum ExpressionKind {
     /// A number, a duration, a text: as it is written. A word before `#` may be an enumeration: `Phase#IDLE`.
     Literal(LiteralKind, String),
     /// A tag, or a part of one.
@@ -33,7 +33,7 @@ pub enum ExpressionKind {
 
 /// What a literal is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LiteralKind {
+pub(super) enum LiteralKind {
     /// `12`, `16#FF`
     Integer,
     /// `1.5`
@@ -46,7 +46,7 @@ pub enum LiteralKind {
 
 /// A tag, or a part of one.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Place {
+pub(super) struct Place {
     /// Where it is.
     pub span: Span,
     /// The name of the tag, without `#` and quotation marks; or an address with its `%`.
@@ -57,7 +57,7 @@ pub struct Place {
 
 /// From a value to a part of it.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Step {
+pub(super) enum Step {
     /// `.name`
     Member(String),
     /// `.3`, `.%X3`
@@ -72,7 +72,7 @@ pub enum Step {
 
 /// A call of a block or a function.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Call {
+pub(super) struct Call {
     /// What is called.
     pub callee: Place,
     /// In their order.
@@ -81,7 +81,7 @@ pub struct Call {
 
 /// What a call hands over.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Argument {
+pub(super) struct Argument {
     /// The name of the parameter. None: by place.
     pub name: Option<String>,
     /// Which way it goes.
@@ -92,7 +92,7 @@ pub struct Argument {
 
 /// Which way an argument goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Direction {
+pub(super) enum Direction {
     /// `a`, `name := a`
     In,
     /// `name => a`
@@ -103,7 +103,7 @@ pub enum Direction {
 
 /// A statement.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Statement {
+pub(super) struct Statement {
     /// Where it is.
     pub span: Span,
     /// What it is.
@@ -112,7 +112,7 @@ pub struct Statement {
 
 /// How a value is assigned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Assignment {
+pub(super) enum Assignment {
     /// `:=`, and `[:=]`, which is the same while a routine runs
     Value,
     /// `S=`
@@ -125,7 +125,7 @@ pub enum Assignment {
 
 /// What a statement is.
 #[derive(Debug, Clone, PartialEq)]
-pub enum StatementKind {
+pub(super) enum StatementKind {
     /// `a := b`; of several targets the last is nearest to the value.
     Assign(Vec<Place>, Assignment, Expression),
     /// `timer(IN := a)`
@@ -148,13 +148,13 @@ pub enum StatementKind {
     For(Box<For>),
     /// A loop with its condition before each turn.
     While(Expression, Vec<Statement>),
-    /// A loop with its condition behind each turn.
+    /// A loop with its condition after each turn.
     Repeat(Vec<Statement>, Expression),
 }
 
 /// An arm of a CASE.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Arm {
+pub(super) struct Arm {
     /// Where its labels are.
     pub span: Span,
     /// One value, or all from one to another.
@@ -165,7 +165,7 @@ pub struct Arm {
 
 /// A loop that counts.
 #[derive(Debug, Clone, PartialEq)]
-pub struct For {
+pub(super) struct For {
     /// What counts.
     pub variable: Place,
     /// From here.
@@ -180,9 +180,16 @@ pub struct For {
 
 /// What does not parse.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Problem {
+pub(super) struct Problem {
     /// Where.
     pub span: Span,
     /// What is wrong.
     pub message: String,
+}
+
+impl Problem {
+    /// Why what it is in is unread as a whole; it is on this line.
+    pub(super) fn in_words(&self, line: u32) -> String {
+        format!("line {line} does not parse: {}", self.message)
+    }
 }

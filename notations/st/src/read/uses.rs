@@ -51,12 +51,17 @@ impl Uses<'_> {
         self.assigned.get(&name.to_lowercase()) == Some(&1)
     }
 
+    /// Whether a tag or a part of it is assigned at all, or handed to what may do so.
+    pub(super) fn is_assigned(&self, name: &str) -> bool {
+        self.assigned.contains_key(&name.to_lowercase())
+    }
+
     pub(super) fn calls(&self, name: &str) -> u32 {
         self.called.get(&name.to_lowercase()).copied().unwrap_or(0)
     }
 
-    /// Whether any call of an instance gives an input.
-    pub(super) fn gives(&self, name: &str, input: &str) -> bool {
+    /// Whether any call of an instance has a value for an input.
+    pub(super) fn is_given(&self, name: &str, input: &str) -> bool {
         self.given.contains(&format!("{name}.{input}").to_lowercase())
     }
 
@@ -128,7 +133,7 @@ impl Uses<'_> {
                 self.expression(condition);
                 self.turns(body);
             }
-            // What is behind a label may be reached from anywhere.
+            // What is after a label may be reached from anywhere.
             StatementKind::Label(_) => self.depth += 1,
             StatementKind::Return
             | StatementKind::Exit

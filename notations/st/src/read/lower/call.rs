@@ -9,8 +9,8 @@ use ladder_format::program::{Block, Declaration, Expression, Operand, Path};
 use ladder_instructions::Shape as Brackets;
 use std::rc::Rc;
 
-/// A standard block: the input that is its power, the one that is an operand, those that are named, and the order in
-/// which a call without names gives them.
+/// A standard block: the input that is its power, the one that is an operand, those that are named, and the order
+/// of operands without names.
 struct Row {
     power: &'static str,
     operand: Option<&'static str>,
@@ -109,7 +109,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// What is called. TIA may name the instruction behind the instance: `#timer.TON(..)`.
+    /// What is called. TIA may name the instruction after the instance: `#timer.TON(..)`.
     fn instance(&mut self, callee: &Place) -> Lowered<(Path, Type)> {
         if let [before @ .., Step::Member(name)] = &callee.steps[..] {
             let owner = Place {
@@ -149,8 +149,8 @@ impl Lowering<'_, '_> {
     }
 
     fn user_block(&mut self, shape: &Rc<Shape>, path: &Path, call: &Call) -> Lowered<()> {
-        // Outputs of other types are taken behind the call.
-        let mut behind = Vec::new();
+        // Outputs of other types are taken after the call.
+        let mut after = Vec::new();
         let mut own = call.clone();
         own.arguments.retain(|argument| {
             let parameter = shape.parameters.iter().find(|one| {
@@ -163,7 +163,7 @@ impl Lowering<'_, '_> {
             let (Some(parameter), Some(value)) = (parameter, &argument.value) else {
                 return true;
             };
-            behind.push((
+            after.push((
                 path.clone().member(parameter.spelled.clone()),
                 parameter.ty.clone(),
                 value.clone(),
@@ -174,7 +174,7 @@ impl Lowering<'_, '_> {
         let mut operands = vec![Operand::from(path)];
         operands.extend(self.operands(&shape.parameters, &own)?);
         let mut later = Vec::new();
-        for (from, ty, target, direction) in behind {
+        for (from, ty, target, direction) in after {
             let ExpressionKind::Place(place) = &target.kind else {
                 return Err("an output goes into a tag".to_owned());
             };
@@ -197,7 +197,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// An output that goes into a tag, behind the call.
+    /// An output that goes into a tag, after the call.
     fn taken(&mut self, value: Value, to: &Path, ty: &Type, direction: Direction) -> Lowered<()> {
         let value = if direction == Direction::OutNegated {
             Value::of(value.expression.negated(), Type::BOOL)
@@ -247,10 +247,10 @@ impl Lowering<'_, '_> {
         }
         for (input, name) in row.named {
             let value = self.input(path, root, input, Scalar::Bool, given(call, input, &row))?;
-            let is_ever_given = self.uses.gives(root, input)
+            let is_ever_given = self.uses.is_given(root, input)
                 || ALSO
                     .iter()
-                    .any(|(also, own)| own == input && self.uses.gives(root, also));
+                    .any(|(also, own)| own == input && self.uses.is_given(root, also));
             match value {
                 Some(value) => operands.push(Operand::Given((*name).to_owned(), value)),
                 // What another call gave is kept.
@@ -333,7 +333,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// The value of an input: what the call gives, or what the tag beside it holds. None: the call leaves it out.
+    /// The value of an input: what the call has for it, or what the tag beside it holds. None: the call leaves it out.
     fn input(
         &mut self,
         path: &Path,
@@ -472,7 +472,7 @@ fn pin(name: &str, row: &Row) -> String {
     also.map_or(upper, |(_, own)| (*own).to_owned())
 }
 
-/// What a call gives for an input.
+/// What a call has for an input.
 fn given<'c>(call: &'c Call, input: &str, row: &Row) -> Option<&'c Tree> {
     let is_named = |argument: &&Argument| {
         argument

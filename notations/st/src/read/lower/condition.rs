@@ -109,7 +109,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The condition as contacts behind what is computed first, whatever it is.
+    /// The condition as contacts after what is computed first, whatever it is.
     pub(super) fn condition(&mut self, tree: &Tree) -> Lowered<Power> {
         let (chain, used) = (self.chain.len(), self.used.len());
         if let Some(power) = self.power(tree)? {

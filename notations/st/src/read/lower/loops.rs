@@ -1,7 +1,8 @@
 //! FOR, WHILE and REPEAT.
 
 use super::super::scope::Type;
-use super::super::tree::{Direction, Expression as Tree, ExpressionKind, For, Statement, StatementKind};
+use super::super::tree::{Expression as Tree, For, Statement};
+use super::super::uses::Uses;
 use super::condition::Power;
 use super::value::Value;
 use super::{Lowered, Lowering};
@@ -81,8 +82,9 @@ impl Lowering<'_, '_> {
         if let Some(shown) = self.shown(&head) {
             self.comments.push(format!("{shown} DO"));
         }
-        self.comments_behind(head.end, "DO");
-        let is_steady = counts.path.whole().is_some() && !assigns(&counting.body, &counting.variable.root);
+        self.comments_after(head.end, "DO");
+        let within = Uses::of(&counting.body, self.around.scope);
+        let is_steady = counts.path.whole().is_some() && !within.is_assigned(&counting.variable.root);
         match self.turns(&counts).filter(|_| is_steady) {
             Some((turns, from, by)) => self.counted(&counts, turns, from, by, counting),
             None => self.with_jumps(counts, counting),
@@ -269,25 +271,4 @@ impl Lowering<'_, '_> {
         self.end_loop();
         Ok(())
     }
-}
-
-/// Whether statements assign a tag.
-fn assigns(statements: &[Statement], name: &str) -> bool {
-    let is_it = |root: &str| root.eq_ignore_ascii_case(name);
-    statements.iter().any(|statement| match &statement.kind {
-        StatementKind::Assign(targets, ..) => targets.iter().any(|target| is_it(&target.root) && target.steps.is_empty()),
-        StatementKind::If(branches, otherwise) => {
-            branches.iter().any(|(_, body)| assigns(body, name)) || assigns(otherwise, name)
-        }
-        StatementKind::Case(_, arms, otherwise) => {
-            arms.iter().any(|arm| assigns(&arm.body, name)) || assigns(otherwise, name)
-        }
-        StatementKind::For(inner) => is_it(&inner.variable.root) || assigns(&inner.body, name),
-        StatementKind::While(_, body) | StatementKind::Repeat(body, _) => assigns(body, name),
-        StatementKind::Call(call) => call.arguments.iter().any(|argument| {
-            let is_out = argument.direction != Direction::In;
-            matches!(&argument.value, Some(Tree { kind: ExpressionKind::Place(place), .. }) if is_out && is_it(&place.root))
-        }),
-        _ => false,
-    })
 }

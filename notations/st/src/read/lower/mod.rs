@@ -1,6 +1,5 @@
 //! From statements to networks: one statement is one network or a few, in its order.
 
-mod anew;
 mod call;
 mod cases;
 mod condition;
@@ -10,22 +9,24 @@ mod function;
 mod literal;
 mod loops;
 mod place;
+mod restarted;
 mod statement;
 mod unread;
 mod value;
 
+use super::body::Body;
 use super::dialect::Dialect;
 use super::scope::Scope;
 use super::token::Comment;
 use super::tree::{Expression, ExpressionKind, Span, Statement};
 use super::uses::Uses;
-pub use anew::Anew;
 use ladder_analysis::values::types::{Scalar, passes};
 use ladder_format::Circuit;
 use ladder_format::program::{Block, Declaration, Drawing, Element, Head, Item, Network, Operand, Path};
 use ladder_instructions::Shape as Brackets;
-use ladder_notation::{Lines, Names, Outcome, UnreadParts};
+use ladder_notation::{Lines, Names, UnreadParts};
 pub(super) use place::address;
+pub use restarted::Restarted;
 use std::collections::{HashMap, HashSet};
 use value::Value;
 
@@ -54,31 +55,15 @@ pub(super) struct Surroundings<'a> {
     pub(super) first_origin: u32,
 }
 
-/// The networks of a body.
-#[derive(Debug, Default)]
-pub struct Body {
-    /// Networks, and the directives above them.
-    pub items: Vec<Item>,
-    /// The tags that they need besides those that are declared.
-    pub tags: Vec<Declaration>,
-    /// Where in the text each origin is.
-    pub origins: Vec<usize>,
-    /// What became of each statement.
-    pub entries: Vec<(Span, Outcome)>,
-    /// The tags that are in the networks.
-    pub used: HashSet<String>,
-    /// Why the body cannot be read but as a whole.
-    pub unread: Option<String>,
-}
-
-/// The networks of some statements.
+/// The networks of some statements. Where the body is unread as a whole, no part of it is among the others.
 pub(super) fn lower(
     statements: &[Statement],
     around: &Surroundings<'_>,
-    anew: &[Anew],
+    restarted: &[Restarted],
     names: &mut Names,
     unread: &mut UnreadParts,
 ) -> Body {
+    let parts = unread.len();
     let mut lowering = Lowering {
         around,
         uses: Uses::of(statements, around.scope),
@@ -100,7 +85,7 @@ pub(super) fn lower(
         instances: HashSet::new(),
         directives: Vec::new(),
     };
-    lowering.anew(anew, statements);
+    lowering.restarted(restarted, statements);
     lowering.skip_comments_before(statements.first().map_or(0, |first| first.span.start));
     lowering.statements(statements);
     if !lowering.labels.is_empty() {
@@ -108,7 +93,11 @@ pub(super) fn lower(
     }
     lowering.trailing_comments(statements.last().map_or(0, |last| last.span.end));
     lowering.forget_unused();
-    lowering.body
+    let body = lowering.body;
+    if body.unread.is_some() {
+        unread.truncate(parts);
+    }
+    body
 }
 
 pub(super) struct Lowering<'a, 'n> {
@@ -155,7 +144,7 @@ struct State {
 }
 
 impl Lowering<'_, '_> {
-    /// A block behind what the statement has done so far.
+    /// A block after what the statement has done so far.
     fn act(&mut self, block: Block) {
         self.chain.push(Element::of(block, self.origin));
     }
@@ -356,7 +345,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Comments behind a place on the same line.
+    /// Comments after a place on the same line.
     fn comments_on_line(&mut self, end: usize) {
         let rest = &self.around.text[end..];
         let line = rest.find('\n').unwrap_or(rest.len());

@@ -313,7 +313,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// An assignment behind what the network holds so far.
+    /// An assignment after what the network holds so far.
     fn plain(&mut self, statement: &Statement) -> Lowered<()> {
         let StatementKind::Assign(targets, _, value) = &statement.kind else {
             return Err("it is not an assignment".to_owned());
@@ -330,16 +330,16 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// `IF condition THEN` above the network, if it is short; with what else is said on its line.
+    /// `IF condition THEN` above the network, if it is short; with what else is on its line.
     pub(super) fn header(&mut self, word: &str, span: &Span, then: &str) {
         if let Some(shown) = self.shown(span) {
             self.comments.push(format!("{word} {shown} {then}"));
         }
-        self.comments_behind(span.end, then);
+        self.comments_after(span.end, then);
     }
 
-    /// Takes the comments behind a word that ends the head of a statement.
-    pub(super) fn comments_behind(&mut self, end: usize, word: &str) {
+    /// Takes the comments after a word that ends the head of a statement.
+    pub(super) fn comments_after(&mut self, end: usize, word: &str) {
         let rest = self.around.text[end..].trim_start_matches([' ', '\t']);
         let start = self.around.text.len() - rest.len();
         if rest

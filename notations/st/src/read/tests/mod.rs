@@ -5,7 +5,7 @@ mod hostile;
 use super::dialect::Dialect;
 use super::program::read;
 use super::token::{TokenKind, tokens};
-use super::{Source, Type, read_body};
+use super::{Source, Type, read_body, units};
 use expect_test::{Expect, expect};
 use ladder_analysis::values::types::Scalar;
 use ladder_format::program::{Path, ProgramSketch};
@@ -74,35 +74,26 @@ fn check(text: &str, dialect: Dialect, expected: &Expect) {
         dialect,
         unit: "Main",
         scope: &scope,
-        anew: &[],
+        restarted: &[],
         instructions: None,
         first_origin: 0,
     };
     let mut unread = UnreadParts::default();
-    let shown = match read_body(&source, &mut names, &mut unread) {
-        Err(problems) => {
-            let shown = problems
-                .iter()
-                .map(|problem| format!("{:?}: {}", problem.span, problem.message));
-            shown.collect::<Vec<_>>().join(
-                "
-",
-            ) + "
-"
-        }
+    let (.., problems) = units::body(text, dialect);
+    let shown = match read_body(&source, &mut names, &mut unread, |_| 1) {
+        Err(_) if !problems.is_empty() => problems.iter().fold(String::new(), |told, problem| {
+            told + &format!("{:?}: {}\n", problem.span, problem.message)
+        }),
+        Err(why) => format!("unread: {why}\n"),
         Ok(body) => {
             let mut tags = ladder_format::program::Section::new(ladder_format::program::SectionKind::Var);
             tags.declarations = body.tags;
             let mut items: Vec<_> = unread.items().collect();
             items.push(ladder_format::program::Item::Section(tags));
             items.extend(body.items);
-            let text = ProgramSketch { items }
+            ProgramSketch { items }
                 .write(&ladder_format::Options::default())
-                .text;
-            match body.unread {
-                Some(why) => format!("unread: {why}\n"),
-                None => text,
-            }
+                .text
         }
     };
     expected.assert_eq(&shown);

@@ -1,4 +1,4 @@
-//! What begins anew at each call: locals of functions, temporary variables.
+//! What begins again at each call: locals of functions, temporary variables.
 
 use super::super::scope::{Known, Scope, Type};
 use super::super::tree::{Assignment, Statement, StatementKind};
@@ -10,9 +10,9 @@ use ladder_instructions::Op;
 use ladder_notation::Outcome;
 use std::collections::HashSet;
 
-/// A variable that begins anew at each call.
+/// A variable that begins again at each call.
 #[derive(Debug, Clone)]
-pub struct Anew {
+pub struct Restarted {
     /// As the other system calls it.
     pub name: String,
     /// What it begins with, where that is not what its type begins with.
@@ -23,12 +23,12 @@ pub struct Anew {
 
 impl Lowering<'_, '_> {
     /// Networks for the variables that the statements read before they write them.
-    pub(super) fn anew(&mut self, all: &[Anew], statements: &[Statement]) {
+    pub(super) fn restarted(&mut self, all: &[Restarted], statements: &[Statement]) {
         if all.is_empty() {
             return;
         }
         let written = written_first(statements);
-        for Anew {
+        for Restarted {
             name,
             initial,
             is_compound,
