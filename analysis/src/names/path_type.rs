@@ -109,7 +109,7 @@ impl Context {
     }
 
     /// The innermost step of a path that reaches into the state of a user-defined block: the path of that state, the block, and the
-    /// word behind it. `m1.speed.3` reaches into `m1`.
+    /// word after it. `m1.speed.3` reaches into `m1`.
     pub(crate) fn into_instance(
         node: &Node,
         ty: impl Fn(&Node) -> Option<Type>,

@@ -210,7 +210,7 @@ END_VAR
 - `I` receives the number of the turn, from 1, before each turn; a loop that is skipped leaves it alone.
 - A jump out of the loop, a jump right of `<FOR>` in its own network, or a `<RET>` ends it.
 - Loops nest, eight deep: `<FOR>` and `<NEXT>` pair as brackets do. A jump ends every loop that it leaves. A
-  function that is called counts anew. In the profile `click` loops do not nest.
+  function that is called counts by itself. In the profile `click` loops do not nest.
 - All turns happen within one scan and see the same clock. An edge is a difference from the turn before. The
   watchdog stops a loop that is too long.",
         example: "VAR

@@ -180,12 +180,12 @@ fn loops_nest() {
          +--<FOR>( n, I => i )--+\n\
          +--[ADD]( y, y, 1 )--<FOR>( m, I => j )--+\n\
          +--[CALC]( x, x + i * 10 + j )--+\n\
-         +--[ ]( inner )--[EQ]( j, 2 )--<JMP>( behind )--+\n\
+         +--[ ]( inner )--[EQ]( j, 2 )--<JMP>( next )--+\n\
          +--[ ]( outer )--[EQ]( i, 2 )--<JMP>( after )--+\n\
          +--<FOR>( 2, I => k )--+\n\
          +--[CALC]( w, w + k )--<NEXT>--+\n\
          +--<NEXT>--+\n\
-         +--<LBL>( behind )--[ADD]( z, z, 1 )--<NEXT>--[ADD]( z, z, 100 )--+\n\
+         +--<LBL>( next )--[ADD]( z, z, 1 )--<NEXT>--[ADD]( z, z, 100 )--+\n\
          +--<LBL>( after )--[ADD]( z, z, 1000 )--+\n",
         "n 2 0 3 3 3\nm 3 3 0 3 3\ninner ___-_\nouter ____-",
         "x y z w i j k",
@@ -201,7 +201,7 @@ fn loops_nest() {
     );
 }
 
-/// A NEXT whose FOR does not run does nothing, also in another loop; one that is jumped back to begins anew.
+/// A NEXT whose FOR does not run does nothing, also in another loop; one that is jumped back to begins again.
 #[test]
 fn jumps_among_loops_in_loops() {
     check(
@@ -209,10 +209,10 @@ fn jumps_among_loops_in_loops() {
          +--[MOV]( x, 0 )--[MOV]( y, 0 )--[MOV]( z, 0 )--[MOV]( turns, 0 )--+\n\
          +--<FOR>( 3, I => i )--+\n\
          +--[ ]( a )--<JMP>( inside )--+\n\
-         +--<LBL>( anew )--<FOR>( 2, I => j )--+\n\
+         +--<LBL>( again )--<FOR>( 2, I => j )--+\n\
          +--[ADD]( x, x, 1 )--+\n\
          +--<LBL>( inside )--[ADD]( y, y, 1 )--+\n\
-         +--[/]( a )--[EQ]( j, 2 )--[LT]( turns, 2 )--[ADD]( turns, turns, 1 )--<JMP>( anew )--+\n\
+         +--[/]( a )--[EQ]( j, 2 )--[LT]( turns, 2 )--[ADD]( turns, turns, 1 )--<JMP>( again )--+\n\
          +--<NEXT>--+\n\
          +--[ADD]( z, z, 1 )--<NEXT>--+\n",
         "a _-_",
