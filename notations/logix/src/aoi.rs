@@ -13,6 +13,7 @@ impl Sketcher<'_> {
         let definition = &project.aois[aoi];
         let scope = 1 + project.programs.len() + aoi;
         let name = self.translator.aoi_names[aoi].clone();
+        let begin = self.begin_in_body(scope);
         let mut body = Vec::new();
         let routine = |name: &str| {
             let mut all = self.units.iter();
@@ -26,6 +27,7 @@ impl Sketcher<'_> {
                 let label = self.translator.tags.fresh(scope, "logic");
                 let jump = vec![own(Block::contact(Path::tag("EN"))), own(Block::jump(&label))];
                 body.push(network(Vec::new(), Circuit::Series(jump)));
+                body.extend(begin.clone());
                 body.extend(self.unit(unit));
                 let end = network(Vec::new(), own(Block::ret()));
                 body.extend([Item::Blank, end, Item::Blank]);
@@ -36,6 +38,7 @@ impl Sketcher<'_> {
                 body.push(network(Vec::new(), Circuit::Series(leave)));
             }
         }
+        body.extend(begin);
         if let Some(logic) = logic {
             body.extend(self.unit(logic));
         }

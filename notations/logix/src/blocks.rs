@@ -26,6 +26,7 @@ const TEXTS: &[(&str, &str)] = texts![
     "LFL",
     "LFU",
     "ONS",
+    "ONSBIT",
     "OSF",
     "OSR",
     "OTEBIT",
@@ -42,6 +43,8 @@ const TEXTS: &[(&str, &str)] = texts![
 
 /// The block that is a coil on a computed bit.
 pub(crate) const OTE_BIT: &str = "OTEBIT";
+/// The one shot that remembers its rung in a computed bit.
+pub(crate) const ONS_BIT: &str = "ONSBIT";
 
 /// The blocks that a program uses.
 #[derive(Debug, Default)]

@@ -276,6 +276,7 @@ impl Reader<'_> {
                 .collect(),
             routines: self.routines(node),
             comment: described(node),
+            sized_from: None,
             name,
         }
     }

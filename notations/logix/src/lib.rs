@@ -11,10 +11,13 @@
 #![forbid(unsafe_code)]
 
 mod aoi;
+mod begin;
 mod blocks;
+mod calls;
 mod declarations;
 mod folder;
 mod formula;
+mod in_outs;
 mod l5k;
 mod l5x;
 mod mnemonic;
@@ -111,6 +114,7 @@ impl Notation for L5x {
         let text = text(source)?;
         let mut project = l5x::read(text)?;
         repeated::refuse_repeated(&mut project);
+        in_outs::size_in_outs(&mut project);
         Ok(sketch::sketch(&project, text))
     }
 
@@ -156,6 +160,7 @@ impl Notation for L5k {
         let text = text(source)?;
         let mut project = l5k::read(text)?;
         repeated::refuse_repeated(&mut project);
+        in_outs::size_in_outs(&mut project);
         Ok(sketch::sketch(&project, text))
     }
 

@@ -72,6 +72,14 @@ pub(crate) struct Tag {
     pub(crate) comment: Option<String>,
 }
 
+impl Tag {
+    /// Whether it is a parameter that is an operand of a call.
+    pub(crate) fn is_given(&self) -> bool {
+        let is_system = ["EnableIn", "EnableOut"].iter().any(|own| self.name.eq_ignore_ascii_case(own));
+        !is_system && (self.required || self.usage == Usage::InOut)
+    }
+}
+
 /// What a tag is for.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) enum Usage {
@@ -104,6 +112,8 @@ pub(crate) struct Aoi {
     pub(crate) locals: Vec<Tag>,
     pub(crate) routines: Vec<Routine>,
     pub(crate) comment: Option<String>,
+    /// It is this other one, for arrays of other sizes.
+    pub(crate) sized_from: Option<usize>,
 }
 
 /// A task.

@@ -8,7 +8,7 @@ use crate::folder::Parts;
 use crate::mnemonic::{Op, instruction};
 use crate::model::{Family, Project, Rung};
 use crate::plan::Plan;
-use crate::scope::Tags;
+use crate::scope::{CONTROLLER, Tags};
 use crate::survey::survey;
 use crate::translate::{Routines, Translator};
 use crate::unit::{Owner, Unit, units};
@@ -65,6 +65,9 @@ impl<'p> Sketcher<'p> {
 
     fn program(&mut self, plan: &Plan) {
         let project = self.translator.project;
+        // One program alone has its tags beside those of the controller.
+        let is_alone = project.programs.len() == 1;
+        let begin = self.begin(|scope| scope == CONTROLLER || (is_alone && scope == CONTROLLER + 1));
         let main = plan.main.map(|main| self.unit(main)).unwrap_or_default();
         let calls = plan.called.iter().flat_map(|called| {
             let call = Block::call(&plan.functions[*called]);
@@ -84,12 +87,22 @@ impl<'p> Sketcher<'p> {
         let mut functions: Vec<(usize, Vec<Item>)> = Vec::new();
         for (number, function) in plan.functions.iter().enumerate() {
             let unit = &self.units[number];
+            let unit_owner = unit.owner;
             if plan.main != Some(number)
-                && let Owner::Program(program) = unit.owner
+                && let Owner::Program(program) = unit_owner
             {
                 let later = plan.later.iter().find(|(routines, _)| routines.contains(&number));
                 let later = later.map(|(_, later)| self.later(later)).unwrap_or_default();
-                functions.push((program, self.function(number, function, later)));
+                let mut called = plan.called.iter().chain(&plan.main);
+                let own = |unit: &&usize| self.units[**unit].owner == unit_owner;
+                let begin = match called.find(own) {
+                    Some(first) if *first == number && !is_alone => {
+                        self.begin(|scope| scope == CONTROLLER + 1 + program)
+                    }
+                    _ => Vec::new(),
+                };
+                let first = begin.into_iter().chain(later).collect();
+                functions.push((program, self.function(number, function, first)));
             }
         }
         let aois = (0..project.aois.len()).flat_map(|aoi| self.aoi(aoi));
@@ -99,7 +112,7 @@ impl<'p> Sketcher<'p> {
         let types = types(&self.translator.tags.types, &self.translator.aoi_names);
         let parts = Parts {
             types: types.into_iter().collect(),
-            begin: main.into_iter().chain(calls).collect(),
+            begin: begin.into_iter().chain(main).chain(calls).collect(),
             functions,
             blocks,
         };

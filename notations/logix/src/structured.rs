@@ -166,13 +166,19 @@ impl TypesOfText<'_, '_> {
             Ty::Aoi(index) => {
                 let project = translator.project;
                 let scope = 1 + project.programs.len() + index;
-                let outputs = |symbol: &&Symbol| symbol.scope == scope && symbol.kind == Kind::Output;
-                let seen = translator.tags.seen(scope);
-                let parameters = seen.into_iter().filter(outputs).map(|symbol| Parameter {
-                    name: symbol.original.clone(),
-                    spelled: symbol.name.clone(),
-                    role: ParameterRole::Output,
-                    ty: self.ty(&symbol.ty, depth + 1),
+                let role = |symbol: &Symbol| match symbol.kind {
+                    Kind::Input => Some(ParameterRole::Input),
+                    Kind::Output => Some(ParameterRole::Output),
+                    _ => None,
+                };
+                let seen = translator.tags.seen(scope).into_iter();
+                let parameters = seen.filter_map(|symbol| {
+                    Some(Parameter {
+                        name: symbol.original.clone(),
+                        spelled: symbol.name.clone(),
+                        role: role(symbol)?,
+                        ty: self.ty(&symbol.ty, depth + 1),
+                    })
                 });
                 let parameters = parameters.collect();
                 let name = translator.aoi_names[*index].trim_start_matches('$').to_owned();

@@ -1,5 +1,4 @@
-//! What must be known of all rungs before the first is translated: tags that no declaration has, inputs of instances that
-//! the program sets from outside, and what the controller does to its tags before the first scan.
+//! What must be known of all rungs before the first is translated: tags that no declaration has, and what the controller does to its tags before the first scan.
 //!
 //! Before the first scan a controller runs every rung once with dead rails (the prescan): coils go off, the memories of
 //! edges are set such that what is on already is not an edge, timers and counters are made ready. What it leaves is the
@@ -8,7 +7,7 @@
 use crate::mnemonic::{Op, Role, instruction, role};
 use crate::model::Family;
 use crate::operand::{Expr, Path, Step};
-use crate::scope::{Place, Tags};
+use crate::scope::Tags;
 use crate::types::Ty;
 use crate::unit::{Unit, operand};
 use crate::values::Value;
@@ -36,7 +35,6 @@ pub(crate) fn survey(units: &[Unit<'_>], family: Family, tags: &mut Tags) {
     });
     each(tags, &mut |tags, scope, it| {
         let mut surveyor = Surveyor { tags, family, scope };
-        surveyor.inputs_of_instances(it);
         surveyor.prescan(it);
     });
 }
@@ -65,38 +63,6 @@ struct Surveyor<'a> {
 }
 
 impl Surveyor<'_> {
-    /// Inputs of instances that an instruction names.
-    fn inputs_of_instances(&mut self, it: &Instruction<'_>) {
-        for (index, text) in it.operands.iter().enumerate() {
-            if !text.contains('.') {
-                continue;
-            }
-            let Ok(expr) = operand(self.family, text) else {
-                continue;
-            };
-            let role = role(it.name, it.operands.len(), index).unwrap_or(Role::Word);
-            if role != Role::Word {
-                self.paths(&expr, role);
-            }
-        }
-    }
-
-    fn paths(&mut self, expr: &Expr, role: Role) {
-        match expr {
-            Expr::Path(path) => {
-                if matches!(path.steps.first(), Some(Step::Member(_) | Step::Index(_)))
-                    && let Ok(Place {
-                        parameter: Some((instance, symbol)),
-                        ..
-                    }) = self.tags.place(self.scope, path, role)
-                {
-                    self.tags.pass(self.scope, &instance, symbol);
-                }
-            }
-            _ => expr.parts().for_each(|part| self.paths(part, Role::Value)),
-        }
-    }
-
     /// What the prescan does for an instruction.
     fn prescan(&mut self, it: &Instruction<'_>) {
         let Some(op) = instruction(it.name, it.operands.len()) else {
@@ -198,9 +164,10 @@ impl Surveyor<'_> {
     }
 
     fn put(&mut self, text: &str, members: &[&str], number: i64) {
-        let Some(path) = self.path(text, members) else {
+        let Some(mut path) = self.path(text, members) else {
             return;
         };
+        self.settle(&mut path);
         let Ok(place) = self.tags.place(self.scope, &path, Role::Bit) else {
             return;
         };
@@ -212,6 +179,37 @@ impl Surveyor<'_> {
             return;
         }
         value.get_or_insert(Value::Int(0)).set(&part, bit, number);
+    }
+
+    /// Puts what tags hold at the start in the place of computed indices and numbers of bits.
+    fn settle(&mut self, path: &mut Path) {
+        for step in &mut path.steps {
+            match step {
+                Step::Index(all) => {
+                    for index in all {
+                        if let Some(number) = self.at_start(index) {
+                            *index = Expr::Int(number);
+                        }
+                    }
+                }
+                Step::ComputedBit(index) => {
+                    let number = self.at_start(index).and_then(|number| u32::try_from(number).ok());
+                    if let Some(number) = number {
+                        *step = Step::Bit(number);
+                    }
+                }
+                Step::Member(_) | Step::Bit(_) => {}
+            }
+        }
+    }
+
+    /// The number that is in a tag at the start.
+    fn at_start(&mut self, expr: &Expr) -> Option<i64> {
+        let Expr::Path(path) = expr else { return None };
+        let place = self.tags.place(self.scope, path, Role::Value).ok()?;
+        let (symbol, part, bit) = place.part?;
+        let value = &self.tags.symbols[symbol].value;
+        (bit.is_none()).then(|| value.as_ref().map_or(0, |value| value.get(&part)))
     }
 
     fn get(&mut self, text: &str, member: &str) -> i64 {

@@ -1,11 +1,13 @@
 //! The tags of a project in their scopes: how ladder text spells them, and what they are.
 
+mod instances;
 mod place;
 
+pub(crate) use instances::Begins;
 pub(crate) use place::Place;
 
 use crate::mnemonic::Role;
-use crate::model::{Project, Raw, Tag, Usage};
+use crate::model::{Project, Tag, Usage};
 use crate::operand::{Expr, Path, Step, parse};
 use crate::types::{Elem, Ty, Types};
 use crate::values::Value;
@@ -93,12 +95,10 @@ pub(crate) struct Tags {
     pub(crate) symbols: Vec<Symbol>,
     scopes: Vec<Scope>,
     names: Names,
-    /// Inputs of instances that the program uses from outside: the tag that a call passes.
-    pub(crate) passed: HashMap<(program::Path, usize), usize>,
+    /// Inputs of instances that begin with a value of their own.
+    pub(crate) begins: Vec<Begins>,
     /// Tags that are not declared: place, element, reason.
     pub(crate) unknown: Vec<(usize, String, String)>,
-    /// Instances of Add-On Instructions with what the file says of their inputs.
-    instances: Vec<(usize, Raw)>,
     /// Names that tags of several scopes have, in capitals.
     ambiguous: HashSet<String>,
     /// What undeclared tags that become tags here are parts of, in capitals.
@@ -112,9 +112,8 @@ impl Tags {
             symbols: Vec::new(),
             scopes: Vec::new(),
             names: Names::default(),
-            passed: HashMap::new(),
+            begins: Vec::new(),
             unknown: Vec::new(),
-            instances: Vec::new(),
             ambiguous: ambiguous(project),
             undeclared: HashSet::new(),
         };
@@ -132,7 +131,7 @@ impl Tags {
         for aoi in &project.aois {
             tags.scopes.push(Scope {
                 title: format!("Add-On Instruction {}", aoi.name),
-                own_names: Some(Names::default()),
+                own_names: Some(names_in_body()),
                 ..Scope::default()
             });
         }
@@ -145,9 +144,7 @@ impl Tags {
             tags.declare_all(scope, &aoi.parameters);
             tags.declare_all(scope, &aoi.locals);
         }
-        for (symbol, raw) in std::mem::take(&mut tags.instances) {
-            tags.inputs_of(symbol, &raw);
-        }
+        tags.note_begins(project);
         tags
     }
 
@@ -195,8 +192,7 @@ impl Tags {
             _ if tag.name.ends_with(":O") => Kind::Output,
             _ => Kind::Plain,
         };
-        let is_instance = matches!(ty, Ty::Aoi(_));
-        let symbol = self.add(Symbol {
+        self.add(Symbol {
             value,
             kind,
             required: tag.required,
@@ -204,33 +200,6 @@ impl Tags {
             at: Some(tag.at),
             ..Symbol::new(scope, &tag.name, ty)
         });
-        if is_instance {
-            let raw = tag.value.clone();
-            self.instances.extend(raw.map(|raw| (symbol, raw)));
-        }
-    }
-
-    /// Inputs of an instance that are no operands and have another value than in other instances.
-    fn inputs_of(&mut self, instance: usize, raw: &Raw) {
-        let own = self.symbols[instance].clone();
-        let (Ty::Aoi(aoi), Raw::Structure(_, members)) = (&own.ty, raw) else {
-            return;
-        };
-        let scope = self.scopes.len() - self.aois() + aoi;
-        for (name, raw) in members {
-            let Some(symbol) = self.parameter_symbol(scope, name) else {
-                continue;
-            };
-            let parameter = &self.symbols[symbol];
-            let value = Value::of(raw, &parameter.ty, &self.types);
-            if parameter.kind == Kind::Input && !parameter.required && value != parameter.value {
-                let instance = program::Path::tag(&own.name);
-                self.pass(own.scope, &instance, symbol);
-                if let Some(passed) = self.passed.get(&(instance, symbol)) {
-                    self.symbols[*passed].value = value;
-                }
-            }
-        }
     }
 
     /// Declares a tag, under a name of its own.
@@ -320,6 +289,19 @@ impl Tags {
         None
     }
 
+    /// The scope that declares a tag, and its name in capitals; of an alias those of what it stands for.
+    pub(crate) fn declared_as(&self, scope: usize, name: &str) -> Option<(usize, String)> {
+        let (mut scope, mut key) = (scope, name.to_ascii_uppercase());
+        for _ in 0..16 {
+            match self.entry(scope, &key)? {
+                (of, Entry::Symbol(_)) => return Some((of, key)),
+                (of, Entry::Alias(target)) => (scope, key) = (of, target.root.to_ascii_uppercase()),
+                (_, Entry::Opaque(_)) => return None,
+            }
+        }
+        None
+    }
+
     /// Notes a path that may become a tag of its own.
     pub(crate) fn note_undeclared(&mut self, scope: usize, path: &Path) {
         let is_whole = |step: &Step| matches!(step, Step::Member(_) | Step::Bit(_));
@@ -334,13 +316,9 @@ impl Tags {
         for _ in 0..16 {
             match self.entry(scope, &path.root.to_ascii_uppercase()) {
                 Some((_, Entry::Symbol(symbol))) => {
-                    let is_constant = self.symbols[*symbol].kind == Kind::Constant;
-                    let names = if is_constant {
-                        Vec::new()
-                    } else {
-                        self.names_of(*symbol)
-                    };
-                    return Some(names);
+                    let own = &self.symbols[*symbol];
+                    let is_constant = own.kind == Kind::Constant;
+                    return Some((!is_constant).then(|| own.name.clone()).into_iter().collect());
                 }
                 // It is not here.
                 Some((_, Entry::Opaque(_))) => return Some(Vec::new()),
@@ -350,19 +328,6 @@ impl Tags {
             }
         }
         None
-    }
-
-    /// A tag, and those that calls hand over for inputs of the instances in it.
-    fn names_of(&self, symbol: usize) -> Vec<String> {
-        let own = &self.symbols[symbol];
-        let passed = self.passed.iter();
-        let passed = passed.filter(|((instance, _), _)| instance.root == own.name);
-        let passed = passed.map(|(_, passed)| &self.symbols[*passed]);
-        let passed = passed.filter(|passed| [CONTROLLER, own.scope].contains(&passed.scope));
-        std::iter::once(own)
-            .chain(passed)
-            .map(|tag| tag.name.clone())
-            .collect()
     }
 
     /// Declares what is nowhere declared, where its first use shows what it is.
@@ -403,32 +368,6 @@ impl Tags {
             .count()
     }
 
-    /// Makes a tag for an input of an instance.
-    pub(crate) fn pass(&mut self, scope: usize, instance: &program::Path, parameter: usize) {
-        let key = (instance.clone(), parameter);
-        if self.passed.contains_key(&key) || instance.indices().next().is_some() {
-            return;
-        }
-        let own = self.symbols[parameter].clone();
-        let scope = if self.scopes[scope].own_names.is_some() {
-            scope
-        } else {
-            CONTROLLER
-        };
-        let like = format!("{}_{}", instance.to_string().replace('.', "_"), own.name);
-        let name = self.fresh(scope, &like);
-        self.symbols.push(Symbol {
-            name,
-            original: String::new(),
-            scope,
-            kind: Kind::Plain,
-            comment: Some(format!("input {} of {instance}", own.original)),
-            at: None,
-            ..own
-        });
-        self.passed.insert(key, self.symbols.len() - 1);
-    }
-
     /// The tag of an input or output parameter, by the number of its Add-On Instruction.
     pub(crate) fn parameter_symbol(&self, scope: usize, name: &str) -> Option<usize> {
         match self.scopes[scope].entries.get(&name.to_ascii_uppercase()) {
@@ -436,6 +375,15 @@ impl Tags {
             _ => None,
         }
     }
+}
+
+/// The names in a body, which has an `EN` and an `ENO` of its own.
+fn names_in_body() -> Names {
+    let mut names = Names::default();
+    for own in ["EN", "ENO"] {
+        names.fresh(own);
+    }
+    names
 }
 
 /// What an address is a part of: the module, or the word.

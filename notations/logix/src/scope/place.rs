@@ -14,8 +14,8 @@ pub(crate) struct Place {
     pub(crate) ty: Ty,
     /// The tag, the way to the part in its value, and the bit; without computed indices.
     pub(crate) part: Option<(usize, Vec<usize>, Option<u32>)>,
-    /// It is this parameter of this instance of an Add-On Instruction.
-    pub(crate) parameter: Option<(program::Path, usize)>,
+    /// It is an output of an instance of an Add-On Instruction, or a part of one: only the instruction writes it.
+    pub(crate) is_output: bool,
 }
 
 impl Place {
@@ -25,7 +25,7 @@ impl Place {
             path,
             ty,
             part: None,
-            parameter: None,
+            is_output: false,
         }
     }
 
@@ -248,7 +248,7 @@ impl Tags {
         Ok(place)
     }
 
-    /// A parameter of an instance, seen from outside. An input that the program sets there is a tag that each call passes.
+    /// A parameter of an instance, seen from outside.
     fn parameter(&mut self, instance: program::Path, aoi: usize, name: &str) -> Result<Place, String> {
         let scope = self.scopes.len() - self.aois() + aoi;
         if name.eq_ignore_ascii_case("EnableOut") || name.eq_ignore_ascii_case("EnableIn") {
@@ -263,18 +263,10 @@ impl Tags {
         let own = &self.symbols[*symbol];
         let path = instance.clone().member(&own.name);
         match own.kind {
-            Kind::Output => Ok(Place::of(path, own.ty.clone())),
-            Kind::Input => {
-                let parameter = (instance, *symbol);
-                if let Some(passed) = self.passed.get(&parameter) {
-                    let passed = &self.symbols[*passed];
-                    return Ok(Place::of(program::Path::tag(&passed.name), passed.ty.clone()));
-                }
-                Ok(Place {
-                    parameter: Some(parameter),
-                    ..Place::of(path, own.ty.clone())
-                })
-            }
+            Kind::Input | Kind::Output => Ok(Place {
+                is_output: own.kind == Kind::Output,
+                ..Place::of(path, own.ty.clone())
+            }),
             _ => Err(format!(
                 "`{instance}.{name}` is inside the instruction, and not seen from outside"
             )),

@@ -3,12 +3,12 @@
 use super::{Result, Translator};
 use crate::blocks::Blocks;
 use crate::mnemonic::Role;
-use crate::model::{Project, Tag, Usage};
-use crate::operand::{Expr, Step};
-use crate::scope::Kind;
+use crate::model::Project;
+use crate::operand::Expr;
+use crate::scope::{Kind, Place};
 use crate::types::{Elem, Ty};
 use ladder_format::Circuit;
-use ladder_format::program::{Element, Expression, Operand, Path};
+use ladder_format::program::{Element, Expression, Operand};
 use ladder_instructions::Op;
 use std::collections::HashSet;
 
@@ -34,12 +34,6 @@ pub(super) fn names(project: &Project) -> Vec<String> {
     project.aois.iter().map(|aoi| name(&aoi.name)).collect()
 }
 
-/// The parameters that are operands of a call.
-fn given(tag: &Tag) -> bool {
-    let is_system = tag.name.eq_ignore_ascii_case("EnableIn") || tag.name.eq_ignore_ascii_case("EnableOut");
-    !is_system && (tag.required || tag.usage == Usage::InOut)
-}
-
 impl Translator<'_> {
     /// The Add-On Instruction with this name.
     pub(crate) fn aoi(&self, name: &str) -> Option<usize> {
@@ -56,9 +50,11 @@ impl Translator<'_> {
             return Err(format!("`{instance}` is no tag"));
         };
         let own = self.tags.place(self.scope, &path, Role::Word)?;
-        if own.ty != Ty::Aoi(aoi) {
-            return Err(format!("`{instance}` is no {}", definition.name));
-        }
+        let aoi = match own.ty {
+            Ty::Aoi(own) if own == aoi || project.aois[own].sized_from == Some(aoi) => own,
+            _ => return Err(format!("`{instance}` is no {}", definition.name)),
+        };
+        let definition = &project.aois[aoi];
         let scope = 1 + project.programs.len() + aoi;
         let mut rest = rest.iter();
         // In the order of the sections that declare them.
@@ -66,7 +62,7 @@ impl Translator<'_> {
         let mut before = Vec::new();
         for parameter in &definition.parameters {
             let Some(symbol) = self.tags.parameter_symbol(scope, &parameter.name) else {
-                if given(parameter) {
+                if parameter.is_given() {
                     rest.next();
                 }
                 continue;
@@ -75,12 +71,8 @@ impl Translator<'_> {
                 let symbol = &self.tags.symbols[symbol];
                 (symbol.name.clone(), symbol.ty.clone(), symbol.kind)
             };
-            if !given(parameter) {
-                let passed = self.tags.passed.get(&(own.path.clone(), symbol)).copied();
-                if let (Some(passed), Kind::Input) = (passed, kind) {
-                    let passed = Path::tag(&self.tags.symbols[passed].name);
-                    handed.push((1, Operand::Given(name, passed.into())));
-                }
+            // Such an input is a member of the instance, which the program and the instruction write.
+            if !parameter.is_given() {
                 continue;
             }
             let Some(text) = rest.next() else {
@@ -100,7 +92,10 @@ impl Translator<'_> {
                     handed.push((3, Operand::Taken(name, place.path.into())));
                 }
                 _ => {
-                    let place = self.target(text, Role::Array)?;
+                    let place = self.in_out(text, &ty)?;
+                    if place.ty != ty {
+                        return Err(format!("`{text}` has another type than {}", parameter.name));
+                    }
                     handed.push((2, Operand::Given(name, place.path.into())));
                 }
             }
@@ -114,12 +109,22 @@ impl Translator<'_> {
         Ok(Circuit::Series(before))
     }
 
+    /// What is handed over for an in-out. The first element of an array stands for the whole.
+    fn in_out(&mut self, text: &str, ty: &Ty) -> Result<Place> {
+        if let (Ty::Array(..), Some(whole)) = (ty, text.strip_suffix("[0]")) {
+            return self.target(whole, Role::Array);
+        }
+        self.target(text, Role::Array)
+    }
+
     /// The value of an input; one of another type is brought to it before.
     fn input(&mut self, text: &str, elem: Elem, before: &mut Vec<Circuit<Element>>) -> Result<Expression> {
         let expr = self.expr(text)?;
         if let (Elem::Bool, Expr::Path(path)) = (elem, &expr) {
-            if matches!(path.steps.last(), Some(Step::ComputedBit(_))) {
-                return Err(format!("the bit of `{text}` is computed"));
+            if let Some(is_on) = self.is_computed_bit_on(text)? {
+                let helper = self.helper("bit", Elem::Bool, text);
+                before.push(self.put(Op::Calc, &helper, is_on)?);
+                return Ok(helper.into());
             }
             return Ok(self.tags.place(self.scope, path, Role::Bit)?.path.into());
         }

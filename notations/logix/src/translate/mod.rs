@@ -137,9 +137,9 @@ impl<'p> Translator<'p> {
         match op {
             Op::Contact(own) => self.contact(own, operands[0]),
             Op::Coil(own) => self.coil(own, operands[0]),
-            Op::Ons => self.state_block("ONS", operands),
-            Op::Osr if operands.len() == 1 => self.state_block("ONS", operands),
-            Op::Osr => self.state_block("OSR", operands),
+            Op::Ons => self.one_shot(operands[0]),
+            Op::Osr if operands.len() == 1 => self.one_shot(operands[0]),
+            Op::Osr => self.one_shot_rising(operands[0], operands[1]),
             Op::Osf => self.state_block("OSF", operands),
             Op::Timer(name) => self.timer(name, operands),
             Op::Counter(name) => self.state_block(name, &operands[..1]),
@@ -289,17 +289,19 @@ impl<'p> Translator<'p> {
         }
     }
 
-    /// A place that is written: the inputs of an instance are not, from outside.
+    /// A place that is written: the outputs of an instance are not, from outside.
     fn target(&mut self, text: &str, role: Role) -> Result<Place> {
         let place = self.place(text, role)?;
-        match (&place.parameter, place.is_system()) {
-            (Some(_), _) => Err(format!(
+        if place.is_output {
+            return Err(format!(
                 "`{}` cannot be written from outside of its instruction",
                 place.path
-            )),
-            (None, true) => Err(format!("`{text}` belongs to the controller")),
-            (None, false) => Ok(place),
+            ));
         }
+        if place.is_system() {
+            return Err(format!("`{text}` belongs to the controller"));
+        }
+        Ok(place)
     }
 
     /// A tag that an instruction needs for a value on its way.

@@ -4,7 +4,7 @@ use super::names::Kind;
 use super::rung::{Series, it};
 use super::unread::UnreadPart;
 use super::{Result, Writer};
-use crate::blocks::{Blocks, OTE_BIT};
+use crate::blocks::{Blocks, ONS_BIT, OTE_BIT};
 use crate::types::Elem;
 use ladder_analysis::context::Context;
 use ladder_analysis::program::{Argument, Block, Bound, Expr, ExprKind, ParameterKind};
@@ -38,7 +38,7 @@ fn native(name: &str, definition: &str) -> Option<&'static str> {
     let name = name.trim_start_matches('$');
     let (own, suffix) = Blocks::named(name)?;
     let mut blocks = Blocks::default();
-    if own == OTE_BIT {
+    if [OTE_BIT, ONS_BIT].contains(&own) {
         let ty = if suffix.is_empty() { "DINT" } else { suffix };
         blocks.on_word(own, Elem::named(ty)?);
     } else if suffix.is_empty() {
@@ -206,6 +206,7 @@ impl Writer<'_> {
             ("TimerRES" | "CounterRES" | "ControlRES", [state]) => it("RES", &[state]),
             ("ONS" | "OSR" | "OSF", all) => it(own, all),
             (OTE_BIT, [w, bit]) => it("OTE", &[&format!("{w}.[{bit}]")]),
+            (ONS_BIT, [w, bit]) => it("ONS", &[&format!("{w}.[{bit}]")]),
             ("BSL" | "BSR", [array, control, bit]) => it(own, &[&begin(array), control, bit, "?"]),
             ("FFL" | "LFL", [value, array, control]) => it(own, &[value, &begin(array), control, "?", "?"]),
             ("FFU" | "LFU", [array, value, control]) => it(own, &[&begin(array), value, control, "?", "?"]),

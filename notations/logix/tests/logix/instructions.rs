@@ -46,6 +46,40 @@ fn one_shots_are_silent_at_the_start() {
 }
 
 #[test]
+fn one_shots_of_computed_bits() {
+    let rungs = [
+        "XIC(a)ONS(w.[i])ADD(n,1,n);",
+        "XIC(a)OSR(w.[5],r)ADD(m,1,m);",
+        "XIC(a)OSR(s,w.[k]);",
+        "XIC(w.[k])OTE(p);",
+    ];
+    check(
+        &[
+            ("a", "BOOL", "1"),
+            ("s", "BOOL", ""),
+            ("w", "DINT", ""),
+            ("i", "DINT", "3"),
+            ("k", "DINT", "9"),
+            ("n", "DINT", ""),
+            ("m", "DINT", ""),
+            ("r", "BOOL", ""),
+            ("p", "BOOL", ""),
+        ],
+        &rungs,
+        "a\n1\n1\n0\n1\n1\n",
+        5,
+        "n,m,r,p,w",
+        expect![[r#"
+            n,m,r,p,w
+            0,1,1,0,40
+            0,2,0,0,40
+            0,2,0,0,0
+            1,3,1,1,552
+            1,4,0,0,40"#]],
+    );
+}
+
+#[test]
 fn the_prescan_clears_coils_and_keeps_latches() {
     check(
         &[

@@ -1,5 +1,6 @@
 //! Programs of Logix and RSLogix 500: what they become, and how that runs.
 
+mod add_on;
 mod back;
 mod broken;
 mod cases;

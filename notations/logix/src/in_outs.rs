@@ -1,0 +1,200 @@
+//! Arrays that are handed to an Add-On Instruction. There an array parameter takes an array of any size, here one of its
+//! own: it gets the size of what is handed over, and of an instruction that gets several there is one for each.
+
+use crate::calls::calls_in;
+use crate::model::{Language, Project, Usage};
+use crate::mnemonic::Role;
+use crate::operand::Expr;
+use crate::scope::Tags;
+use crate::types::Ty;
+use crate::unit::{Owner, Unit, operand, units};
+use ladder_drawings::neutral::instructions;
+use std::collections::{HashMap, HashSet};
+
+/// Parts of Add-On Instructions call others no deeper.
+const DEEPEST: usize = 16;
+
+/// The sizes of the parameters that are arrays, by their numbers.
+type Sizes = Vec<(usize, Vec<u32>)>;
+
+/// A call of an Add-On Instruction that has such parameters.
+struct Call {
+    aoi: usize,
+    /// What declares the instance: a scope, and a name in capitals.
+    instance: (usize, String),
+    sizes: Sizes,
+}
+
+/// Gives all such parameters the sizes of what is handed over.
+pub(crate) fn size_in_outs(project: &mut Project) {
+    let mut parameters = project.aois.iter().flat_map(|aoi| &aoi.parameters);
+    if !parameters.any(|tag| tag.usage == Usage::InOut && !tag.dimensions.is_empty()) {
+        return;
+    }
+    // What programs hand over is known first, then what those that they call hand on.
+    for level in levels(project) {
+        let calls = calls(project, &level);
+        apply(project, calls);
+    }
+}
+
+/// The Add-On Instructions that are called from programs alone, then those that these call, and so on.
+fn levels(project: &Project) -> Vec<HashSet<usize>> {
+    let by_name: HashMap<String, usize> = project
+        .aois
+        .iter()
+        .enumerate()
+        .map(|(number, aoi)| (aoi.name.to_ascii_uppercase(), number))
+        .collect();
+    let mut callers: Vec<HashSet<usize>> = vec![HashSet::new(); project.aois.len()];
+    for unit in units(project) {
+        let Owner::Aoi(caller) = unit.owner else { continue };
+        for (name, _) in called(&unit) {
+            if let Some(aoi) = by_name.get(&name.to_ascii_uppercase()) {
+                callers[*aoi].insert(caller);
+            }
+        }
+    }
+    let mut level = vec![0usize; project.aois.len()];
+    for _ in 0..DEEPEST {
+        for aoi in 0..level.len() {
+            let above = callers[aoi].iter().map(|caller| level[*caller] + 1);
+            level[aoi] = above.max().unwrap_or(0).min(DEEPEST);
+        }
+    }
+    let deepest = level.iter().copied().max().unwrap_or(0);
+    let of = |own: usize| {
+        let all = level.iter().enumerate().filter(move |(_, level)| **level == own);
+        all.map(|(aoi, _)| aoi).collect()
+    };
+    (0..=deepest).map(of).collect()
+}
+
+/// The names and operands of what a routine calls.
+fn called(unit: &Unit<'_>) -> Vec<(String, Vec<String>)> {
+    let mut all = Vec::new();
+    for parts in unit.rungs.iter().filter_map(|rung| rung.as_ref().ok()) {
+        instructions(parts, &mut |it| {
+            let operands = it.operands.iter().map(|text| (*text).to_owned());
+            all.push((it.name.to_owned(), operands.collect()));
+        });
+    }
+    if let Some(foreign) = &unit.routine.foreign
+        && foreign.language == Language::StructuredText
+    {
+        all.extend(calls_in(&foreign.text));
+    }
+    all
+}
+
+/// The calls of some Add-On Instructions with what they hand over.
+fn calls(project: &Project, of: &HashSet<usize>) -> Vec<Call> {
+    let mut tags = Tags::of(project);
+    let mut calls = Vec::new();
+    for unit in units(project) {
+        for (name, operands) in called(&unit) {
+            let mut all = project.aois.iter();
+            let aoi = all.position(|aoi| aoi.name.eq_ignore_ascii_case(&name));
+            let Some(aoi) = aoi.filter(|aoi| of.contains(aoi)) else {
+                continue;
+            };
+            let path = |text: &str| match operand(project.family, text) {
+                Ok(Expr::Path(path)) => Some(path),
+                _ => None,
+            };
+            let (instance, rest) = match operands.split_first() {
+                Some((instance, rest)) => (path(instance), rest),
+                None => continue,
+            };
+            let Some(instance) = instance.and_then(|path| tags.declared_as(unit.scope, &path.root)) else {
+                continue;
+            };
+            let parameters = project.aois[aoi].parameters.iter().enumerate();
+            let given = parameters.filter(|(_, tag)| tag.is_given());
+            let mut sizes = Sizes::new();
+            for ((number, tag), text) in given.zip(rest) {
+                if tag.usage != Usage::InOut || tag.dimensions.is_empty() {
+                    continue;
+                }
+                let whole = text.strip_suffix("[0]").unwrap_or(text);
+                let place = path(whole).and_then(|path| tags.place(unit.scope, &path, Role::Array).ok());
+                if let Some(Ty::Array(_, own)) = place.map(|place| place.ty)
+                    && own.len() == tag.dimensions.len()
+                {
+                    sizes.push((number, own));
+                }
+            }
+            calls.push(Call {
+                aoi,
+                instance,
+                sizes,
+            });
+        }
+    }
+    calls
+}
+
+/// The first sizes become those of the instruction itself; others those of a copy, which is the type of the instance.
+fn apply(project: &mut Project, calls: Vec<Call>) {
+    let mut known: HashMap<(usize, Sizes), usize> = HashMap::new();
+    let mut first: HashSet<usize> = HashSet::new();
+    let mut placed: HashMap<(usize, String), usize> = HashMap::new();
+    for call in calls {
+        if call.sizes.is_empty() || placed.contains_key(&call.instance) {
+            continue;
+        }
+        let key = (call.aoi, call.sizes);
+        let own = match known.get(&key) {
+            Some(own) => *own,
+            None => {
+                let own = if first.insert(call.aoi) {
+                    call.aoi
+                } else {
+                    copy(project, call.aoi, &key.1)
+                };
+                for (number, sizes) in &key.1 {
+                    project.aois[own].parameters[*number].dimensions.clone_from(sizes);
+                }
+                known.insert(key, own);
+                own
+            }
+        };
+        if own != call.aoi {
+            retype(project, &call.instance, call.aoi, own);
+        }
+        placed.insert(call.instance, own);
+    }
+}
+
+/// Another Add-On Instruction that does the same. Its name is that of the first, with the sizes.
+fn copy(project: &mut Project, of: usize, sizes: &Sizes) -> usize {
+    let mut copy = project.aois[of].clone();
+    for (_, sizes) in sizes {
+        for size in sizes {
+            copy.name.push_str(&format!("_{size}"));
+        }
+    }
+    while project.aois.iter().any(|aoi| aoi.name.eq_ignore_ascii_case(&copy.name)) {
+        copy.name.push('x');
+    }
+    copy.sized_from = Some(of);
+    project.aois.push(copy);
+    project.aois.len() - 1
+}
+
+/// Declares an instance, or the array of instances, as one of the copy.
+fn retype(project: &mut Project, (scope, name): &(usize, String), from: usize, to: usize) {
+    let programs = project.programs.len();
+    let (from, to) = (project.aois[from].name.clone(), project.aois[to].name.clone());
+    let tags = match *scope {
+        0 => &mut project.tags,
+        scope if scope <= programs => &mut project.programs[scope - 1].tags,
+        scope => &mut project.aois[scope - 1 - programs].locals,
+    };
+    for tag in tags.iter_mut().filter(|tag| tag.name.eq_ignore_ascii_case(name)) {
+        // One that is a member of a structure keeps its type: its calls are not read.
+        if tag.ty.eq_ignore_ascii_case(&from) {
+            tag.ty.clone_from(&to);
+        }
+    }
+}
