@@ -10,9 +10,9 @@ pub(crate) fn calls_in(text: &str) -> Vec<(String, Vec<String>)> {
     let mut calls = Vec::new();
     for (open, _) in text.match_indices('(') {
         let before = text[..open].trim_end();
-        let begin = before.rfind(|c| !is_in_name(c)).map_or(0, |at| {
-            at + before[at..].chars().next().map_or(1, char::len_utf8)
-        });
+        let begin = before
+            .rfind(|c| !is_in_name(c))
+            .map_or(0, |at| at + before[at..].chars().next().map_or(1, char::len_utf8));
         let name = &before[begin..];
         if name.starts_with(|c: char| c.is_alphabetic() || c == '_') {
             calls.push((name.to_owned(), operands(&text[open + 1..])));
@@ -75,7 +75,9 @@ mod tests {
 
     fn check(text: &str, expected: Expect) {
         let calls = calls_in(text);
-        let calls = calls.iter().map(|(name, operands)| format!("{name}: {}", operands.join(" | ")));
+        let calls = calls
+            .iter()
+            .map(|(name, operands)| format!("{name}: {}", operands.join(" | ")));
         expected.assert_eq(&calls.collect::<Vec<_>>().join("\n"));
     }
 

@@ -2,8 +2,8 @@
 //! own: it gets the size of what is handed over, and of an instruction that gets several there is one for each.
 
 use crate::calls::calls_in;
-use crate::model::{Language, Project, Usage};
 use crate::mnemonic::Role;
+use crate::model::{Language, Project, Usage};
 use crate::operand::Expr;
 use crate::scope::Tags;
 use crate::types::Ty;
@@ -124,11 +124,7 @@ fn calls(project: &Project, of: &HashSet<usize>) -> Vec<Call> {
                     sizes.push((number, own));
                 }
             }
-            calls.push(Call {
-                aoi,
-                instance,
-                sizes,
-            });
+            calls.push(Call { aoi, instance, sizes });
         }
     }
     calls
@@ -174,7 +170,11 @@ fn copy(project: &mut Project, of: usize, sizes: &Sizes) -> usize {
             copy.name.push_str(&format!("_{size}"));
         }
     }
-    while project.aois.iter().any(|aoi| aoi.name.eq_ignore_ascii_case(&copy.name)) {
+    while project
+        .aois
+        .iter()
+        .any(|aoi| aoi.name.eq_ignore_ascii_case(&copy.name))
+    {
         copy.name.push('x');
     }
     copy.sized_from = Some(of);

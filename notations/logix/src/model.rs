@@ -75,7 +75,9 @@ pub(crate) struct Tag {
 impl Tag {
     /// Whether it is a parameter that is an operand of a call.
     pub(crate) fn is_given(&self) -> bool {
-        let is_system = ["EnableIn", "EnableOut"].iter().any(|own| self.name.eq_ignore_ascii_case(own));
+        let is_system = ["EnableIn", "EnableOut"]
+            .iter()
+            .any(|own| self.name.eq_ignore_ascii_case(own));
         !is_system && (self.required || self.usage == Usage::InOut)
     }
 }

@@ -175,11 +175,12 @@ impl Writer<'_> {
 
     /// `[CALC]`
     pub(super) fn compute(&mut self, to: &str, ty: Scalar, formula: &Expr) -> Result<Series> {
-        let found = match self.bits_moved(to, formula)? {
-            Some(found) => Some(found),
-            None => self.of_words(to, formula)?,
-        };
-        if let Some(found) = found {
+        let found = [
+            self.bits_moved(to, formula)?,
+            self.latched_bit(to, formula)?,
+            self.of_words(to, formula)?,
+        ];
+        if let Some(found) = found.into_iter().flatten().next() {
             return Ok(vec![found]);
         }
         self.compute_with(to, ty, formula, false)

@@ -5,7 +5,7 @@ use super::network::{only, parts};
 use super::rung::{Piece, Series, it};
 use super::{Result, Writer};
 use ladder_analysis::program::{
-    Argument, BinaryOperator, Block, BlockKind, Expr, ExprKind, Network, Place, TagId,
+    Argument, BinaryOperator, Block, BlockKind, Expr, ExprKind, Network, Place, TagId, UnaryOperator,
 };
 use ladder_analysis::values::types::Scalar;
 use ladder_format::Circuit;
@@ -97,6 +97,14 @@ impl Writer<'_> {
             return Ok(None);
         };
         if formula.ty == Scalar::Bool {
+            // An input of an Add-On Instruction.
+            if op_of(next).is_none()
+                && self.input.is_own
+                && let Some(bit) = self.computed_bit(formula)?
+            {
+                self.absorb(helper, Some(bit));
+                return Ok(Some((Vec::new(), 1)));
+            }
             let is_next = matches!(op_of(next), Some(Op::Contact | Op::NegatedContact));
             if !is_next || value_at(next, 0).and_then(read) != Some(helper) {
                 return Ok(None);
@@ -156,37 +164,65 @@ impl Writer<'_> {
         self.facts.absorbed_names.insert(ladder_syntax::Name::new(&name));
     }
 
+    /// `word.[index]`, whose formula this is.
+    fn computed_bit(&mut self, formula: &Expr) -> Result<Option<String>> {
+        if let ExprKind::Compare(Op::Ne, left, right) = &formula.kind
+            && number(right) == Some(0.0)
+            && let Some((shifted, one)) = binary(left, BinaryOperator::And)
+            && number(one) == Some(1.0)
+            && let Some((word, index)) = binary(shifted, BinaryOperator::Shr)
+            && Self::is_simple(word)
+        {
+            let (word, index) = (self.value(word)?, self.formula(index)?);
+            return Ok(Some(format!("{word}.[{index}]")));
+        }
+        Ok(None)
+    }
+
+    /// `word OR 1 SHL index` and `word AND NOT (1 SHL index)`, which the coils that latch such a bit become here.
+    pub(super) fn latched_bit(&mut self, to: &str, formula: &Expr) -> Result<Option<Piece>> {
+        let set = binary(formula, BinaryOperator::Or);
+        let reset = || {
+            let (word, not) = binary(formula, BinaryOperator::And)?;
+            match &not.kind {
+                ExprKind::Unary(UnaryOperator::Not, bit) => Some((word, &**bit)),
+                _ => None,
+            }
+        };
+        let (name, word, bit) = match (set, reset()) {
+            (Some((word, bit)), _) => ("OTL", word, bit),
+            (None, Some((word, bit))) => ("OTU", word, bit),
+            (None, None) => return Ok(None),
+        };
+        let Some((one, index)) = binary(bit, BinaryOperator::Shl) else {
+            return Ok(None);
+        };
+        if number(one) != Some(1.0) || !Self::is_simple(word) || !self.value(word)?.eq_ignore_ascii_case(to) {
+            return Ok(None);
+        }
+        let index = self.formula(index)?;
+        Ok(Some(it(name, &[&format!("{to}.[{index}]")])))
+    }
+
     /// A formula that decides, as one instruction.
     fn computed(&mut self, formula: &Expr, open: bool) -> Result<Option<Piece>> {
-        if let ExprKind::Compare(op, left, right) = &formula.kind {
-            // `word.[index]`
-            if *op == Op::Ne
-                && number(right) == Some(0.0)
-                && let Some((shifted, one)) = binary(left, BinaryOperator::And)
-                && number(one) == Some(1.0)
-                && let Some((word, index)) = binary(shifted, BinaryOperator::Shr)
-                && Self::is_simple(word)
-            {
-                let (word, index) = (self.value(word)?, self.formula(index)?);
-                return Ok(Some(it(
-                    if open { "XIC" } else { "XIO" },
-                    &[&format!("{word}.[{index}]")],
-                )));
-            }
-            if *op == Op::Eq
-                && open
-                && let (Some((source, mask)), Some((other, again))) = (
-                    binary(left, BinaryOperator::And),
-                    binary(right, BinaryOperator::And),
-                )
-                && Self::is_simple(source)
-                && Self::is_simple(other)
-                && Self::is_simple(mask)
-                && self.source(mask.range) == self.source(again.range)
-            {
-                let (source, mask, other) = (self.value(source)?, self.value(mask)?, self.value(other)?);
-                return Ok(Some(it("MEQ", &[&source, &mask, &other])));
-            }
+        if let Some(bit) = self.computed_bit(formula)? {
+            return Ok(Some(it(if open { "XIC" } else { "XIO" }, &[&bit])));
+        }
+        if let ExprKind::Compare(op, left, right) = &formula.kind
+            && *op == Op::Eq
+            && open
+            && let (Some((source, mask)), Some((other, again))) = (
+                binary(left, BinaryOperator::And),
+                binary(right, BinaryOperator::And),
+            )
+            && Self::is_simple(source)
+            && Self::is_simple(other)
+            && Self::is_simple(mask)
+            && self.source(mask.range) == self.source(again.range)
+        {
+            let (source, mask, other) = (self.value(source)?, self.value(mask)?, self.value(other)?);
+            return Ok(Some(it("MEQ", &[&source, &mask, &other])));
         }
         if !open {
             return Ok(None);

@@ -92,7 +92,12 @@ fn an_instruction_clears_its_own_request() {
 fn a_number_that_an_instance_keeps() {
     let block = definition(
         "Blk",
-        &[("Count", "DINT", KEPT), ("Max", "REAL", KEPT), ("On", "BOOL", KEPT), ("n", "DINT", OUT)],
+        &[
+            ("Count", "DINT", KEPT),
+            ("Max", "REAL", KEPT),
+            ("On", "BOOL", KEPT),
+            ("n", "DINT", OUT),
+        ],
         "",
         &["ADD(Count,1,Count)MOV(Count,n);"],
     );
@@ -106,7 +111,9 @@ fn a_number_that_an_instance_keeps() {
     let begins = "<Structure DataType=\"Blk\"><DataValueMember Name=\"Count\" DataType=\"DINT\" Value=\"7\"/>\
                   <DataValueMember Name=\"Max\" DataType=\"REAL\" Value=\"2.5\"/>\
                   <DataValueMember Name=\"On\" DataType=\"BOOL\" Value=\"1\"/></Structure>";
-    let several = format!("<Array DataType=\"Blk\" Dimensions=\"2\"><Element Index=\"[0]\"><Structure DataType=\"Blk\"/></Element><Element Index=\"[1]\">{begins}</Element></Array>");
+    let several = format!(
+        "<Array DataType=\"Blk\" Dimensions=\"2\"><Element Index=\"[0]\"><Structure DataType=\"Blk\"/></Element><Element Index=\"[1]\">{begins}</Element></Array>"
+    );
     check(
         &[block, outer],
         &[
@@ -137,7 +144,15 @@ fn parameters_named_like_those_of_ladder_text() {
     );
     check(
         &[block],
-        &[("b", "Blk", ""), ("go", "BOOL", ""), ("q", "BOOL", ""), ("w", "DINT", ""), ("i", "DINT", "2"), ("p", "BOOL", ""), ("c", "Blk", "")],
+        &[
+            ("b", "Blk", ""),
+            ("go", "BOOL", ""),
+            ("q", "BOOL", ""),
+            ("w", "DINT", ""),
+            ("i", "DINT", "2"),
+            ("p", "BOOL", ""),
+            ("c", "Blk", ""),
+        ],
         &["Blk(b,go,q)XIC(go)OTL(b.eno)OTL(w.[i]);", "Blk(c,w.[i],p);"],
         "go\n0\n1\n1\n",
         "q,b.eno_2,p",
@@ -153,13 +168,22 @@ fn parameters_named_like_those_of_ladder_text() {
 fn arrays_of_any_size() {
     let sum = definition(
         "Pick",
-        &[("tab", "DINT[1]", IN_OUT), ("at", "DINT", IN), ("y", "DINT", OUT), ("many", "DINT", OUT)],
+        &[
+            ("tab", "DINT[1]", IN_OUT),
+            ("at", "DINT", IN),
+            ("y", "DINT", OUT),
+            ("many", "DINT", OUT),
+        ],
         "",
         &["MOV(tab[at],y)SIZE(tab,0,many);"],
     );
     let outer = definition(
         "Outer",
-        &[("tab", "DINT[1]", IN_OUT), ("y", "DINT", OUT), ("many", "DINT", OUT)],
+        &[
+            ("tab", "DINT[1]", IN_OUT),
+            ("y", "DINT", OUT),
+            ("many", "DINT", OUT),
+        ],
         "<LocalTag Name=\"inner\" DataType=\"Pick\"/>",
         &["Pick(inner,tab[0],1,y,many);"],
     );

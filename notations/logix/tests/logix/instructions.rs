@@ -52,12 +52,14 @@ fn one_shots_of_computed_bits() {
         "XIC(a)OSR(w.[5],r)ADD(m,1,m);",
         "XIC(a)OSR(s,w.[k]);",
         "XIC(w.[k])OTE(p);",
+        "XIC(a)OTL(v.[k])OTU(v.[i]);",
     ];
     check(
         &[
             ("a", "BOOL", "1"),
             ("s", "BOOL", ""),
             ("w", "DINT", ""),
+            ("v", "INT", ""),
             ("i", "DINT", "3"),
             ("k", "DINT", "9"),
             ("n", "DINT", ""),
