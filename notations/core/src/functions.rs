@@ -5,6 +5,7 @@
 
 pub(crate) mod again;
 
+use crate::block_name::block_name;
 use crate::elements::{Replaced, is_comment, replace, rung};
 use ladder_analysis::Analysis;
 use ladder_analysis::context::{Body, Context};
@@ -177,10 +178,7 @@ fn named(context: &Context) -> Functions {
     };
     let mut functions = Functions::new();
     for (number, facts) in context.functions.iter().enumerate() {
-        let plain: String = facts.name.chars().filter(char::is_ascii_alphanumeric).collect();
-        let plain = plain.trim_start_matches(|c: char| c.is_ascii_digit());
-        let plain = if plain.is_empty() { "Function" } else { plain };
-        let plain = fresh(plain.to_owned());
+        let plain = fresh(block_name(&facts.name.to_string(), "Function"));
         let function = Function {
             name: facts.name.to_string(),
             state: fresh(format!("{plain}_state")),

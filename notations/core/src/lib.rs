@@ -12,6 +12,7 @@
 #![forbid(unsafe_code)]
 
 mod arrays;
+mod block_name;
 mod bridges;
 pub mod circuit;
 pub mod comments;
@@ -46,6 +47,7 @@ mod whole;
 mod written;
 pub mod xml;
 
+pub use block_name::{block_name, free_block_name};
 pub use convert::{Converted, convert};
 pub use elements::blocks;
 pub use encoding::in_utf8;

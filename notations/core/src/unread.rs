@@ -3,6 +3,7 @@
 //! A reader collects them in [`UnreadParts`]: [`UnreadParts::block`] is what is on the rung, [`UnreadParts::items`] are the
 //! definitions. A body of its own, whose declarations are read, is only marked as unread: [`unread_body`].
 
+use crate::block_name::block_name;
 use ladder_format::program::{Block, Declaration, Item, Section, SectionKind};
 use std::collections::{HashMap, HashSet};
 
@@ -74,7 +75,7 @@ impl UnreadParts {
         self.on_rung(part, is_short, is_taken)
     }
 
-    /// A body or a network as it is on a rung: `[$networkOfMotor]`. Its text is in its definition, however short it is.
+    /// A body or a network as it is on a rung: `[$network_1_of_Motor]`. Its text is in its definition, however short it is.
     pub fn body(&mut self, part: Unread<'_>, is_taken: impl Fn(&str) -> bool) -> Block {
         self.on_rung(part, false, is_taken)
     }
@@ -96,7 +97,7 @@ impl UnreadParts {
     }
 
     fn define(&mut self, part: Unread<'_>, key: Key, is_taken: impl Fn(&str) -> bool) -> String {
-        let word = block_name(part.name);
+        let word = format!("${}", block_name(part.name, "Part"));
         let name = loop {
             // Of many that are alike the next number is known.
             let count = self.numbers.entry(word.to_ascii_lowercase()).or_default();
@@ -240,30 +241,6 @@ pub fn unread_operands(literal: &str) -> String {
     text
 }
 
-/// No name is made of more bytes: it is drawn wherever it is used.
-const LONGEST_NAME: usize = 100;
-
-/// A name as that of a block, with its `$`: letters and digits, a letter first. Words are told apart by capitals.
-fn block_name(name: &str) -> String {
-    let words = name.split(|c: char| !c.is_ascii_alphanumeric());
-    let mut word = String::new();
-    for part in words.filter(|part| !part.is_empty()) {
-        let (first, rest) = part.split_at(1);
-        if word.is_empty() {
-            word.push_str(first);
-        } else {
-            word.push_str(&first.to_ascii_uppercase());
-        }
-        word.push_str(rest);
-    }
-    word.truncate(LONGEST_NAME);
-    if !word.starts_with(|c: char| c.is_ascii_alphabetic()) {
-        word.insert_str(0, "Part");
-    }
-    word.insert(0, '$');
-    word
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -307,7 +284,10 @@ mod tests {
             text: "x := 2;",
             ..MSG
         };
-        assert_eq!(parts.body(network, is_taken).to_string(), "[$network3OfMotorSCL]");
+        assert_eq!(
+            parts.body(network, is_taken).to_string(),
+            "[$network_3_of_Motor_SCL]"
+        );
         let why = Unread {
             about: "MSG: for another reason.",
             writes: Some(&[]),
@@ -333,7 +313,7 @@ mod tests {
             END_FUNCTION_BLOCK
 
             # MSG: it is not run here. #
-            FUNCTION_BLOCK [$network3OfMotorSCL]
+            FUNCTION_BLOCK [$network_3_of_Motor_SCL]
             # ladder: unread #
             # x := 2; #
             END_FUNCTION_BLOCK

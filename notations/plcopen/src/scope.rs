@@ -6,7 +6,7 @@ use super::model::{Body, Evaluation, Project, Role, Type, Unit, UnitKind, Variab
 use super::own;
 use super::standard::{self, StandardBlock};
 use ladder_format::program::Path;
-use ladder_notation::Names;
+use ladder_notation::{Names, free_block_name};
 use std::collections::{HashMap, HashSet};
 
 /// A variable as it is called here.
@@ -155,7 +155,7 @@ impl<'p> Shared<'p> {
                 Body::Ladder(text) => brought::name(text).unwrap_or(&unit.name),
                 _ => &unit.name,
             };
-            let name = block_name(name, &mut taken);
+            let name = format!("${}", free_block_name(short(name), "B", &mut taken));
             let mut scope = Scope::next_to(&globals);
             let power = Type::Named("BOOL".to_owned());
             scope.alias("EN", Path::tag("EN"), &power);
@@ -267,31 +267,4 @@ pub(crate) fn short(name: &str) -> &str {
         .nth(LONGEST)
         .map_or(name.len(), |(end, _)| end);
     &name[..end]
-}
-
-/// `$`, a letter, letters and digits.
-fn block_name(name: &str, taken: &mut HashSet<String>) -> String {
-    let mut plain = String::new();
-    for word in short(name).split(|c: char| !c.is_ascii_alphanumeric()) {
-        // What was parted by signs is told apart by capitals.
-        let is_first = plain.is_empty();
-        let letters = word.chars().enumerate();
-        plain.extend(letters.map(|(at, c)| {
-            if at == 0 && !is_first {
-                c.to_ascii_uppercase()
-            } else {
-                c
-            }
-        }));
-    }
-    if !plain.starts_with(|c: char| c.is_ascii_alphabetic()) {
-        plain.insert(0, 'B');
-    }
-    let mut number = 2;
-    let mut free = plain.clone();
-    while !taken.insert(free.to_lowercase()) {
-        free = format!("{plain}x{number}");
-        number += 1;
-    }
-    format!("${free}")
 }

@@ -112,13 +112,9 @@ pub(crate) fn plain(ty: &Type) -> Option<&'static str> {
     }
 }
 
-/// The name of the block that another one is here: letters and digits alone.
+/// The name of the block that another one is here.
 pub(crate) fn block_name(name: &str) -> String {
-    let mut plain: String = name.chars().filter(char::is_ascii_alphanumeric).collect();
-    if !plain.starts_with(|c: char| c.is_ascii_alphabetic()) {
-        plain.insert(0, 'B');
-    }
-    format!("${plain}")
+    format!("${}", ladder_notation::block_name(name, "B"))
 }
 
 /// A member's name as it can be written here.

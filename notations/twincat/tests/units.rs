@@ -258,7 +258,7 @@ fn branches_wires_and_what_is_not_known() {
             END_FUNCTION_BLOCK
 
             # FB_Pump is not read: a scan runs past it, and what it may write is not known. #
-            FUNCTION_BLOCK [$FBPump]
+            FUNCTION_BLOCK [$FB_Pump]
             VAR_INPUT
                 operands : STRING[254] := '';
             END_VAR
@@ -285,7 +285,7 @@ fn branches_wires_and_what_is_not_known() {
 
             # A network is not read: `y` has the flags 64, which are not known: y := wire #
             # A network is not read: a `BoxTreeWormhole` is not known: BoxTreeWormhole #
-            +---------------------------------------[$FBPump]( 'pump, go := a, on => y' )--+
+            +--------------------------------------[$FB_Pump]( 'pump, go := a, on => y' )--+
 
             # Commented out: y := a #
             # A network is not read: it is written in IL, which is not read #
@@ -322,11 +322,11 @@ fn other_bodies_and_files() {
                 a : BOOL := FALSE;
             END_VAR
 
-            +-----------------------------------------------------------------[$line1OfF]--+
+            +--------------------------------------------------------------[$line_1_of_F]--+
             END_FUNCTION_BLOCK
 
             # line 1 of F: `x` is not declared here; it is not run here. #
-            FUNCTION_BLOCK [$line1OfF]
+            FUNCTION_BLOCK [$line_1_of_F]
             # ladder: unread #
             # x := a #
             END_FUNCTION_BLOCK

@@ -10,26 +10,16 @@ use crate::types::{Elem, Ty};
 use ladder_format::Circuit;
 use ladder_format::program::{Element, Expression, Operand};
 use ladder_instructions::Op;
+use ladder_notation::{block_name, free_block_name};
 use std::collections::HashSet;
 
-/// The name of the block that each Add-On Instruction becomes, with its `$`: letters and digits alone.
+/// The name of the block that each Add-On Instruction becomes, with its `$`.
 pub(super) fn names(project: &Project) -> Vec<String> {
-    let mut taken: HashSet<String> = HashSet::new();
+    let mut taken = HashSet::new();
     let mut name = |original: &str| {
-        let mut name: String = original.chars().filter(char::is_ascii_alphanumeric).collect();
-        if !name.starts_with(|c: char| c.is_ascii_alphabetic()) {
-            name.insert(0, 'A');
-        }
-        if Blocks::has(&name) {
-            name.push_str("AOI");
-        }
-        let mut number = 2;
-        let mut free = name.clone();
-        while !taken.insert(free.to_ascii_uppercase()) {
-            free = format!("{name}x{number}");
-            number += 1;
-        }
-        format!("${free}")
+        let near = block_name(original, "A");
+        let suffix = if Blocks::has(&near) { "AOI" } else { "" };
+        format!("${}", free_block_name(&(near + suffix), "A", &mut taken))
     };
     project.aois.iter().map(|aoi| name(&aoi.name)).collect()
 }

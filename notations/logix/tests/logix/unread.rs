@@ -85,7 +85,7 @@ fn instructions() {
 
             +--[$MOV]( 'n,Rack:O.Data[i]' )--[ ]( Rack_I_Fault )-----------------( )( y )--+
 
-            +-----------[$unreadPID]( 'Rack:I.Ch0,n,0,i,0,0,0' )--[$unreadTON]( 's,?,?' )--+
+            +---------[$unread_PID]( 'Rack:I.Ch0,n,0,i,0,0,0' )--[$unread_TON]( 's,?,?' )--+
 
             # GRT: `s` has no such part; it is not run here, and no power passes. #
             FUNCTION_BLOCK [$GRT]
@@ -162,7 +162,7 @@ fn instructions() {
             END_FUNCTION_BLOCK
 
             # PID: `Rack:I` is not declared in the file; it is not run here, and power passes. #
-            FUNCTION_BLOCK [$unreadPID]
+            FUNCTION_BLOCK [$unread_PID]
             VAR_INPUT
                 operands : STRING[254] := '';
             END_VAR
@@ -170,7 +170,7 @@ fn instructions() {
             END_FUNCTION_BLOCK
 
             # TON: `s` is no TIMER; it is not run here, and power passes. #
-            FUNCTION_BLOCK [$unreadTON]
+            FUNCTION_BLOCK [$unread_TON]
             VAR_INPUT
                 operands : STRING[254] := '';
             END_VAR
@@ -292,11 +292,11 @@ fn routines_in_other_languages() {
 
             +--<FUN>( Calc )---------------------------------------------------------------+
 
-            +--------------------------------------------------------------[$routineCalc]--+
+            +-------------------------------------------------------------[$routine_Calc]--+
 
             +--<FUN>( Draw )---------------------------------------------------------------+
 
-            +--------------------------------------------------------------[$routineDraw]--+
+            +-------------------------------------------------------------[$routine_Draw]--+
 
             # JSR: what the routine `Calc` returns is not read; it is not run here, and power passes. #
             FUNCTION_BLOCK [$JSR]
@@ -307,7 +307,7 @@ fn routines_in_other_languages() {
             END_FUNCTION_BLOCK
 
             # routine Calc: it is structured text, and not read: line 2 does not parse: `:=` is expected here, not `?`; it is not run here. #
-            FUNCTION_BLOCK [$routineCalc]
+            FUNCTION_BLOCK [$routine_Calc]
             # ladder: unread, writes go, speed #
             # IF go THEN // \h1 #
             #     speed ?= 10; #
@@ -315,7 +315,7 @@ fn routines_in_other_languages() {
             END_FUNCTION_BLOCK
 
             # routine Draw: it is a function block diagram; it is not run here. #
-            FUNCTION_BLOCK [$routineDraw]
+            FUNCTION_BLOCK [$routine_Draw]
             # ladder: unread, writes #
             # <FBDContent SheetSize="Letter"><Sheet Number="1"/></FBDContent> #
             END_FUNCTION_BLOCK
@@ -385,10 +385,10 @@ fn routines_that_may_be_left() {
 
             +--<FUN>( Sub )----------------------------------------------------------------+
 
-            +---------------------------------------------------------------[$routineSub]--+
+            +--------------------------------------------------------------[$routine_Sub]--+
 
             # routine Sub: `RET(s.DATA[0])` in it is not read (`s` has no such part); it is not run here. #
-            FUNCTION_BLOCK [$routineSub]
+            FUNCTION_BLOCK [$routine_Sub]
             # ladder: unread, writes n, s, Sub_RET1 #
             # ADD(n,1,n); #
             # EQU(n,3)RET(s.DATA[0]); #
@@ -453,7 +453,7 @@ fn add_on_instructions() {
             END_FUNCTION_BLOCK
 
             # routine Logic of Scale: it is structured text, and not read: line 1 does not parse: `:=` is expected here, not `?`; it is not run here. #
-            FUNCTION_BLOCK [$routineLogic]
+            FUNCTION_BLOCK [$routine_Logic]
             # ladder: unread, writes In, Out #
             # Out ?= In * 2; #
             END_FUNCTION_BLOCK
@@ -509,53 +509,53 @@ fn tasks_that_run_at_other_times() {
         &L5x,
         &file,
         expect![[r#"
-        +----------------------------------------------------------<CALL>( Two_Main )--+
+            +----------------------------------------------------------<CALL>( Two_Main )--+
 
-        +----------------------------------------------------------<CALL>( One_Main )--+
+            +----------------------------------------------------------<CALL>( One_Main )--+
 
-        # program Three: task Call runs it on an event #
-        +--[ ]( SYS.OFF )----------------------------------------<CALL>( Three_Main )--+
+            # program Three: task Call runs it on an event #
+            +--[ ]( SYS.OFF )----------------------------------------<CALL>( Three_Main )--+
 
-        +--<FUN>( One_Main )-----------------------------------------------------------+
+            +--<FUN>( One_Main )-----------------------------------------------------------+
 
-        +------------------------------------------------------------[ADD]( a, a, 1 )--+
+            +------------------------------------------------------------[ADD]( a, a, 1 )--+
 
-        +--<FUN>( Two_Main )-----------------------------------------------------------+
+            +--<FUN>( Two_Main )-----------------------------------------------------------+
 
-        +---------------------------------------------------------------[$programTwo]--+
+            +--------------------------------------------------------------[$program_Two]--+
 
-        +------------------------------------------------------------[ADD]( b, b, 1 )--+
+            +------------------------------------------------------------[ADD]( b, b, 1 )--+
 
-        +--<FUN>( Three_Main )---------------------------------------------------------+
+            +--<FUN>( Three_Main )---------------------------------------------------------+
 
-        +-------------------------------------------------------------[$programThree]--+
+            +------------------------------------------------------------[$program_Three]--+
 
-        +------------------------------------------------------------[ADD]( c, c, 1 )--+
+            +------------------------------------------------------------[ADD]( c, c, 1 )--+
 
-        +--<FUN>( Four_Main )----------------------------------------------------------+
+            +--<FUN>( Four_Main )----------------------------------------------------------+
 
-        +------------------------------------------------------------[ADD]( d, d, 1 )--+
+            +------------------------------------------------------------[ADD]( d, d, 1 )--+
 
-        +--<FUN>( Five_Main )----------------------------------------------------------+
+            +--<FUN>( Five_Main )----------------------------------------------------------+
 
-        +------------------------------------------------------------[ADD]( d, d, 1 )--+
+            +------------------------------------------------------------[ADD]( d, d, 1 )--+
 
-        # program Two: task Fast runs it at times of its own, whatever else runs; here it runs in each scan. #
-        FUNCTION_BLOCK [$programTwo]
-        # ladder: unread, at any time, writes b #
-        # the checksum of its rungs is 09fefe48171bda51 #
-        END_FUNCTION_BLOCK
+            # program Two: task Fast runs it at times of its own, whatever else runs; here it runs in each scan. #
+            FUNCTION_BLOCK [$program_Two]
+            # ladder: unread, at any time, writes b #
+            # the checksum of its rungs is 09fefe48171bda51 #
+            END_FUNCTION_BLOCK
 
-        # program Three: task Call runs it on an event; it is not run here. #
-        FUNCTION_BLOCK [$programThree]
-        # ladder: unread, at any time, writes c #
-        # the checksum of its rungs is d00d13880040fe11 #
-        END_FUNCTION_BLOCK
+            # program Three: task Call runs it on an event; it is not run here. #
+            FUNCTION_BLOCK [$program_Three]
+            # ladder: unread, at any time, writes c #
+            # the checksum of its rungs is d00d13880040fe11 #
+            END_FUNCTION_BLOCK
 
-        25:1 program Two: Approximated("task Fast runs it at times of its own, whatever else runs; here it runs in each scan")
-        39:1 program Three: Approximated("task Call runs it on an event; it is not run here")
-        53:1 program Four: Approximated("no task runs its main routine, or it is inhibited: its routines are functions that nothing calls")
-        67:1 program Five: Approximated("no task runs its main routine, or it is inhibited: its routines are functions that nothing calls")"#]],
+            25:1 program Two: Approximated("task Fast runs it at times of its own, whatever else runs; here it runs in each scan")
+            39:1 program Three: Approximated("task Call runs it on an event; it is not run here")
+            53:1 program Four: Approximated("no task runs its main routine, or it is inhibited: its routines are functions that nothing calls")
+            67:1 program Five: Approximated("no task runs its main routine, or it is inhibited: its routines are functions that nothing calls")"#]],
     );
     expect![[r#"
         a,b,c,d
@@ -583,10 +583,10 @@ fn of_other_files() {
         &Rslogix500,
         "SOR XIC B3/1 DDV N7:0 N7:1 OTE B3/2 EOR\nSOR XIC B3/1 SUS 3 EOR\n",
         expect![[r#"
-            +--------------------------------------------------------------[$routineMain]--+
+            +-------------------------------------------------------------[$routine_Main]--+
 
             # routine Main: `SUS 3` in it is not read (it has no counterpart here); it is not run here. #
-            FUNCTION_BLOCK [$routineMain]
+            FUNCTION_BLOCK [$routine_Main]
             # ladder: unread #
             # SOR XIC B3/1 DDV N7:0 N7:1 OTE B3/2 EOR #
             # SOR XIC B3/1 SUS 3 EOR #

@@ -555,8 +555,7 @@ fn blocks_of_the_project() {
     check(
         &project("", &(motor + &average + &main), ""),
         expect![[r#"
-            # Motor_2 in the project #
-            FUNCTION_BLOCK [$Motor2]
+            FUNCTION_BLOCK [$Motor_2]
             VAR_INPUT
                 start : BOOL := FALSE;
             END_VAR
@@ -588,15 +587,15 @@ fn blocks_of_the_project() {
                 a        : BOOL;
                 n        : INT;
                 q        : BOOL;
-                M1       : $Motor2;
-                M2       : $Motor2;  # a block that the project does not declare #
+                M1       : $Motor_2;
+                M2       : $Motor_2;  # a block that the project does not declare #
                 M1_start : BOOL;  # what comes to a pin #
                 M2_start : BOOL;  # what comes to a pin #
             END_VAR
 
             +--[P]( a )---------------------------------------------------( )( M1_start )--+
 
-            +------------------------------[$Motor2]( M1, start := M1_start, count := n )--+
+            +-----------------------------[$Motor_2]( M1, start := M1_start, count := n )--+
 
             +--[ ]( M1.run )-----------------------------------------------------( )( q )--+
 

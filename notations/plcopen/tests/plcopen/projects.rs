@@ -90,7 +90,7 @@ fn several_programs_in_one() {
             END_VAR
 
             # First in task slow: it runs every 1s there, between any two networks of the other tasks. #
-            FUNCTION_BLOCK [$FirstInTaskSlow]
+            FUNCTION_BLOCK [$First_in_task_slow]
             # ladder: unread, at any time, writes total, First_out, deep, phase, motor, mix, text, share, First_hold, level #
             # every 1s #
             END_FUNCTION_BLOCK
@@ -130,7 +130,7 @@ fn several_programs_in_one() {
                 x : INT;
             END_VAR
 
-            +----------------------------------------------------------[$FirstInTaskSlow]--+
+            +-------------------------------------------------------[$First_in_task_slow]--+
 
             +------------------------------------------------------------<CALL>( Second )--+
 
@@ -272,7 +272,7 @@ fn charts() {
         &project("", main, ""),
         expect![[r#"
             # Main (SFC) is not read: a scan runs past it, and what it may write is not known. #
-            FUNCTION_BLOCK [$MainSFC]
+            FUNCTION_BLOCK [$Main_SFC]
             # ladder: unread #
             # step localId=1 name=Start initialStep=true #
             # transition localId=2 condition reference name=Go #
@@ -292,7 +292,7 @@ fn charts() {
                 a : BOOL;
             END_VAR
 
-            +------------------------------------------------------------------[$MainSFC]--+
+            +-----------------------------------------------------------------[$Main_SFC]--+
             approximated body of Main: SFC is not read: a scan runs past it, and what it may write is not known
             approximated action Blink: it is part of what is not read: a scan runs past it, and what it may write is not known
             approximated action Think: it is part of what is not read: a scan runs past it, and what it may write is not known

@@ -20,24 +20,24 @@ fn worksheets_stay_in_their_order() {
     check(
         &project("", &main, ""),
         expect![[r#"
-        # worksheet middle of Main is not read: a scan runs past it, and what it may write is not known. #
-        FUNCTION_BLOCK [$worksheetMiddleOfMain]
-        # ladder: unread #
-        # a := b; #
-        END_FUNCTION_BLOCK
+            # worksheet middle of Main is not read: a scan runs past it, and what it may write is not known. #
+            FUNCTION_BLOCK [$worksheet_middle_of_Main]
+            # ladder: unread #
+            # a := b; #
+            END_FUNCTION_BLOCK
 
-        VAR
-            a : BOOL;
-            b : BOOL;
-        END_VAR
+            VAR
+                a : BOOL;
+                b : BOOL;
+            END_VAR
 
-        +--------------------------------------------------------------------( )( a )--+
+            +--------------------------------------------------------------------( )( a )--+
 
-        +----------------------------------------------------[$worksheetMiddleOfMain]--+
+            +-------------------------------------------------[$worksheet_middle_of_Main]--+
 
-        +--------------------------------------------------------------------( )( b )--+
-        approximated worksheet middle: a text is not read: a scan runs past it, and what it may write is not known
-    "#]],
+            +--------------------------------------------------------------------( )( b )--+
+            approximated worksheet middle: a text is not read: a scan runs past it, and what it may write is not known
+        "#]],
     );
 }
 
@@ -74,26 +74,26 @@ fn a_text_that_may_end_the_unit_takes_it_along() {
     check(
         &of("IF a THEN RETURN; END_IF;"),
         expect![[r#"
-        # Main (LD) is not read: a scan runs past it, and what it may write is not known. #
-        FUNCTION_BLOCK [$MainLD]
-        # ladder: unread #
-        # \h EXECUTE is not read: a scan runs past it, and what it may write is not known. \h #
-        # FUNCTION_BLOCK [$EXECUTE] #
-        # \h ladder: unread \h #
-        # \h IF a THEN RETURN; END_IF; \h #
-        # END_FUNCTION_BLOCK #
-        #  #
-        # +--[ ]( a )----------------------------------------------[$EXECUTE]--( )( b )--+ #
-        END_FUNCTION_BLOCK
+            # Main (LD) is not read: a scan runs past it, and what it may write is not known. #
+            FUNCTION_BLOCK [$Main_LD]
+            # ladder: unread #
+            # \h EXECUTE is not read: a scan runs past it, and what it may write is not known. \h #
+            # FUNCTION_BLOCK [$EXECUTE] #
+            # \h ladder: unread \h #
+            # \h IF a THEN RETURN; END_IF; \h #
+            # END_FUNCTION_BLOCK #
+            #  #
+            # +--[ ]( a )----------------------------------------------[$EXECUTE]--( )( b )--+ #
+            END_FUNCTION_BLOCK
 
-        VAR
-            a : BOOL;
-            b : BOOL;
-        END_VAR
+            VAR
+                a : BOOL;
+                b : BOOL;
+            END_VAR
 
-        +-------------------------------------------------------------------[$MainLD]--+
-        approximated body of Main: LD is not read: a scan runs past it, and what it may write is not known
-    "#]],
+            +------------------------------------------------------------------[$Main_LD]--+
+            approximated body of Main: LD is not read: a scan runs past it, and what it may write is not known
+        "#]],
     );
 }
 
@@ -168,13 +168,13 @@ fn tasks_at_other_times() {
             END_VAR
 
             # Once in task event: it runs when shared rises there, between any two networks of the other tasks. #
-            FUNCTION_BLOCK [$OnceInTaskEvent]
+            FUNCTION_BLOCK [$Once_in_task_event]
             # ladder: unread, at any time, writes Once_a, Once_b, shared #
             # when shared rises #
             END_FUNCTION_BLOCK
 
             # Text in task event: it runs when shared rises there, between any two networks of the other tasks. #
-            FUNCTION_BLOCK [$TextInTaskEvent]
+            FUNCTION_BLOCK [$Text_in_task_event]
             # ladder: unread, at any time #
             # when shared rises #
             END_FUNCTION_BLOCK
@@ -197,9 +197,9 @@ fn tasks_at_other_times() {
                 Text_b : BOOL;  # b in the project #
             END_VAR
 
-            +----------------------------------------------------------[$OnceInTaskEvent]--+
+            +-------------------------------------------------------[$Once_in_task_event]--+
 
-            +----------------------------------------------------------[$TextInTaskEvent]--+
+            +-------------------------------------------------------[$Text_in_task_event]--+
 
             +--------------------------------------------------------------<CALL>( Fast )--+
 

@@ -138,7 +138,7 @@ fn values_and_conversions() {
         END_RUNG",
         expect![[r#"
             # S_BitfieldCoil is not read: a scan runs past it, and what it may write is not known. #
-            FUNCTION_BLOCK [$SBitfieldCoil]
+            FUNCTION_BLOCK [$S_BitfieldCoil]
             VAR_INPUT
                 operands : STRING[254] := '';
             END_VAR
@@ -153,7 +153,7 @@ fn values_and_conversions() {
                 outside : BOOL;  # whether a value is outside of its range #
             END_VAR
 
-            +--[ADD]( result, long, DINT#5, n )--[TYP]( n, result )--[TYP]( n, r )--[MOV]( r, r )--[TYP]( r, n )--[CALC]( r, (r + 1.5) ^ 2.0 )--[CALC]( outside, n < 1 OR n > 9 )--[ ]( outside )---------------[CALC]( y, n > 3 )--[$SBitfieldCoil]( 'S_BitfieldCoil( operand := #w, n := 3 )' )--+
+            +--[ADD]( result, long, DINT#5, n )--[TYP]( n, result )--[TYP]( n, r )--[MOV]( r, r )--[TYP]( r, n )--[CALC]( r, (r + 1.5) ^ 2.0 )--[CALC]( outside, n < 1 OR n > 9 )--[ ]( outside )--------------[CALC]( y, n > 3 )--[$S_BitfieldCoil]( 'S_BitfieldCoil( operand := #w, n := 3 )' )--+
             19:13: approximated: S_BitfieldCoil( operand := #w, n := 3 ): only bits of an array, from a constant index on, can be set together here: a scan runs past it, and what it may write is not known
         "#]],
     );
@@ -339,8 +339,8 @@ fn a_block_opened_alone_is_a_program_and_in_a_folder_a_block() {
     };
     let text = String::from_utf8_lossy(&file.bytes);
     expect![[r#"
-        Testblock.clad
-        FUNCTION_BLOCK [$Testblock]
+        Test_block.clad
+        FUNCTION_BLOCK [$Test_block]
         # Test block in the project #
         VAR_INPUT
             a : BOOL;
@@ -400,14 +400,14 @@ fn power_in_a_circle_does_not_run() {
          RUNG wire#powerrail Contact( #c ) END_RUNG wire#p",
         expect![[r#"
             # network 1 of Test block (LAD) is not read: a scan runs past it, and what it may write is not known. #
-            FUNCTION_BLOCK [$network1OfTestBlockLAD]
+            FUNCTION_BLOCK [$network_1_of_Test_block_LAD]
             # ladder: unread #
             # RUNG wire\hp Contact( \ha ) wire\hq Coil( \hy ) END_RUNG #
             #          RUNG wire\hq Contact( \hb ) END_RUNG wire\hp #
             #          RUNG wire\hpowerrail Contact( \hc ) END_RUNG wire\hp #
             END_FUNCTION_BLOCK
 
-            +---------------------------------------------------[$network1OfTestBlockLAD]--+
+            +----------------------------------------------[$network_1_of_Test_block_LAD]--+
             11:8: approximated: network: power would run in a circle: a scan runs past it, and what it may write is not known
         "#]],
     );

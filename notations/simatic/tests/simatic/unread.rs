@@ -35,7 +35,7 @@ fn a_network_in_scl_there_and_back() {
     let ladder = converted.written.text.clone();
     expect![[r#"
         # network 2 of Fan (SCL) is not read: a scan runs past it, and what it may write is not known. #
-        FUNCTION_BLOCK [$network2OfFanSCL]
+        FUNCTION_BLOCK [$network_2_of_Fan_SCL]
         # ladder: unread #
         # IF \hGo THEN #
         #     \hSpeed := 16\h0A; // \\ fast #
@@ -52,7 +52,7 @@ fn a_network_in_scl_there_and_back() {
 
         +--[ ]( Go )-------------------------------------------------------( )( Run )--+
 
-        +---------------------------------------------------------[$network2OfFanSCL]--+
+        +-----------------------------------------------------[$network_2_of_Fan_SCL]--+
 
         18:12: approximated: network: a network in SCL is not read: a scan runs past it, and what it may write is not known
     "#]]
@@ -95,7 +95,7 @@ fn what_may_lead_elsewhere_takes_the_block_along() {
     );
     expect![[r#"
         # body of Fan is not read: a scan runs past it, and what it may write is not known. #
-        FUNCTION_BLOCK [$bodyOfFan]
+        FUNCTION_BLOCK [$body_of_Fan]
         # ladder: unread #
         # NETWORK 1 #
         # RUNG wire\hpowerrail #
@@ -116,7 +116,7 @@ fn what_may_lead_elsewhere_takes_the_block_along() {
             Speed : INT;
         END_VAR
 
-        +----------------------------------------------------------------[$bodyOfFan]--+
+        +--------------------------------------------------------------[$body_of_Fan]--+
 
         1:1: approximated: body of Fan: something in it that is not read may lead elsewhere, so that all of it is not read: a scan runs past it, and what it may write is not known
     "#]]

@@ -15,8 +15,9 @@ use ladder_format::program::{
     Block, Drawing, Element, Expression, Item, Network, Path, Section, SectionKind,
 };
 use ladder_notation::{
-    Finding, Lines, Names, Power, ReadError, Reading, Turn, Unread, UnreadParts, unread_body,
+    Finding, Lines, Names, Power, ReadError, Reading, Turn, Unread, UnreadParts, free_block_name, unread_body,
 };
+use ladder_syntax::Name;
 use std::collections::HashSet;
 use std::rc::Rc;
 
@@ -76,8 +77,8 @@ struct Reader<'a> {
     scope: Scope,
     /// Of the globals and the types.
     names: Names,
-    /// The names of blocks that are taken, in small letters.
-    blocks: HashSet<String>,
+    /// The names of blocks that are taken.
+    blocks: HashSet<Name>,
     unread: UnreadParts,
     /// The places of programs that are not read.
     others: Vec<Item>,
@@ -171,7 +172,7 @@ impl Reader<'_> {
         if unit.kind == UnitKind::Program {
             return;
         }
-        let name = types::block_name(&unit.name, &mut self.blocks);
+        let name = free_block_name(&unit.name, "B", &mut self.blocks);
         let mut names = Names::default();
         let mut parameters = Vec::new();
         for variable in &unit.variables {

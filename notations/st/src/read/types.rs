@@ -7,8 +7,6 @@ use super::scope::{Enumeration, Scope, Structure, Type};
 use super::tree::{Expression, ExpressionKind};
 use ladder_analysis::values::types::Scalar;
 use ladder_notation::Names;
-use ladder_syntax::is_identifier;
-use std::collections::HashSet;
 use std::rc::Rc;
 
 /// The type that a text means.
@@ -145,41 +143,4 @@ pub(super) fn declared(name: &str, text: &TypeText, scope: &Scope) -> Result<(Ty
             Ok((ty, text))
         }
     }
-}
-
-/// The name of a block: what it cannot hold is left out, and what was parted so is told apart by capitals.
-pub(super) fn block_name(name: &str, taken: &mut HashSet<String>) -> String {
-    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    let is_kept = name.starts_with(|c: char| c.is_ascii_alphabetic())
-        && name.len() <= 100
-        && name.chars().all(is_word)
-        && !name.contains("__")
-        && !name.ends_with('_');
-    if is_kept && taken.insert(name.to_lowercase()) {
-        return name.to_owned();
-    }
-    let mut plain = String::new();
-    for word in name
-        .split(|c: char| !c.is_ascii_alphanumeric())
-        .filter(|word| !word.is_empty())
-    {
-        let (first, rest) = word.split_at(1);
-        if plain.is_empty() {
-            plain.push_str(first);
-        } else {
-            plain.push_str(&first.to_ascii_uppercase());
-        }
-        plain.push_str(rest);
-    }
-    plain.truncate(100);
-    if !plain.starts_with(|c: char| c.is_ascii_alphabetic()) || !is_identifier(&plain) {
-        plain.insert(0, 'B');
-    }
-    let mut free = plain.clone();
-    let mut number = 2;
-    while !taken.insert(free.to_lowercase()) {
-        free = format!("{plain}x{number}");
-        number += 1;
-    }
-    free
 }

@@ -115,8 +115,19 @@ impl Region<'_> {
         };
         all.push(self.network(dice, scope, &[format!("<FOR>( {count} )")]));
         for _ in 0..dice.below(3) {
+            if dice.one_in(6) {
+                self.inner_loop(dice, scope, all);
+            }
             all.push(self.network(dice, scope, &[]));
         }
+        all.push(self.network(dice, scope, &["<NEXT>".to_owned()]));
+    }
+
+    /// A loop in a loop.
+    fn inner_loop(self, dice: &mut Dice, scope: &mut Scope, all: &mut Vec<Network>) {
+        let turns = dice.between(0, 3);
+        all.push(self.network(dice, scope, &[format!("<FOR>( {turns} )")]));
+        all.push(self.network(dice, scope, &[]));
         all.push(self.network(dice, scope, &["<NEXT>".to_owned()]));
     }
 

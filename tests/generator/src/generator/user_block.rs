@@ -28,7 +28,7 @@ impl Definition {
         text: &mut String,
     ) -> Definition {
         let shape = dice.of(&Shape::ALL);
-        let name = format!("$Block{number}");
+        let name = dice.of(&["$Block", "$FB_Block"]).to_owned() + &number.to_string();
         let mut scope = Scope {
             is_body: true,
             ..Scope::default()

@@ -680,23 +680,23 @@ fn what_has_no_counterpart_is_an_unread_part_at_its_place() {
         "i := 1;\nj := GETTIME(16#FF);\np^ := 3; k := 2;",
         Dialect::Iec,
         &expect![[r#"
-        # line 2 of Main: `GETTIME` is not declared, and is not a function that is read; it is not run here. #
-        FUNCTION_BLOCK [$line2OfMain]
-        # ladder: unread #
-        # j := GETTIME(16\hFF) #
-        END_FUNCTION_BLOCK
+            # line 2 of Main: `GETTIME` is not declared, and is not a function that is read; it is not run here. #
+            FUNCTION_BLOCK [$line_2_of_Main]
+            # ladder: unread #
+            # j := GETTIME(16\hFF) #
+            END_FUNCTION_BLOCK
 
-        # line 3 of Main: a pointer works on memory by address, which ladder text does not have; it is not run here. #
-        FUNCTION_BLOCK [$line3OfMain]
-        # ladder: unread #
-        # p^ := 3 #
-        END_FUNCTION_BLOCK
+            # line 3 of Main: a pointer works on memory by address, which ladder text does not have; it is not run here. #
+            FUNCTION_BLOCK [$line_3_of_Main]
+            # ladder: unread #
+            # p^ := 3 #
+            END_FUNCTION_BLOCK
 
-        +---------------------------------------------------------------[MOV]( i, 1 )--+
-        +--------------------------------------------------------------[$line2OfMain]--+
-        +--------------------------------------------------------------[$line3OfMain]--+
-        +---------------------------------------------------------------[MOV]( k, 2 )--+
-    "#]],
+            +---------------------------------------------------------------[MOV]( i, 1 )--+
+            +-----------------------------------------------------------[$line_2_of_Main]--+
+            +-----------------------------------------------------------[$line_3_of_Main]--+
+            +---------------------------------------------------------------[MOV]( k, 2 )--+
+        "#]],
     );
 }
 
@@ -813,7 +813,7 @@ fn a_unit_that_does_not_parse_is_unread_as_a_whole() {
          PROGRAM Main VAR o : Odd; p : POINTER TO INT; END_VAR o(a := TRUE); p^ := 3; END_PROGRAM\n",
         &expect![[r#"
             # line 2 of Main: a pointer works on memory by address, which ladder text does not have; it is not run here. #
-            FUNCTION_BLOCK [$line2OfMain]
+            FUNCTION_BLOCK [$line_2_of_Main]
             # ladder: unread #
             # p^ := 3 #
             END_FUNCTION_BLOCK
@@ -832,7 +832,7 @@ fn a_unit_that_does_not_parse_is_unread_as_a_whole() {
             END_VAR
 
             +------------------------------------------------------[$Odd]( o, a := TRUE )--+
-            +--------------------------------------------------------------[$line2OfMain]--+
+            +-----------------------------------------------------------[$line_2_of_Main]--+
             1:1: Odd: line 1 does not parse: a value is expected here, not `;`
             2:27: variable p: a pointer works on memory by address, which ladder text does not have; it is not declared
             2:69: p^ := 3: a pointer works on memory by address, which ladder text does not have: it is not run
