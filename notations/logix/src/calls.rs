@@ -1,5 +1,9 @@
-//! The calls in a structured text: what is called, and with what.
+//! The calls in a structured text, and the tags that it names.
 
+use crate::operand::{Expr, Path, parse};
+
+/// A path has no more characters.
+const LONGEST_PATH: usize = 200;
 /// A call has no more characters.
 const LONGEST: usize = 10_000;
 
@@ -44,6 +48,40 @@ fn operands(text: &str) -> Vec<String> {
     operands
 }
 
+/// The tags and members that a text names, `t.PRE` and `lines[2].speed`, with constant and computed indices.
+pub(crate) fn paths_in(text: &str) -> Vec<Path> {
+    let text = without_comments(text);
+    let is_in_name = |c: char| c.is_alphanumeric() || c == '_';
+    let mut paths = Vec::new();
+    let mut at = 0;
+    while let Some(found) = text[at..].find(|c: char| c.is_alphabetic() || c == '_') {
+        let begin = at + found;
+        let mut depth = 0usize;
+        let end = text[begin..].char_indices().take(LONGEST_PATH).find(|(_, c)| {
+            match c {
+                '[' => depth += 1,
+                ']' => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            !is_in_name(*c) && !matches!(c, '.' | '[' | ']') && depth == 0
+        });
+        let rest = &text[begin..];
+        let length = end.map_or(rest.len(), |(length, _)| length);
+        if (end.is_some() || rest.len() <= LONGEST_PATH)
+            && let Ok(Expr::Path(path)) = parse(&rest[..length])
+        {
+            paths.push(path);
+        }
+        // The names in an index are paths, too.
+        at = begin + rest.find(|c| !is_in_name(c)).unwrap_or(rest.len());
+        if text[at..].starts_with('.') {
+            let members = text[at..].find(|c| !is_in_name(c) && c != '.');
+            at += members.unwrap_or(text.len() - at);
+        }
+    }
+    paths
+}
+
 /// A text with blanks in the place of comments and texts in quotes.
 fn without_comments(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
@@ -79,6 +117,15 @@ mod tests {
             .iter()
             .map(|(name, operands)| format!("{name}: {}", operands.join(" | ")));
         expected.assert_eq(&calls.collect::<Vec<_>>().join("\n"));
+    }
+
+    #[test]
+    fn tags_and_their_members() {
+        let paths = paths_in("t.PRE := 30; (* no.t *) list[i.k].m.3 := f(x.y); réel.w['");
+        let shown = paths
+            .iter()
+            .map(|path| format!("{}{}", path.root, path.steps.len()));
+        expect!["t1 list3 m1 f0 x1"].assert_eq(&shown.collect::<Vec<_>>().join(" "));
     }
 
     #[test]

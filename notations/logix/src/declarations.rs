@@ -98,6 +98,9 @@ pub(super) fn types(types: &Types, aois: &[String]) -> Option<Item> {
             }
             text.push('\n');
         }
+        if structure.members.is_empty() {
+            text.push_str("        unused : DINT;\n");
+        }
         if structure.original == "TIMER" {
             text.push_str("        LAST : LINT;  # when the time was last counted, in ms #\n");
         }

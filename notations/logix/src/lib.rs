@@ -22,6 +22,7 @@ mod l5k;
 mod l5x;
 mod mnemonic;
 mod model;
+mod opened;
 mod operand;
 mod plan;
 mod repeated;

@@ -310,10 +310,16 @@ impl<'p> Sketcher<'p> {
             let place = self.place(*at);
             self.reading.report.refused(place, what, why);
         }
-        for (at, what, why) in self.translator.tags.unknown.clone() {
-            let place = self.place(at);
-            let why = format!("{why}; the tag is not there");
-            self.reading.report.approximated(place, what, why);
+        let mut told: HashSet<String> = HashSet::new();
+        for (at, what, ty) in self.translator.tags.opened.clone() {
+            let types = &self.translator.tags.types;
+            let name = types.original_of_elements(&ty).to_owned();
+            if types.is_guessed(&ty) && told.insert(name.clone()) {
+                let why = format!(
+                    "its type {name} is not declared in the file: its members are those that are used, with the types of their use"
+                );
+                self.reading.report.approximated(self.place(at), what, why);
+            }
         }
         let tags = std::iter::once(&project.tags).chain(project.programs.iter().map(|program| &program.tags));
         let tags: Vec<(usize, String)> = tags

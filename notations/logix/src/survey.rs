@@ -4,8 +4,10 @@
 //! edges are set such that what is on already is not an edge, timers and counters are made ready. What it leaves is the
 //! initial value of tags, so it is written there.
 
+use crate::calls::paths_in;
 use crate::mnemonic::{Op, Role, instruction, role};
-use crate::model::Family;
+use crate::model::{Family, Language};
+use crate::opened::Use;
 use crate::operand::{Expr, Path, Step};
 use crate::scope::Tags;
 use crate::types::Ty;
@@ -23,7 +25,9 @@ pub(crate) fn survey(units: &[Unit<'_>], family: Family, tags: &mut Tags) {
             }
         }
     };
+    let has_open = tags.types.has_open();
     each(tags, &mut |tags, scope, it| {
+        let is_real = has_open && is_beside_real(tags, family, scope, it);
         for (index, text) in it.operands.iter().enumerate() {
             let role = role(it.name, it.operands.len(), index).unwrap_or(Role::Word);
             let Ok(expr) = operand(family, text) else { continue };
@@ -31,12 +35,51 @@ pub(crate) fn survey(units: &[Unit<'_>], family: Family, tags: &mut Tags) {
                 tags.declare_by_use(scope, path, role);
             }
             note_undeclared(tags, scope, &expr);
+            if has_open {
+                tags.use_paths(scope, &expr, Use { role, is_real });
+            }
+        }
+        if let (Some(Op::Pid), Some(Ok(Expr::Path(own)))) = (
+            instruction(it.name, it.operands.len()),
+            it.operands.first().map(|text| operand(family, text)),
+        ) {
+            for member in ["SP", "KP", "KI", "KD"] {
+                let mut path = own.clone();
+                path.steps.push(Step::Member(member.to_owned()));
+                let role = Role::Value;
+                tags.use_path(scope, &path, Use { role, is_real: true });
+            }
         }
     });
+    if has_open {
+        let texts = units
+            .iter()
+            .filter_map(|unit| Some((unit.scope, unit.routine.foreign.as_ref()?)));
+        for (scope, foreign) in texts.filter(|(_, foreign)| foreign.language == Language::StructuredText) {
+            for path in paths_in(&foreign.text) {
+                // What the manuals do not tell is not guessed from a text.
+                let role = Role::Word;
+                tags.use_path(scope, &path, Use { role, is_real: false });
+            }
+        }
+    }
     each(tags, &mut |tags, scope, it| {
         let mut surveyor = Surveyor { tags, family, scope };
         surveyor.prescan(it);
     });
+}
+
+/// Whether a real is among the operands of an instruction.
+fn is_beside_real(tags: &mut Tags, family: Family, scope: usize, it: &Instruction<'_>) -> bool {
+    fn is_real(tags: &mut Tags, scope: usize, expr: &Expr) -> bool {
+        match expr {
+            Expr::Real(_) => true,
+            Expr::Path(path) => tags.is_real(scope, path),
+            _ => expr.parts().any(|part| is_real(tags, scope, part)),
+        }
+    }
+    let exprs = it.operands.iter().filter_map(|text| operand(family, text).ok());
+    exprs.into_iter().any(|expr| is_real(tags, scope, &expr))
 }
 
 /// Notes what may become tags of their own in an operand.

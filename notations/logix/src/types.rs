@@ -138,6 +138,10 @@ pub(crate) struct Structure {
     pub(crate) comment: Option<String>,
     /// A declared tag has it.
     pub(crate) used: bool,
+    /// The file does not declare it: its members are those that are used.
+    pub(crate) is_open: bool,
+    /// The type of a member is only known by its use.
+    pub(crate) is_guessed: bool,
 }
 
 /// A member.
@@ -252,7 +256,7 @@ impl Types {
         types
     }
 
-    fn add(&mut self, name: &str) -> usize {
+    pub(crate) fn add(&mut self, name: &str) -> usize {
         let index = self.all.len();
         self.all.push(Structure {
             name: self.names.fresh(name),
@@ -294,6 +298,7 @@ impl Types {
             }
             let number = members.len();
             let ty = self.named(&member.ty, &member.dimensions);
+            let ty = ty.or_else(|| self.open(&member.ty, &member.dimensions));
             match (&member.bit, &ty) {
                 (Some((host, bit)), Some(_)) => {
                     let slot = hosts
@@ -343,6 +348,7 @@ impl Types {
     pub(crate) fn of_tag(&mut self, tag: &Tag) -> Option<Ty> {
         self.named(&tag.ty, &tag.dimensions)
             .or_else(|| self.shown_by(tag.value.as_ref()?, 0))
+            .or_else(|| self.open(&tag.ty, &tag.dimensions))
     }
 
     fn shown_by(&mut self, value: &Raw, depth: usize) -> Option<Ty> {
@@ -396,6 +402,14 @@ impl Types {
         }
     }
 
+    /// The same of the elements of an array.
+    pub(crate) fn original_of_elements(&self, ty: &Ty) -> &str {
+        match ty {
+            Ty::Array(of, _) => self.original_of_elements(of),
+            ty => self.original(ty),
+        }
+    }
+
     /// Notes that a declared tag has a type.
     pub(crate) fn keep(&mut self, ty: &Ty) {
         match ty {
@@ -418,18 +432,15 @@ impl Types {
     }
 }
 
-/// The types without a member that can be here, in capitals: a structure has at least one.
+/// The types without a member, in capitals: a structure has at least one here.
 fn empty(project: &Project) -> HashSet<String> {
-    let mut known: HashSet<String> = STANDARD.iter().map(|(name, _)| (*name).to_owned()).collect();
-    known.extend(project.aois.iter().map(|aoi| aoi.name.to_ascii_uppercase()));
-    known.extend(project.types.iter().map(|ty| ty.name.to_ascii_uppercase()));
     let mut empty = HashSet::new();
     loop {
         let before = empty.len();
         for ty in project.types.iter().filter(|ty| !ty.is_string) {
             let can_be = |name: &str| {
                 let key = name.split('[').next().unwrap_or_default().to_ascii_uppercase();
-                Elem::named(&key).is_some() || (known.contains(&key) && !empty.contains(&key))
+                !key.is_empty() && !empty.contains(&key)
             };
             if !ty
                 .members

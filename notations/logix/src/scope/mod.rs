@@ -97,8 +97,8 @@ pub(crate) struct Tags {
     names: Names,
     /// Inputs of instances that begin with a value of their own.
     pub(crate) begins: Vec<Begins>,
-    /// Tags that are not declared: place, element, reason.
-    pub(crate) unknown: Vec<(usize, String, String)>,
+    /// Tags of types that the file does not declare: place, tag, type.
+    pub(crate) opened: Vec<(usize, String, Ty)>,
     /// Names that tags of several scopes have, in capitals.
     ambiguous: HashSet<String>,
     /// What undeclared tags that become tags here are parts of, in capitals.
@@ -113,7 +113,7 @@ impl Tags {
             scopes: Vec::new(),
             names: Names::default(),
             begins: Vec::new(),
-            unknown: Vec::new(),
+            opened: Vec::new(),
             ambiguous: ambiguous(project),
             undeclared: HashSet::new(),
         };
@@ -173,11 +173,13 @@ impl Tags {
         }
         let Some(ty) = self.types.of_tag(tag) else {
             let why = format!("its type {} is not declared in the file", tag.ty);
-            self.unknown
-                .push((tag.at, format!("tag {}", tag.name), why.clone()));
             self.scopes[scope].entries.insert(key, Entry::Opaque(why));
             return;
         };
+        if self.types.is_open(&ty) {
+            self.opened
+                .push((tag.at, format!("tag {}", tag.name), ty.clone()));
+        }
         let value = tag
             .value
             .as_ref()
@@ -287,6 +289,29 @@ impl Tags {
             next = self.scopes[scope].parent;
         }
         None
+    }
+
+    /// The type of what a path begins with, and the steps from there on, those of aliases first.
+    pub(crate) fn declared_type(&mut self, scope: usize, path: &Path) -> Option<(Ty, Vec<Step>)> {
+        let (mut scope, mut path) = self.in_its_scope(scope, path).ok()?;
+        for _ in 0..16 {
+            match self.entry(scope, &path.root.to_ascii_uppercase())? {
+                (_, Entry::Symbol(symbol)) => return Some((self.symbols[*symbol].ty.clone(), path.steps)),
+                (of, Entry::Alias(target)) => {
+                    let mut target = target.clone();
+                    target.steps.append(&mut path.steps);
+                    (scope, path) = (of, target);
+                }
+                (_, Entry::Opaque(_)) => return None,
+            }
+        }
+        None
+    }
+
+    /// The type of a parameter of an Add-On Instruction.
+    pub(crate) fn parameter_type(&self, aoi: usize, name: &str) -> Option<Ty> {
+        let symbol = self.parameter_symbol(self.scopes.len() - self.aois() + aoi, name)?;
+        Some(self.symbols[symbol].ty.clone())
     }
 
     /// The scope that declares a tag, and its name in capitals; of an alias those of what it stands for.

@@ -4,6 +4,7 @@ use super::names::Kind;
 use super::operand::milliseconds;
 use super::{Result, Writer};
 use crate::model::{DataType, Member, Raw, Tag, Usage};
+use crate::opened::{has_parameters, is_built_in};
 use ladder_analysis::cross_reference;
 use ladder_analysis::names::scope::{Origin, Scope, SectionKind, TagFacts};
 use ladder_analysis::program::ParameterKind;
@@ -392,6 +393,10 @@ impl Writer<'_> {
                         let name = self.names.spell(Kind::Tag, &member.name);
                         members.extend(value.filter(|_| is_there).map(|value| (name, value)));
                     }
+                    // Of such a type the program may only know some members, and its tags have parameters there.
+                    if has_parameters(&structure.name) && members.iter().all(|(_, value)| is_zero(value)) {
+                        return Ok(None);
+                    }
                     Raw::Structure(self.structure(&structure)?, members)
                 }
                 Compound::Block(name) => return self.instance(&name),
@@ -495,11 +500,6 @@ fn standard(structure: &Structure) -> Option<&'static str> {
     same.then_some(own)
 }
 
-/// Whether every controller has a type of that name.
-fn is_built_in(name: &str) -> bool {
-    ["PID", "MESSAGE"].contains(&name)
-}
-
 fn state_value(state: StateType, preset: &str) -> Raw {
     let (name, numbers, bits): (_, _, &[&str]) = match state {
         StateType::Ctu | StateType::Ctd | StateType::Ctud | StateType::Ctc => {
@@ -518,6 +518,14 @@ fn state_value(state: StateType, preset: &str) -> Raw {
     });
     let bits = bits.iter().map(|name| ((*name).to_owned(), zero("BOOL")));
     Raw::Structure(name.to_owned(), numbers.chain(bits).collect())
+}
+
+fn is_zero(value: &Raw) -> bool {
+    match value {
+        Raw::Scalar(_, text) => text.parse() == Ok(0.0),
+        Raw::Structure(_, members) => members.iter().all(|(_, value)| is_zero(value)),
+        Raw::Array(_, _, elements) | Raw::List(elements) => elements.iter().all(is_zero),
+    }
 }
 
 fn shortened(name: &str) -> String {

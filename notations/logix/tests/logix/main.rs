@@ -8,6 +8,7 @@ mod exports;
 mod files;
 mod instructions;
 mod loops;
+mod opened;
 mod oracle;
 mod projects;
 mod run;

@@ -177,7 +177,6 @@ fn instructions() {
             # ladder: unread, writes s #
             END_FUNCTION_BLOCK
 
-            11:1 tag m: Approximated("its type MESSAGE is not declared in the file; the tag is not there")
             22:10 GRT(s.DATA[1],0): Approximated("`s` has no such part: it is not run, and no power passes")
             27:19 XIO(s.DATA[i].3): Approximated("`s` has no such part: it is not run, and no power passes")
             32:16 MSG(m): Approximated("it has no counterpart here: it is not run, and power passes")
@@ -255,8 +254,8 @@ fn what_a_message_fetches_is_written() {
         )
     };
     for (kind, writes) in [
-        ("CIP Data Table Read", "writes w"),
-        ("CIP Data Table Write", "writes #"),
+        ("CIP Data Table Read", "writes m, w"),
+        ("CIP Data Table Write", "writes m #"),
     ] {
         let file = controller(&[("w", "DINT[4]", "")], &["MSG(m);"]);
         let file = file.replace("<Tags>\n<Tag", &format!("<Tags>\n{}<Tag", message(kind)));
@@ -447,7 +446,7 @@ fn add_on_instructions() {
 
             # Secret: its source is protected; it is not run here, and power passes. #
             FUNCTION_BLOCK [$Secret]
-            # ladder: unread, writes m, n #
+            # ladder: unread, writes m, n, x #
             # x,n,m #
             # <EncodedData EncodedType="AddOnInstructionDefinition" Name="Secret">abc</EncodedData> #
             END_FUNCTION_BLOCK
@@ -460,7 +459,6 @@ fn add_on_instructions() {
 
             11:1 routine Logic of Scale: Approximated("it is structured text, and not read: line 1 does not parse: `:=` is expected here, not `?`: it is not run")
             14:1 Add-On Instruction Secret: Approximated("its source is protected: its calls are not run")
-            20:1 tag x: Approximated("its type Secret is not declared in the file; the tag is not there")
             35:10 Secret(x,n,m): Approximated("its source is protected: it is not run, and power passes")"#]],
     );
     let (file, _) = back(&read.written.text).expect("it has no errors");
