@@ -4,18 +4,8 @@ use crate::harness::Folder;
 use std::fs;
 use std::path::Path;
 
-/// Those whose bodies are not read yet, or not as they are meant.
-const UNREAD: &[&str] = &[
-    "iec_for",
-    "iec_numbers",
-    "lx_tonr",
-    "plc_function",
-    "scl_bits_loop",
-    "scl_case",
-    "scl_timers",
-    "sx_assign",
-    "tc_fb_array",
-];
+/// A timer of Logix that is called as a function block has no counterpart yet.
+const UNREAD: &[&str] = &["lx_tonr"];
 
 #[test]
 fn traces_are_equal() {

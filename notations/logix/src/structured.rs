@@ -58,6 +58,7 @@ impl Sketcher<'_> {
             restarted: &[],
             instructions: Some(&instructions),
             first_origin: self.reading.places.len() as u32,
+            first_label: 0,
         };
         let lines = Lines::of(text);
         let line = |at| lines.place(text, at).line;

@@ -9,7 +9,7 @@ pub(crate) struct Cursor<'t> {
     pub(crate) at: usize,
     /// Nothing after it is read.
     pub(crate) end: usize,
-    lines: &'t Lines,
+    pub(crate) lines: &'t Lines,
 }
 
 pub(crate) type Result<T> = std::result::Result<T, ReadError>;

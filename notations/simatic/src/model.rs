@@ -126,7 +126,23 @@ pub(crate) struct Network {
     pub(crate) label: Option<(LineColumn, String)>,
     /// As it is written.
     pub(crate) text: String,
+    /// Where bytes of the text are in the file, in their order; what follows one is on its line.
+    pub(crate) places: Vec<(usize, LineColumn)>,
     pub(crate) body: Body,
+}
+
+impl Network {
+    /// Where a byte of the text is in the file.
+    pub(crate) fn place_in_text(&self, at: usize) -> LineColumn {
+        let after = self.places.partition_point(|(start, _)| *start <= at);
+        match after.checked_sub(1).map(|before| self.places[before]) {
+            Some((start, place)) => LineColumn {
+                column: place.column + (at - start) as u32,
+                ..place
+            },
+            None => self.place,
+        }
+    }
 }
 
 /// What a network holds.

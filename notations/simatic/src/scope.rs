@@ -66,6 +66,11 @@ impl<'l> Scope<'l> {
         self.own.get(&name.to_lowercase())
     }
 
+    /// The names of all its tags.
+    pub(crate) const fn names_mut(&mut self) -> &mut Names {
+        &mut self.names
+    }
+
     /// A tag that the source does not have.
     pub(crate) fn helper(&mut self, like: &str, ty: &str, what: &str) -> String {
         let name = self.names.fresh(like);

@@ -4,6 +4,7 @@
 use ladder_analysis::program::{Clock, SystemTag};
 use ladder_format::program::Operator;
 use ladder_instructions::Op;
+use ladder_notation_st::read::Edge;
 
 /// What an instruction becomes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -321,6 +322,15 @@ pub(crate) fn state_type(name: &str) -> Option<&'static str> {
     };
     let of = |(_, there): &&(&str, &str)| there.split('_').next() == Some(base);
     STATES.iter().find(of).map(|(own, _)| *own)
+}
+
+/// The edge detector of a name.
+pub(crate) fn trigger(name: &str) -> Option<Edge> {
+    match name.to_ascii_uppercase().as_str() {
+        "R_TRIG" => Some(Edge::Rising),
+        "F_TRIG" => Some(Edge::Falling),
+        _ => None,
+    }
 }
 
 /// The elementary type of a name, as it is spelled here.

@@ -120,7 +120,7 @@ fn may_use(name: &str, used: &str) -> bool {
         // The same networks in other files.
         "notation-openplc" | "notation-twincat" if used == "notation-plcopen" => true,
         // Their files have bodies in Structured Text.
-        "notation-logix" | "notation-plcopen" if used == "notation-st" => true,
+        "notation-logix" | "notation-plcopen" | "notation-simatic" if used == "notation-st" => true,
         _ if name.starts_with("notation-") => LANGUAGE.contains(&used) || used == "notation",
         _ => {
             let (_, own) = RULES.iter().find(|(other, _)| *other == name).expect(name);

@@ -52,6 +52,7 @@ pub(super) fn body(
         restarted: &restarted,
         instructions: None,
         first_origin: reading.places.len() as u32,
+        first_label: 0,
     };
     let lines = Lines::of(text);
     let in_file = |at: usize| within(place, lines.place(text, at));

@@ -20,7 +20,11 @@ pub(super) fn network(cursor: &mut Cursor<'_>, pragma: &Pragma, texts: &Texts) -
         told: texts.told(pragma, ["S7_NetworkTitle", "S7_NetworkComment"]),
         ..Network::default()
     };
-    network.text = unindented(inside.rest());
+    let (text, starts) = unindented(inside.rest());
+    network.text = text;
+    network.places = (starts.into_iter())
+        .map(|(at, start)| (at, cursor.lines.place(cursor.text, inside.at + start)))
+        .collect();
     let language = pragma.get("S7_Language").unwrap_or("LAD");
     if !language.eq_ignore_ascii_case("LAD") {
         network.body = Body::in_language(language);
@@ -45,8 +49,9 @@ pub(super) fn network(cursor: &mut Cursor<'_>, pragma: &Pragma, texts: &Texts) -
     Ok(network)
 }
 
-/// A text without blank lines around it, and without the blanks that all of its lines begin with.
-fn unindented(text: &str) -> String {
+/// A text without blank lines around it, and without the blanks that all of its lines begin with; and where each of its lines
+/// begins, in it and in the text.
+fn unindented(text: &str) -> (String, Vec<(usize, usize)>) {
     let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
     let first = lines
         .iter()
@@ -60,11 +65,17 @@ fn unindented(text: &str) -> String {
     let blanks = |line: &&str| line.len() - line.trim_start_matches([' ', '\t']).len();
     let own = lines.iter().filter(|line| !line.is_empty());
     let shared = own.map(blanks).min().unwrap_or(0);
-    let lines: Vec<&str> = lines
-        .iter()
-        .map(|line| line.get(shared..).unwrap_or_default())
-        .collect();
-    lines.join("\n")
+    let (mut out, mut starts) = (String::new(), Vec::new());
+    for line in lines {
+        let own = line.get(shared..).unwrap_or_default();
+        // The lines are parts of the text.
+        let start = line.as_ptr() as usize - text.as_ptr() as usize + line.len() - own.len();
+        starts.push((out.len(), start));
+        out.push_str(own);
+        out.push('\n');
+    }
+    out.pop();
+    (out, starts)
 }
 
 struct Reader {

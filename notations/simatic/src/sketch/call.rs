@@ -138,6 +138,8 @@ fn zero(ty: &Type) -> Option<&'static str> {
 pub(super) struct Labels {
     names: Names,
     spelled: std::collections::HashMap<String, String>,
+    /// The highest number of a label that networks in SCL have.
+    pub(super) numbered: u32,
 }
 
 impl Labels {

@@ -4,7 +4,7 @@ use super::Sketcher;
 use crate::model::{Kind, Role, Type, Unit, Variable};
 use crate::operand::literal;
 use crate::scope::{Scope, block_name, member};
-use crate::standard::{elementary, state_type};
+use crate::standard::{elementary, state_type, trigger};
 use ladder_format::program::{Declaration, Item, Qualifier, Section, SectionKind, comment_on_line};
 use ladder_notation::LineColumn;
 
@@ -88,7 +88,7 @@ impl Sketcher<'_> {
         }
         for (name, ty, what) in &scope.helpers {
             let mut declaration = Declaration::new(name.clone(), ty.clone());
-            declaration.comment = Some(what.clone());
+            declaration.comment = Some(what.clone()).filter(|what| !what.is_empty());
             sections.push(SectionKind::Var, None, declaration);
         }
         sections
@@ -193,6 +193,10 @@ impl Sketcher<'_> {
             Type::Named(name) => {
                 if let Some(known) = elementary(name).or_else(|| state_type(name)) {
                     return Ok(known.to_owned());
+                }
+                // It holds the output of the edge detector.
+                if trigger(name).is_some() {
+                    return Ok("BOOL".to_owned());
                 }
                 match self.library.get(&name.to_lowercase()) {
                     Some(Ok(unit)) => match unit.kind {

@@ -6,6 +6,7 @@ mod declare;
 mod memory;
 mod network;
 pub(crate) mod rungs;
+mod structured;
 mod translate;
 mod unread;
 pub(crate) mod wiring;
@@ -172,6 +173,11 @@ impl Sketcher<'_> {
         if unread::leads_elsewhere(unit) {
             return self.unread_unit(unit, is_block);
         }
+        let (entries, places, parts) = (
+            self.reading.report.entries.len(),
+            self.reading.places.len(),
+            self.unread.len(),
+        );
         let mut scope = Scope::of(unit, self.library);
         let memory = memory::of(unit);
         let mut translator = Translator {
@@ -192,7 +198,13 @@ impl Sketcher<'_> {
             ]);
         }
         for (number, network) in unit.networks.iter().enumerate() {
-            networks.extend(self.network(&mut translator, (unit, number), network));
+            let Some(made) = self.network(&mut translator, (unit, number), network) else {
+                self.reading.report.entries.truncate(entries);
+                self.reading.places.truncate(places);
+                self.unread.truncate(parts);
+                return self.unread_unit(unit, is_block);
+            };
+            networks.extend(made);
         }
         let mut sections = self.variables(unit, &scope, is_block, |name| {
             memory.contains(&name.to_lowercase())

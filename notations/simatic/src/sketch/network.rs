@@ -3,7 +3,7 @@
 use super::Sketcher;
 use super::call::Call;
 use super::translate::{Translated, Translator};
-use super::unread::jumps;
+use super::unread::{is_scl, jumps, leads_elsewhere_in};
 use super::wiring::{Drawn, Strand, drawn};
 use crate::model::{Body, Net, Network, Part, RAIL, Unit, Value, Wire};
 use crate::standard::{Form, of_document};
@@ -12,15 +12,29 @@ use ladder_format::program::{self, Block, Drawing, Element, Item, Path};
 use ladder_instructions::Op;
 
 impl Sketcher<'_> {
-    /// A network of a block, which is the one of this number, with the comment on it.
+    /// A network of a block, which is the one of this number, with the comment on it. None: it is not read, and may lead
+    /// elsewhere.
     pub(super) fn network(
         &mut self,
         translator: &mut Translator<'_, '_>,
         at: (&Unit, usize),
         network: &Network,
-    ) -> Vec<Item> {
+    ) -> Option<Vec<Item>> {
         let mut comments = network.told.clone();
         let mut drawings = match &network.body {
+            Body::Text(language, _) if is_scl(language) => match self.structured(translator, at, network) {
+                Ok(items) => {
+                    let comments = comments.into_iter().map(Item::Comment);
+                    return Some(
+                        std::iter::once(Item::Blank)
+                            .chain(comments)
+                            .chain(items)
+                            .collect(),
+                    );
+                }
+                Err(_) if leads_elsewhere_in(network) => return None,
+                Err(why) => vec![self.unread_network(at, network, (language, &why))],
+            },
             Body::Text(language, why) => {
                 self.called_in(translator.scope, &network.text);
                 vec![self.unread_network(at, network, (language, why))]
@@ -34,7 +48,7 @@ impl Sketcher<'_> {
             marked(&mut drawings, Element::of(label, Some(origin)));
         }
         if drawings.is_empty() {
-            return comments.into_iter().map(Item::Comment).collect();
+            return Some(comments.into_iter().map(Item::Comment).collect());
         }
         let networks = drawings.into_iter().enumerate().flat_map(|(number, drawing)| {
             let comments = if number == 0 {
@@ -44,7 +58,7 @@ impl Sketcher<'_> {
             };
             [Item::Blank, Item::Network(program::Network { comments, drawing })]
         });
-        networks.collect()
+        Some(networks.collect())
     }
 
     fn ladder(

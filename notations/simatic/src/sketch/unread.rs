@@ -16,6 +16,11 @@ const UNREAD: &str = "a scan runs past it, and what it may write is not known";
 /// Instructions that lead elsewhere, or stop the controller.
 const LEADING: [&str; 3] = ["JMP_LIST", "SWITCH", "STP"];
 
+/// Whether a network is in SCL, which is read.
+pub(super) fn is_scl(language: &str) -> bool {
+    language.eq_ignore_ascii_case("SCL")
+}
+
 /// Words of a text that leads elsewhere: of SCL, of STL, of a network in LAD that is broken.
 const LEADING_WORDS: [&str; 30] = [
     "RETURN", "GOTO", "RET", "BE", "BEC", "BEU", "JU", "JL", "JC", "JCN", "JCB", "JNB", "JBI", "JNBI", "JO",
@@ -177,12 +182,19 @@ fn network(drawing: Drawing) -> Item {
     Item::Network(program::Network { comments, drawing })
 }
 
-/// Whether a network of a block may lead elsewhere in a way that is not read.
+/// Whether a network of a block may lead elsewhere in a way that is not read. Of one in SCL that is known when it has been read.
 pub(super) fn leads_elsewhere(unit: &Unit) -> bool {
+    let is_tried = |network: &Network| matches!(&network.body, Body::Text(language, _) if is_scl(language));
+    let mut networks = unit.networks.iter().filter(|network| !is_tried(network));
+    networks.any(leads_elsewhere_in)
+}
+
+/// The same of one network.
+pub(super) fn leads_elsewhere_in(network: &Network) -> bool {
     let is_in = |words: &[&str], word: &str| words.iter().any(|own| own.eq_ignore_ascii_case(word));
-    unit.networks.iter().any(|network| match &network.body {
+    match &network.body {
         Body::Text(language, _) => {
-            let words = if language.eq_ignore_ascii_case("SCL") {
+            let words = if is_scl(language) {
                 &LEADING_WORDS[..2]
             } else {
                 &LEADING_WORDS[..]
@@ -194,7 +206,7 @@ pub(super) fn leads_elsewhere(unit: &Unit) -> bool {
             let mut parts = net.wires.iter().flat_map(|wire| &wire.parts);
             parts.any(|part| is_in(&LEADING, &part.name) && of_document(&part.name).is_none())
         }
-    })
+    }
 }
 
 /// Whether a network that cannot be drawn leads elsewhere.

@@ -174,6 +174,7 @@ fn made(tags: &mut Tags<'_>, number: usize, told: &[String], report: &mut Report
             .take()
             .filter(|_| !matches!(&body, Body::Text(language, _) if language == "SCL")),
         text: text.clone(),
+        places: Vec::new(),
         body,
     });
     networks.collect()

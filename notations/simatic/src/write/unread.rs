@@ -1,4 +1,4 @@
-//! Unread parts: networks in SCL are written as the text that they were, all others are not written.
+//! Unread parts: texts in SCL are written as they were, all others are not written.
 
 use super::tags::Tags;
 use ladder_analysis::program::{BlockKind, Network};
@@ -12,10 +12,10 @@ pub(super) fn text_of(parse: &Parse, lines: Range<usize>, told: &[String]) -> Op
     let is_unread = definition
         .lines()
         .any(|line| line.starts_with("# ladder: unread"));
-    let is_in_scl = told.iter().any(|told| told.contains("(SCL) is not read"));
+    let is_in_scl = told.iter().any(|told| told.contains("(SCL)"));
     let text = foreign_text_of(&definition).filter(|_| is_in_scl);
     is_unread.then(|| {
-        text.ok_or_else(|| "it is an unread part, and of these only networks in SCL are written".to_owned())
+        text.ok_or_else(|| "it is an unread part, and of these only texts in SCL are written".to_owned())
     })
 }
 
@@ -35,7 +35,9 @@ pub(super) fn in_scl(network: &Network, tags: &Tags<'_>) -> Option<Result<String
                 "its text in SCL names `#{name}`, which the block does not declare"
             ));
         }
-        Ok(text)
+        // A statement that was read alone comes without its end.
+        let end = if text.trim_end().ends_with(';') { "" } else { ";" };
+        Ok(text + end)
     }))
 }
 

@@ -25,7 +25,7 @@ pub(super) fn network(xml: &Xml<'_>, node: Node<'_, '_>, unit: &mut Unit) -> Net
     let Some(source) = source.filter(|source| source.elements().next().is_some()) else {
         return network;
     };
-    network.text = access::text(source);
+    (network.text, network.places) = access::text(xml, source);
     let drawn = source.child("FlgNet").filter(|_| language.ends_with("LAD"));
     let Some(drawn) = drawn else {
         network.body = Body::in_language(&language);

@@ -4,6 +4,7 @@ mod back;
 mod broken;
 mod corpus;
 mod reading;
+mod structured;
 mod unread;
 mod writing;
 

@@ -25,21 +25,20 @@ const FAN: &str = "FUNCTION_BLOCK \"Fan\"
         IF #Go THEN
             #Speed := 16#0A; // \\ fast
         END_IF;
+        POKE(area := 16#84, dbNumber := 1, byteOffset := 0, value := #Speed /* \\ fast */);
     END_NETWORK
 END_FUNCTION_BLOCK
 ";
 
 #[test]
-fn a_network_in_scl_there_and_back() {
+fn a_statement_in_scl_there_and_back() {
     let converted = read_as("Fan", FAN, Vec::new());
     let ladder = converted.written.text.clone();
     expect![[r#"
-        # network 2 of Fan (SCL) is not read: a scan runs past it, and what it may write is not known. #
-        FUNCTION_BLOCK [$network_2_of_Fan_SCL]
+        # line 4 of network 2 of Fan (SCL): `POKE`: it works on memory by address, which ladder text does not have; it is not run here. #
+        FUNCTION_BLOCK [$line4OfNetwork2OfFanSCL]
         # ladder: unread #
-        # IF \hGo THEN #
-        #     \hSpeed := 16\h0A; // \\ fast #
-        # END_IF; #
+        # POKE(area := 16\h84, dbNumber := 1, byteOffset := 0, value := \hSpeed /* \\ fast */) #
         END_FUNCTION_BLOCK
 
         VAR_INPUT
@@ -52,9 +51,12 @@ fn a_network_in_scl_there_and_back() {
 
         +--[ ]( Go )-------------------------------------------------------( )( Run )--+
 
-        +-----------------------------------------------------[$network_2_of_Fan_SCL]--+
+        # \ fast #
+        +--[ ]( Go )--------------------------------------------[MOV]( Speed, 16#0A )--+
+        +--------------------------------------------------[$line4OfNetwork2OfFanSCL]--+
+        # \ fast #
 
-        18:12: approximated: network: a network in SCL is not read: a scan runs past it, and what it may write is not known
+        22:9: approximated: POKE(area := 16#84, dbNumber := 1, byteOffset := 0, value :=: `POKE`: it works on memory by address, which ladder text does not have: it is not run
     "#]]
     .assert_eq(&format!("{ladder}\n{}", remarks(&converted)));
     let writing = write(&ladder).expect("it is written");
@@ -66,16 +68,14 @@ fn a_network_in_scl_there_and_back() {
 
             }
             NETWORK
-                IF #Go THEN
-                    #Speed := 16#0A; // \ fast
-                END_IF;
+                POKE(area := 16#84, dbNumber := 1, byteOffset := 0, value := #Speed /* \ fast */);
             END_NETWORK
         END_FUNCTION_BLOCK
     "#]]
     .assert_eq(scl);
     assert!(writing.companions.iter().all(|file| file.name == "test.s7res"));
     // Names that are not declared are not written.
-    let other = ladder.replace("Speed := 16", "Pace := 16");
+    let other = ladder.replace("hSpeed /*", "hPace /*");
     let writing = write(&other).expect("the rest is written");
     let refused: Vec<String> = (writing.report.remarks())
         .map(|entry| format!("{:?}", entry.outcome))
@@ -90,12 +90,12 @@ fn a_network_in_scl_there_and_back() {
 fn what_may_lead_elsewhere_takes_the_block_along() {
     let converted = read_as(
         "Fan",
-        &FAN.replace("#Speed := ", "RETURN; #Speed := "),
+        &FAN.replace("#Speed := ", "IF PEEK(1) THEN RETURN; END_IF; #Speed := "),
         Vec::new(),
     );
     expect![[r#"
         # body of Fan is not read: a scan runs past it, and what it may write is not known. #
-        FUNCTION_BLOCK [$body_of_Fan]
+        FUNCTION_BLOCK [$bodyOfFan]
         # ladder: unread #
         # NETWORK 1 #
         # RUNG wire\hpowerrail #
@@ -104,8 +104,9 @@ fn what_may_lead_elsewhere_takes_the_block_along() {
         # END_RUNG #
         # NETWORK 2 #
         # IF \hGo THEN #
-        #     RETURN; \hSpeed := 16\h0A; // \\ fast #
+        #     IF PEEK(1) THEN RETURN; END_IF; \hSpeed := 16\h0A; // \\ fast #
         # END_IF; #
+        # POKE(area := 16\h84, dbNumber := 1, byteOffset := 0, value := \hSpeed /* \\ fast */); #
         END_FUNCTION_BLOCK
 
         VAR_INPUT
@@ -116,7 +117,7 @@ fn what_may_lead_elsewhere_takes_the_block_along() {
             Speed : INT;
         END_VAR
 
-        +--------------------------------------------------------------[$body_of_Fan]--+
+        +----------------------------------------------------------------[$bodyOfFan]--+
 
         1:1: approximated: body of Fan: something in it that is not read may lead elsewhere, so that all of it is not read: a scan runs past it, and what it may write is not known
     "#]]
@@ -196,21 +197,23 @@ fn other_organisation_blocks_run_at_any_time() {
 }
 
 #[test]
-fn a_text_of_an_export_has_its_operands() {
+fn a_text_of_an_export_has_its_operands_and_places() {
     let text = r#"<Document><SW.Blocks.FB ID="0"><AttributeList><Name>Fan</Name><Interface><Sections><Section Name="Output"><Member Name="Speed" Datatype="Int"/></Section></Sections></Interface></AttributeList>
 <ObjectList><SW.Blocks.CompileUnit ID="3"><AttributeList><NetworkSource><StructuredText>
 <Access Scope="LocalVariable" UId="21"><Symbol UId="22"><Component Name="Speed" UId="23"/></Symbol></Access><Blank UId="24"/><Token Text=":=" UId="25"/><Blank UId="26"/>
 <Access Scope="LiteralConstant" UId="27"><Constant UId="28"><ConstantValue UId="29">9000</ConstantValue></Constant></Access><Token Text=";" UId="30"/><NewLine UId="31"/>
 <LineComment UId="32"><Text UId="33">fast</Text></LineComment>
 </StructuredText></NetworkSource><ProgrammingLanguage>SCL</ProgrammingLanguage></AttributeList></SW.Blocks.CompileUnit></ObjectList></SW.Blocks.FB></Document>"#;
-    let converted = read_xml(text);
-    let ladder = converted.written.text;
-    let (_, text) = ladder.split_once("# ladder: unread #\n").expect("it is not read");
+    let text = text.replace("9000", "PEEK(1)");
+    let converted = read_xml(&text);
+    let ladder = converted.written.text.clone();
+    let (_, text) = ladder.split_once("# ladder: unread").expect("it is not read");
     let (text, _) = text.split_once("END_FUNCTION_BLOCK").expect("it ends");
-    expect![[r##"
-        # \h"Speed" := 9000; #
-        # (* fast *) #
-    "##]]
-    .assert_eq(text);
+    expect![[r#"
+         #
+        # \hSpeed := PEEK(1) #
+
+        3:57: approximated: #Speed := PEEK(1): `PEEK`: it works on memory by address, which ladder text does not have: it is not run
+    "#]].assert_eq(&format!("{text}\n{}", remarks(&converted)));
     assert!(analysis(&ladder).errors().next().is_none());
 }

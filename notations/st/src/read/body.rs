@@ -21,6 +21,8 @@ pub struct Body {
     pub entries: Vec<(Span, Outcome)>,
     /// The tags that are in the networks.
     pub used: HashSet<String>,
+    /// The highest number that a label has.
+    pub last_label: u32,
     /// Why the body cannot be read but as a whole.
     pub unread: Option<String>,
 }

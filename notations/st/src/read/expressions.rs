@@ -142,10 +142,11 @@ impl Cursor<'_> {
     /// A tag, or a part of one.
     pub(super) fn place(&mut self) -> Parsed<Place> {
         let start = self.span().start;
-        let root = if self.kind() == TokenKind::Address {
-            let address = self.word().to_owned();
+        // A name of the project keeps its quotes in SCL: `#run` and `"run"` are two tags.
+        let root = if self.kind() == TokenKind::Address || self.word().starts_with('"') {
+            let whole = self.word().to_owned();
             self.bump();
-            address
+            whole
         } else {
             self.name()?
         };

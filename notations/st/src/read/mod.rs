@@ -19,6 +19,7 @@ mod statements;
 mod token;
 mod tree;
 mod types;
+mod undeclared;
 mod units;
 mod uses;
 
@@ -28,6 +29,7 @@ use ladder_notation::{Lines, Names, UnreadParts};
 pub use lower::{Instructions, Restarted};
 pub(crate) use program::read;
 pub use scope::{Edge, Enumeration, Known, Parameter, ParameterRole, Scope, Shape, Structure, Type};
+pub use undeclared::undeclared;
 
 /// A body that is in a file of another notation.
 #[derive(Clone, Copy)]
@@ -46,6 +48,8 @@ pub struct Source<'s> {
     pub instructions: Option<&'s Instructions<'s>>,
     /// The number of the first origin.
     pub first_origin: u32,
+    /// Labels have higher numbers than this: those of the other bodies that are part of one.
+    pub first_label: u32,
 }
 
 /// Reads the statements of a body. `names` has the names of the unit's tags; unread parts are added to the others. `line` is the line
@@ -73,6 +77,7 @@ pub fn read_body(
         comments: &comments,
         instructions: source.instructions,
         first_origin: source.first_origin,
+        first_label: source.first_label,
     };
     let mut body = lower::lower(&statements, &around, source.restarted, names, unread);
     body.unread.take().map_or(Ok(body), Err)

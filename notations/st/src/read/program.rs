@@ -317,6 +317,7 @@ impl Reader<'_> {
             comments: self.comments,
             instructions: None,
             first_origin: self.reading.places.len() as u32,
+            first_label: 0,
         };
         let restarted = Reader::restarted(unit, scope);
         let mut body = lower::lower(&unit.body, &around, &restarted, names, &mut self.unread);

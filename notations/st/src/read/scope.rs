@@ -267,8 +267,8 @@ fn standard(name: &str) -> Option<Type> {
 fn standard_member(mnemonic: &str, name: &str) -> Option<(String, Type)> {
     let upper = name.to_ascii_uppercase();
     let (member, ty) = match (mnemonic, upper.as_str()) {
-        ("TON" | "TOF" | "TP", "IN" | "Q") => (upper.as_str(), Scalar::Bool),
-        ("TON" | "TOF" | "TP", "PT" | "ET") => (upper.as_str(), Scalar::Time),
+        ("TON" | "TOF" | "TP" | "RTO", "IN" | "Q") | ("RTO", "R") => (upper.as_str(), Scalar::Bool),
+        ("TON" | "TOF" | "TP" | "RTO", "PT" | "ET") => (upper.as_str(), Scalar::Time),
         ("CTU" | "CTD", "Q") | ("CTUD", "QU" | "QD") => (upper.as_str(), Scalar::Bool),
         ("CTU" | "CTUD", "CU" | "R") | ("CTD" | "CTUD", "CD" | "LD") => (upper.as_str(), Scalar::Bool),
         ("CTUD" | "CTD", "LOAD") => ("LD", Scalar::Bool),

@@ -55,6 +55,20 @@ pub(super) struct Place {
     pub steps: Vec<Step>,
 }
 
+impl Place {
+    /// What names it, and the steps from there: of a name in quotes the members are part of it, as a part of what another file
+    /// declares may be all that is known of that.
+    pub(super) fn written(&self) -> (String, &[Step]) {
+        let mut name = self.root.clone();
+        let mut rest = &self.steps[..];
+        while let ([Step::Member(member), after @ ..], true) = (rest, name.starts_with('"')) {
+            name = format!("{name}.{member}");
+            rest = after;
+        }
+        (name, rest)
+    }
+}
+
 /// From a value to a part of it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Step {

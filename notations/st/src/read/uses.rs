@@ -16,9 +16,9 @@ pub(super) struct Uses<'s> {
     /// How often a tag is named at all, and how often in loops that count with it.
     named: HashMap<String, u32>,
     in_own_loops: HashMap<String, u32>,
-    /// The inputs that calls of an instance give: `t1.pt`.
+    /// The inputs that calls of an instance have a value for, by its name here: `t1.pt`.
     given: HashSet<String>,
-    /// The members that are assigned: `t1.pt`.
+    /// The members that are assigned, by the tag's name here: `t1.pt`.
     members: HashSet<String>,
     depth: u32,
     loops: u32,
@@ -74,6 +74,12 @@ impl Uses<'_> {
     pub(super) fn outlives_loops(&self, name: &str) -> bool {
         let name = name.to_lowercase();
         self.named.get(&name) != self.in_own_loops.get(&name)
+    }
+
+    /// The member of a tag as it is called here, which is how it is asked for.
+    fn member(&self, root: &str, member: &str) -> String {
+        let here = self.scope.known(root).map_or(root, |known| &known.path.root);
+        format!("{here}.{member}").to_lowercase()
     }
 
     fn statements(&mut self, statements: &[Statement]) {
@@ -147,8 +153,7 @@ impl Uses<'_> {
         let times = if self.depth == 0 { 1 } else { 2 };
         *self.assigned.entry(place.root.to_lowercase()).or_default() += times;
         if let [.., Step::Member(member)] = &place.steps[..] {
-            self.members
-                .insert(format!("{}.{member}", place.root).to_lowercase());
+            self.members.insert(self.member(&place.root, member));
         }
         self.place(place);
     }
@@ -183,8 +188,7 @@ impl Uses<'_> {
         } in &call.arguments
         {
             if let (Some(name), Some(_)) = (name, value) {
-                self.given
-                    .insert(format!("{}.{name}", call.callee.root).to_lowercase());
+                self.given.insert(self.member(&call.callee.root, name));
             }
             let Some(value) = value else { continue };
             match &value.kind {

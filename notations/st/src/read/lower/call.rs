@@ -39,6 +39,12 @@ const fn row(mnemonic: &str) -> Row {
             named: &[("CD", "CD"), ("R", "R"), ("LD", "LD")],
             order: &["CU", "CD", "R", "LD", "PV", "QU", "QD", "CV"],
         },
+        b"RTO" => Row {
+            power: "IN",
+            operand: Some("PT"),
+            named: &[("R", "R")],
+            order: &["IN", "R", "PT", "Q", "ET"],
+        },
         b"SR" => Row {
             power: "S1",
             operand: None,

@@ -6,7 +6,7 @@ use super::place::converted;
 use super::value::Value;
 use super::{Lowered, Lowering};
 use ladder_analysis::values::types::{Scalar, passes};
-use ladder_format::program::{Block, Operand, Operator, Sign};
+use ladder_format::program::{Block, Literal, Operand, Operator, Sign};
 use std::rc::Rc;
 
 /// How a function of the standard is computed.
@@ -77,6 +77,22 @@ const FUNCTIONS: &[(&str, &str, Kind, &[&str])] = &[
     ("REPLACE", "REPLACE", TEXT, &["IN1", "IN2", "L", "P"]),
 ];
 
+/// What a function of the standard takes and returns, as far as its name tells: of its first argument, and of its result.
+pub(in super::super) fn plain_types(name: &str) -> (Option<Scalar>, Option<Scalar>) {
+    let upper = name.to_ascii_uppercase();
+    if let Some((from, to)) = conversion(&upper) {
+        return (from, Some(to));
+    }
+    let row = FUNCTIONS.iter().find(|(own, ..)| *own == upper);
+    match (upper.as_str(), row) {
+        ("TRUNC" | "ROUND" | "CEIL" | "FLOOR", _) => (Some(Scalar::Real), Some(Scalar::Dint)),
+        ("NORM_X", _) => (None, Some(Scalar::Real)),
+        (_, Some((_, _, Kind::Real, _))) => (Some(Scalar::Real), Some(Scalar::Real)),
+        (_, Some((_, _, Kind::Text(ty), _))) => (None, Some(*ty)),
+        _ => (None, None),
+    }
+}
+
 impl Lowering<'_, '_> {
     /// The value of a function.
     pub(super) fn function(&mut self, call: &Call) -> Lowered<Value> {
@@ -112,6 +128,12 @@ impl Lowering<'_, '_> {
             if let Some((from, to)) = conversion(&upper) {
                 return self.converted(from, to, value);
             }
+            if let "CEIL" | "FLOOR" = upper.as_str() {
+                return self.rounded(&upper, value);
+            }
+        }
+        if let "NORM_X" | "SCALE_X" = upper.as_str() {
+            return self.scaled(&upper, call);
         }
         let row = FUNCTIONS.iter().find(|(own, ..)| *own == upper);
         let (_, mnemonic, kind, pins) = row.ok_or_else(|| super::unread::no_counterpart(name))?;
@@ -172,6 +194,58 @@ impl Lowering<'_, '_> {
                 self.made_by(mnemonic, ty, operands)
             }
             Kind::Alike(own) => self.of_alike(mnemonic, own, std::iter::once(first).chain(values).collect()),
+        }
+    }
+
+    /// The next whole number above or below.
+    fn rounded(&mut self, name: &str, tree: &Tree) -> Lowered<Value> {
+        let value = self.value(tree)?;
+        let value = self.atom(value)?;
+        let from = value
+            .scalar()
+            .filter(|ty| ty.is_real())
+            .ok_or("only numbers with a fraction are rounded")?;
+        let whole = self.whole("TRUNC", value.clone(), Scalar::Dint)?;
+        let whole = self.atom(whole)?;
+        let back = self.number(whole.clone(), Scalar::Dint, from)?;
+        let one = Value::number(1, Literal::from(1));
+        let (is_beyond, next) = if name == "CEIL" {
+            (Operator::Less, Operator::Plus)
+        } else {
+            (Operator::Greater, Operator::Minus)
+        };
+        let is_beyond = self.binary(is_beyond, back, value)?;
+        let next = self.binary(next, whole.clone(), one)?;
+        self.of_alike("SEL", 1, vec![is_beyond, whole, next])
+    }
+
+    /// `NORM_X(MIN := a, VALUE := x, MAX := b)` is where x is between a and b: 0.0 to 1.0; `SCALE_X` is what is there.
+    fn scaled(&mut self, name: &str, call: &Call) -> Lowered<Value> {
+        let all = in_order(call, &["MIN", "VALUE", "MAX"])?;
+        let [low, value, high] = all[..] else {
+            return Err(format!("`{name}` has three inputs"));
+        };
+        let is_whole = self.value(low)?.scalar().is_some_and(Scalar::is_integer);
+        let (low, value, high) = (self.real(low)?, self.real(value)?, self.real(high)?);
+        let width = self.binary(Operator::Minus, high, low.clone())?;
+        if name == "NORM_X" {
+            let above = self.binary(Operator::Minus, value, low)?;
+            return self.binary(Operator::Divide, above, width);
+        }
+        let above = self.binary(Operator::Times, value, width)?;
+        let scaled = self.binary(Operator::Plus, above, low)?;
+        if is_whole {
+            return self.whole("TYP", scaled, Scalar::Dint);
+        }
+        Ok(scaled)
+    }
+
+    /// A number as a REAL.
+    fn real(&mut self, tree: &Tree) -> Lowered<Value> {
+        let value = self.value(tree)?;
+        match value.scalar() {
+            Some(from) if from.is_integer() && !value.is_free => self.number(value, from, Scalar::Real),
+            _ => self.fit(value, Scalar::Real),
         }
     }
 

@@ -20,6 +20,7 @@ use super::scope::Scope;
 use super::token::Comment;
 use super::tree::{Expression, ExpressionKind, Span, Statement};
 use super::uses::Uses;
+pub(super) use function::plain_types;
 use ladder_analysis::values::types::{Scalar, passes};
 use ladder_format::Circuit;
 use ladder_format::program::{Block, Declaration, Drawing, Element, Head, Item, Network, Operand, Path};
@@ -53,6 +54,8 @@ pub(super) struct Surroundings<'a> {
     pub(super) instructions: Option<&'a Instructions<'a>>,
     /// The origins of the elements begin with this number.
     pub(super) first_origin: u32,
+    /// Labels have higher numbers than this.
+    pub(super) first_label: u32,
 }
 
 /// The networks of some statements. Where the body is unread as a whole, no part of it is among the others.
@@ -69,7 +72,10 @@ pub(super) fn lower(
         uses: Uses::of(statements, around.scope),
         names,
         unread,
-        body: Body::default(),
+        body: Body {
+            last_label: around.first_label,
+            ..Body::default()
+        },
         labels: Vec::new(),
         chain: Vec::new(),
         comments: Vec::new(),
@@ -191,8 +197,10 @@ impl Lowering<'_, '_> {
 
     /// A label that the body does not have.
     fn new_label(&mut self, word: &'static str) -> String {
-        let number = self.numbers.entry(word).or_default();
+        let first = self.around.first_label;
+        let number = self.numbers.entry(word).or_insert(first);
         *number += 1;
+        self.body.last_label = self.body.last_label.max(*number);
         format!("{word}{number}")
     }
 

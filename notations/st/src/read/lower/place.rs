@@ -18,6 +18,14 @@ impl Lowering<'_, '_> {
                 "{what} works on memory by address, which ladder text does not have"
             ));
         }
+        let (name, rest) = place.written();
+        if let (Some(known), true) = (self.around.scope.known(&name), rest.len() < place.steps.len()) {
+            let (mut path, mut ty) = (known.path.clone(), known.ty.clone());
+            for step in rest {
+                (path, ty) = self.step(path, ty, step)?;
+            }
+            return Ok((path, ty));
+        }
         let (mut path, mut ty) = self.root(place)?;
         let mut steps = place.steps.iter();
         // A list of globals in CODESYS, a program in TIA: its name is before that of the tag.

@@ -77,6 +77,7 @@ fn check(text: &str, dialect: Dialect, expected: &Expect) {
         restarted: &[],
         instructions: None,
         first_origin: 0,
+        first_label: 0,
     };
     let mut unread = UnreadParts::default();
     let (.., problems) = units::body(text, dialect);
