@@ -95,9 +95,19 @@ fn texts(source: &Source<'_>, stem: &str) -> Result<Texts, ReadError> {
     )
 }
 
-/// The sketch of a block, next to others.
-fn sketched(unit: &Unit, next: &[(String, Result<Unit, String>)]) -> Reading {
+/// The sketch of a block, next to others and to tables of tags.
+fn sketched(source: &Source<'_>, unit: &Unit, next: &[(String, Result<Unit, String>)]) -> Reading {
+    let tables = source
+        .companions
+        .iter()
+        .filter(|file| has_end(&file.name, ".xml") && xml::holds_tags(&head(&file.bytes)));
+    // One that cannot be read declares nothing.
+    let tags = tables.filter_map(|file| xml::tags(bounded(&Source::alone("", &file.bytes)).ok()?).ok());
+    let tags: Vec<Unit> = tags.flatten().collect();
     let mut library: Library<'_> = Library::new();
+    for tag in &tags {
+        library.insert(tag.name.to_lowercase(), Ok(tag));
+    }
     for (name, other) in next {
         library.insert(name.to_lowercase(), other.as_ref().map_err(Clone::clone));
     }
@@ -150,7 +160,7 @@ impl Notation for Simatic {
         let next = companions(source, ".s7dcl", |stem, file| {
             Some(bounded(file).and_then(|text| read::unit(text, &texts(source, stem)?)))
         });
-        Ok(sketched(&unit, &next))
+        Ok(sketched(source, &unit, &next))
     }
 
     fn writes_other_files(&self) -> bool {
@@ -193,7 +203,7 @@ impl Notation for SimaticMl {
             self.recognises(file.bytes)
                 .then(|| bounded(file).and_then(xml::unit))
         });
-        Ok(sketched(&unit, &next))
+        Ok(sketched(source, &unit, &next))
     }
 
     fn writes_other_files(&self) -> bool {

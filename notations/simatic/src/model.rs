@@ -29,6 +29,8 @@ pub(crate) enum Kind {
     Organization,
     Data,
     Type,
+    /// A tag of a tag table.
+    Tag,
 }
 
 impl Kind {
@@ -40,9 +42,11 @@ impl Kind {
             Kind::Organization => "ORGANIZATION_BLOCK",
             Kind::Data => "DATA_BLOCK",
             Kind::Type => "TYPE",
+            Kind::Tag => "TAG",
         }
     }
 
+    /// Those that a source document begins with.
     pub(crate) const ALL: [Kind; 5] = [
         Kind::FunctionBlock,
         Kind::Function,

@@ -2,7 +2,7 @@
 
 use crate::model::{Argument, Kind, Type, Value};
 use crate::scope::{Scope, member, plain};
-use crate::standard::{SYSTEM, elementary};
+use crate::standard::{SYSTEM, elementary, trigger};
 use ladder_format::program::{Expression, Literal, Path};
 
 /// An operand as it is written here.
@@ -123,7 +123,10 @@ fn path(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
             Some(known) => (known.path(), Some(known.ty.clone())),
             None => return Err(format!("the block declares no `{root}`")),
         }
-    } else if let Some(unit) = scope.unit(&root).filter(|unit| unit.kind == Kind::Data) {
+    } else if let Some(unit) = scope
+        .unit(&root)
+        .filter(|unit| matches!(unit.kind, Kind::Data | Kind::Tag))
+    {
         let ty = match &unit.returns {
             Some(of) => of.clone(),
             None => Type::Named(unit.name.clone()),
@@ -171,6 +174,16 @@ fn path(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
     for step in steps {
         match step {
             Step::Member(name) => {
+                if let Some(Type::Named(of)) = &ty
+                    && trigger(of).is_some()
+                {
+                    // The tag of an edge detector holds its output.
+                    if !name.eq_ignore_ascii_case("Q") {
+                        return Err(format!("`{name}` of an edge detector is not kept here"));
+                    }
+                    ty = Some(Type::Named("BOOL".to_owned()));
+                    continue;
+                }
                 let state = ty.as_ref().and_then(plain).filter(|ty| elementary(ty).is_none());
                 let of = ty.take();
                 if state.is_some() {

@@ -34,6 +34,8 @@ pub(crate) enum Form {
     Bistable {
         reset_wins: bool,
     },
+    /// An edge detector with an instance, which holds its output here.
+    Trigger(Edge),
     /// A block with a state, and the pins that are operands, each with its name here (by place without).
     State(Op, &'static [(&'static str, &'static str)]),
     TimerCoil(Op),
@@ -222,6 +224,8 @@ pub(crate) const ROWS: &[Row] = &[
     row(&["Rol"], &["Rl", "Rol"], Form::Value(Op::Rol, SHIFTED), SRC),
     row(&["Ror"], &["Rr", "Ror"], Form::Value(Op::Ror, SHIFTED), SRC),
     row(&["Convert"], &["Convert"], Form::Convert, None),
+    row(&["R_TRIG"], &["R_TRIG"], Form::Trigger(Edge::Rising), None),
+    row(&["F_TRIG"], &["F_TRIG"], Form::Trigger(Edge::Falling), None),
     row(&["Trunc"], &["Trunc"], Form::Value(Op::Trunc, IN), None),
     row(&["Round"], &["Round"], Form::Convert, None),
     row(&["Calculate"], &["Calc"], Form::Calculate, SRC),
@@ -290,7 +294,10 @@ pub(crate) fn of_xml(name: &str) -> Option<&'static Row> {
 /// Whether an instruction is after what holds its state.
 pub(crate) fn with_instance(name: &str) -> bool {
     let form = of_document(name).map(|row| row.form);
-    matches!(form, Some(Form::State(..) | Form::Bistable { .. }))
+    matches!(
+        form,
+        Some(Form::State(..) | Form::Bistable { .. } | Form::Trigger(_))
+    )
 }
 
 /// Types of what holds a state: as they are spelled here, and there.

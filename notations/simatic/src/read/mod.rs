@@ -46,7 +46,8 @@ pub(crate) fn unit(text: &str, texts: &Texts) -> Result<Unit> {
         told: texts.told(&pragma, ["S7_BlockTitle", "S7_BlockComment"]),
         ..Unit::default()
     };
-    if kind == Kind::Function && cursor.eat(":") {
+    // A data block of a type has it here.
+    if matches!(kind, Kind::Function | Kind::Data) && cursor.eat(":") {
         unit.returns = Some(type_of(&mut cursor, texts, 0)?).filter(|ty| !declarations::is_void(ty));
     }
     body(&mut cursor, &mut unit, texts)?;

@@ -107,7 +107,8 @@ impl Sketcher<'_> {
                 }
             };
             let mut declaration = Declaration::new(known.spelled.clone(), ty);
-            let unit = scope.unit(path).filter(|unit| unit.kind == Kind::Data);
+            let is_declared = |unit: &&Unit| matches!(unit.kind, Kind::Data | Kind::Tag);
+            let unit = scope.unit(path).filter(is_declared);
             if unit.is_none() {
                 let why =
                     "another file of the project declares it: its type is the one that its place asks for";

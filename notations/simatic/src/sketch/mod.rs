@@ -101,6 +101,8 @@ impl Sketcher<'_> {
                 }
                 Vec::new()
             }
+            // An empty data block is nothing.
+            Kind::Data if unit.returns.is_none() && unit.variables.is_empty() => Vec::new(),
             Kind::Data => {
                 let mut scope = Scope::of(&Unit::default(), self.library);
                 let ty = unit

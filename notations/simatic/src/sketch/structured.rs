@@ -89,7 +89,7 @@ impl Sketcher<'_> {
                 );
             } else if let Some(other) = scope.unit(name) {
                 match other.kind {
-                    Kind::Data => {
+                    Kind::Data | Kind::Tag => {
                         let ty = other
                             .returns
                             .clone()

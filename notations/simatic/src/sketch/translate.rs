@@ -1,12 +1,13 @@
 //! Instructions as elements of a rung.
 
 use super::call::Labels;
-use crate::model::{Part, Value};
-use crate::operand::{Operand, at_pin, operand};
+use crate::model::{Argument, Part, Value};
+use crate::operand::{Operand, at_pin, literal, operand};
 use crate::scope::{Scope, passes};
 use crate::standard::{Form, Pins, Row, elementary};
 use ladder_format::program::{Block, Expression, Literal, Operand as Given, Operator, Path, Step};
 use ladder_instructions::{Op, by_op};
+use ladder_notation_st::read::Edge;
 
 /// What an instruction became.
 #[derive(Debug, Default)]
@@ -91,6 +92,7 @@ impl Translator<'_, '_> {
                 one(op, [range])
             }
             Form::Bistable { reset_wins } => self.bistable(part, reset_wins),
+            Form::Trigger(edge) => self.trigger(part, edge),
             Form::State(op, pins) => self.state(part, op, pins),
             Form::TimerCoil(op) => {
                 let timer = self.only(part, "timer", by_op(op).mnemonic)?;
@@ -198,7 +200,8 @@ impl Translator<'_, '_> {
         let mut done = Translated::default();
         for out in part.arguments.iter().filter(|argument| argument.is_output) {
             // Of two that nobody declares the one that is moved has the type of the other.
-            let Some(known) = at_pin(self.scope, Some(out), "INT").transpose()? else {
+            let wanted = part.pin("in").and_then(least_type).unwrap_or("INT");
+            let Some(known) = at_pin(self.scope, Some(out), wanted).transpose()? else {
                 continue;
             };
             let value = self.pin(part, "in", known.plain().unwrap_or("INT"))?;
@@ -305,6 +308,28 @@ impl Translator<'_, '_> {
         Ok(done)
     }
 
+    /// An edge detector runs only with power, and its output is read elsewhere, too: it is computed.
+    fn trigger(&mut self, part: &Part, edge: Edge) -> Result<Translated> {
+        let instance = part.instance.as_ref().ok_or("it has no instance")?;
+        let output = operand(self.scope, instance, "BOOL")?.path()?;
+        let clock = self.bit(part, "clk")?.value;
+        let about = "what an edge detector remembers";
+        let memory = Expression::from(self.helper(&format!("{}_M", output.root), "BOOL", about));
+        let formula = match edge {
+            Edge::Rising => clock.clone().with(Operator::And, memory.clone().negated()),
+            Edge::Falling => memory.clone().with(Operator::And, clock.clone().negated()),
+        };
+        let output = Expression::from(output);
+        let mut done = series([
+            Block::of(Op::Calc, [output.clone(), formula])?,
+            Block::of(Op::Mov, [memory, clock])?,
+        ]);
+        if let Some(taken) = at_pin(self.scope, part.pin("q"), "BOOL").transpose()? {
+            done.blocks.push(Block::of(Op::Mov, [taken.value, output])?);
+        }
+        Ok(done)
+    }
+
     fn state(&mut self, part: &Part, op: Op, pins: &[(&str, &str)]) -> Result<Translated> {
         let Some(instance) = &part.instance else {
             return Err("it has no instance".to_owned());
@@ -363,6 +388,24 @@ fn works_in(part: &Part) -> &'static str {
         .iter()
         .find_map(|name| part.template(name));
     named.and_then(elementary).unwrap_or("INT")
+}
+
+/// The smallest type of numbers that holds a literal, from INT on.
+fn least_type(argument: &Argument) -> Option<&'static str> {
+    let Value::Operand(text) = &argument.value else {
+        return None;
+    };
+    let known = literal(text)?.ok()?;
+    if known.ty.is_some() {
+        return known.plain();
+    }
+    let number: i128 = known.value.to_string().replace('_', "").parse().ok()?;
+    let holds = |bits: u32| (-(1_i128 << (bits - 1))..1_i128 << (bits - 1)).contains(&number);
+    Some(match number {
+        _ if holds(16) => "INT",
+        _ if holds(32) => "DINT",
+        _ => "LINT",
+    })
 }
 
 /// The tag that a contact on a literal reads.

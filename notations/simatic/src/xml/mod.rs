@@ -32,6 +32,37 @@ pub(crate) fn recognises(head: &str) -> bool {
     head.starts_with('<')
         && head.contains("<Document")
         && (head.contains("<SW.") || head.contains("<Engineering"))
+        && !holds_tags(head)
+}
+
+/// Whether a text is a table of tags, which is not a program, from what it begins with.
+pub(crate) fn holds_tags(head: &str) -> bool {
+    head.contains("<SW.Tags.PlcTagTable")
+}
+
+/// The tags of a table.
+///
+/// # Errors
+///
+/// If it is not XML.
+pub(crate) fn tags(text: &str) -> Result<Vec<Unit>> {
+    let xml = Xml::parse(text)?;
+    let all = xml
+        .document
+        .descendants()
+        .filter(|node| node.is("SW.Tags.PlcTag"));
+    let tags = all.filter_map(|tag| {
+        let attributes = tag.child("AttributeList")?;
+        let ty = attributes.child("DataTypeName")?.words();
+        Some(Unit {
+            place: xml.place(tag),
+            kind: Kind::Tag,
+            name: attributes.child("Name")?.words(),
+            returns: Some(Type::Named(ty.trim_matches('"').to_owned())),
+            ..Unit::default()
+        })
+    });
+    Ok(tags.collect())
 }
 
 /// Reads a block.

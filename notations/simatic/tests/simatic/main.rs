@@ -3,6 +3,7 @@
 mod back;
 mod broken;
 mod corpus;
+mod project;
 mod reading;
 mod structured;
 mod unread;

@@ -30,6 +30,11 @@ impl Dialect {
         self != Dialect::Scl
     }
 
+    /// Whether an F_TRIG that first runs with a low CLK reports a fall.
+    pub(super) fn falls_at_first(self) -> bool {
+        self != Dialect::Scl
+    }
+
     /// Whether a FOR that has ended leaves its variable one step past the end. The standard leaves it open.
     pub(super) fn steps_past_the_end(self) -> bool {
         self != Dialect::Iec

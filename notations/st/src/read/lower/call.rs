@@ -5,8 +5,8 @@ use super::super::tree::{Argument, Call, Direction, Expression as Tree, Expressi
 use super::value::Value;
 use super::{Instructions, Lowered, Lowering};
 use ladder_analysis::values::types::Scalar;
-use ladder_format::program::{Block, Declaration, Expression, Operand, Path};
-use ladder_instructions::Shape as Brackets;
+use ladder_format::program::{Block, Declaration, Expression, Operand, Operator, Path};
+use ladder_instructions::{Op, Shape as Brackets};
 use std::rc::Rc;
 
 /// A standard block: the input that is its power, the one that is an operand, those that are named, and the order
@@ -393,14 +393,16 @@ impl Lowering<'_, '_> {
                 .filter(|_| is_clock && argument.direction == Direction::In)
         });
         let tree = tree.ok_or("`CLK` is left out")?;
+        let falls_at_first = self.around.dialect.falls_at_first();
         let is_alone = path.whole().is_some() && self.uses.calls(&call.callee.root) == 1;
         if is_alone {
             let power = self.condition(tree)?;
-            let mut parts = match edge {
-                Edge::Rising => vec![self.circuit(&power)],
-                Edge::Falling => self.opposite(power),
+            let (mut parts, detector) = match edge {
+                Edge::Rising => (vec![self.circuit(&power)], Op::OneShotRising),
+                Edge::Falling if falls_at_first => (self.opposite(power), Op::OneShotRising),
+                Edge::Falling => (vec![self.circuit(&power)], Op::OneShotFalling),
             };
-            parts.push(self.element(Block::one_shot()));
+            parts.push(self.element(Block::of(detector, Operand::NONE)?));
             parts.push(self.element(Block::coil(path)));
             self.network(parts);
         } else {
@@ -412,13 +414,14 @@ impl Lowering<'_, '_> {
                 .map(|known| known.ty.clone());
             let memory = self.memory(path, ty)?;
             let clock = match edge {
-                Edge::Rising => value.expression,
-                Edge::Falling => value.expression.negated(),
+                Edge::Falling if falls_at_first => value.expression.negated(),
+                _ => value.expression,
             };
-            let fresh = clock.clone().with(
-                ladder_format::program::Operator::And,
-                Expression::from(&memory).negated(),
-            );
+            let (now, before) = (clock.clone(), Expression::from(&memory));
+            let fresh = match edge {
+                Edge::Falling if !falls_at_first => before.with(Operator::And, now.negated()),
+                _ => now.with(Operator::And, before.negated()),
+            };
             self.instruction("CALC", vec![path.into(), fresh.into()])?;
             self.assign(&memory, &Type::BOOL, Value::of(clock, Type::BOOL))?;
             self.flush();
