@@ -36,7 +36,7 @@ fn a_statement_in_scl_there_and_back() {
     let ladder = converted.written.text.clone();
     expect![[r#"
         # line 4 of network 2 of Fan (SCL): `POKE`: it works on memory by address, which ladder text does not have; it is not run here. #
-        FUNCTION_BLOCK [$line4OfNetwork2OfFanSCL]
+        FUNCTION_BLOCK [$line_4_of_network_2_of_Fan_SCL]
         # ladder: unread #
         # POKE(area := 16\h84, dbNumber := 1, byteOffset := 0, value := \hSpeed /* \\ fast */) #
         END_FUNCTION_BLOCK
@@ -53,7 +53,7 @@ fn a_statement_in_scl_there_and_back() {
 
         # \ fast #
         +--[ ]( Go )--------------------------------------------[MOV]( Speed, 16#0A )--+
-        +--------------------------------------------------[$line4OfNetwork2OfFanSCL]--+
+        +-------------------------------------------[$line_4_of_network_2_of_Fan_SCL]--+
         # \ fast #
 
         22:9: approximated: POKE(area := 16#84, dbNumber := 1, byteOffset := 0, value :=: `POKE`: it works on memory by address, which ladder text does not have: it is not run
@@ -95,7 +95,7 @@ fn what_may_lead_elsewhere_takes_the_block_along() {
     );
     expect![[r#"
         # body of Fan is not read: a scan runs past it, and what it may write is not known. #
-        FUNCTION_BLOCK [$bodyOfFan]
+        FUNCTION_BLOCK [$body_of_Fan]
         # ladder: unread #
         # NETWORK 1 #
         # RUNG wire\hpowerrail #
@@ -117,7 +117,7 @@ fn what_may_lead_elsewhere_takes_the_block_along() {
             Speed : INT;
         END_VAR
 
-        +----------------------------------------------------------------[$bodyOfFan]--+
+        +--------------------------------------------------------------[$body_of_Fan]--+
 
         1:1: approximated: body of Fan: something in it that is not read may lead elsewhere, so that all of it is not read: a scan runs past it, and what it may write is not known
     "#]]
