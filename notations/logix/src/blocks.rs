@@ -31,6 +31,8 @@ const TEXTS: &[(&str, &str)] = texts![
     "OSR",
     "OTEBIT",
     "RTO",
+    "RTOR",
+    "SCL",
     "SQI",
     "SQL",
     "SQO",
@@ -38,6 +40,7 @@ const TEXTS: &[(&str, &str)] = texts![
     "STD",
     "TOF",
     "TON",
+    "TONR",
     "TimerRES",
 ];
 

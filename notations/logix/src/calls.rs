@@ -1,14 +1,34 @@
-//! The calls in a structured text, and the tags that it names.
+//! The calls in a routine, and the tags that a structured text names.
 
+use crate::model::Language;
 use crate::operand::{Expr, Path, parse};
+use crate::unit::Unit;
+use ladder_drawings::neutral::instructions;
 
 /// A path has no more characters.
 const LONGEST_PATH: usize = 200;
 /// A call has no more characters.
 const LONGEST: usize = 10_000;
 
+/// The names and operands of what a routine calls.
+pub(crate) fn called(unit: &Unit<'_>) -> Vec<(String, Vec<String>)> {
+    let mut all = Vec::new();
+    for parts in unit.rungs.iter().filter_map(|rung| rung.as_ref().ok()) {
+        instructions(parts, &mut |it| {
+            let operands = it.operands.iter().map(|text| (*text).to_owned());
+            all.push((it.name.to_owned(), operands.collect()));
+        });
+    }
+    if let Some(foreign) = &unit.routine.foreign
+        && foreign.language == Language::StructuredText
+    {
+        all.extend(calls_in(&foreign.text));
+    }
+    all
+}
+
 /// The calls in a text, `Motor(m1, start)`, in their order, each with its operands; those in comments and texts are none.
-pub(crate) fn calls_in(text: &str) -> Vec<(String, Vec<String>)> {
+fn calls_in(text: &str) -> Vec<(String, Vec<String>)> {
     let text = without_comments(text);
     let is_in_name = |c: char| c.is_alphanumeric() || c == '_';
     let mut calls = Vec::new();

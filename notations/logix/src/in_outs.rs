@@ -1,14 +1,13 @@
 //! Arrays that are handed to an Add-On Instruction. There an array parameter takes an array of any size, here one of its
 //! own: it gets the size of what is handed over, and of an instruction that gets several there is one for each.
 
-use crate::calls::calls_in;
+use crate::calls::called;
 use crate::mnemonic::Role;
-use crate::model::{Language, Project, Usage};
+use crate::model::{Project, Usage};
 use crate::operand::Expr;
 use crate::scope::Tags;
 use crate::types::Ty;
-use crate::unit::{Owner, Unit, operand, units};
-use ladder_drawings::neutral::instructions;
+use crate::unit::{Owner, operand, units};
 use std::collections::{HashMap, HashSet};
 
 /// Parts of Add-On Instructions call others no deeper.
@@ -68,23 +67,6 @@ fn levels(project: &Project) -> Vec<HashSet<usize>> {
         all.map(|(aoi, _)| aoi).collect()
     };
     (0..=deepest).map(of).collect()
-}
-
-/// The names and operands of what a routine calls.
-fn called(unit: &Unit<'_>) -> Vec<(String, Vec<String>)> {
-    let mut all = Vec::new();
-    for parts in unit.rungs.iter().filter_map(|rung| rung.as_ref().ok()) {
-        instructions(parts, &mut |it| {
-            let operands = it.operands.iter().map(|text| (*text).to_owned());
-            all.push((it.name.to_owned(), operands.collect()));
-        });
-    }
-    if let Some(foreign) = &unit.routine.foreign
-        && foreign.language == Language::StructuredText
-    {
-        all.extend(calls_in(&foreign.text));
-    }
-    all
 }
 
 /// The calls of some Add-On Instructions with what they hand over.

@@ -4,12 +4,13 @@
 //! edges are set such that what is on already is not an edge, timers and counters are made ready. What it leaves is the
 //! initial value of tags, so it is written there.
 
-use crate::calls::paths_in;
+use crate::calls::{called, paths_in};
 use crate::mnemonic::{Op, Role, instruction, role};
 use crate::model::{Family, Language};
 use crate::opened::Use;
 use crate::operand::{Expr, Path, Step};
 use crate::scope::Tags;
+use crate::translate::tagged;
 use crate::types::Ty;
 use crate::unit::{Unit, operand};
 use crate::values::Value;
@@ -39,19 +40,13 @@ pub(crate) fn survey(units: &[Unit<'_>], family: Family, tags: &mut Tags) {
                 tags.use_paths(scope, &expr, Use { role, is_real });
             }
         }
-        if let (Some(Op::Pid), Some(Ok(Expr::Path(own)))) = (
-            instruction(it.name, it.operands.len()),
-            it.operands.first().map(|text| operand(family, text)),
-        ) {
-            for member in ["SP", "KP", "KI", "KD"] {
-                let mut path = own.clone();
-                path.steps.push(Step::Member(member.to_owned()));
-                let role = Role::Value;
-                tags.use_path(scope, &path, Use { role, is_real: true });
-            }
-        }
     });
     if has_open {
+        for unit in units {
+            for (name, operands) in called(unit) {
+                use_tagged(tags, family, unit.scope, &name, &operands);
+            }
+        }
         let texts = units
             .iter()
             .filter_map(|unit| Some((unit.scope, unit.routine.foreign.as_ref()?)));
@@ -67,6 +62,28 @@ pub(crate) fn survey(units: &[Unit<'_>], family: Family, tags: &mut Tags) {
         let mut surveyor = Surveyor { tags, family, scope };
         surveyor.prescan(it);
     });
+}
+
+/// Adds the members that an instruction works on whose inputs are members of its tag.
+fn use_tagged(tags: &mut Tags, family: Family, scope: usize, name: &str, operands: &[String]) {
+    let members = match instruction(name, operands.len()) {
+        Some(Op::Tagged(own)) => tagged(own).1,
+        Some(Op::Scl) if operands.len() == 1 => tagged("SCL").1,
+        Some(Op::Pid) => &["SP", "KP", "KI", "KD"],
+        _ => return,
+    };
+    let Some(Ok(Expr::Path(path))) = operands.first().map(|text| operand(family, text)) else {
+        return;
+    };
+    for member in members {
+        let mut path = path.clone();
+        path.steps.push(Step::Member((*member).to_owned()));
+        let by = Use {
+            role: Role::Value,
+            is_real: true,
+        };
+        tags.use_path(scope, &path, by);
+    }
 }
 
 /// Whether a real is among the operands of an instruction.

@@ -62,7 +62,8 @@ const fn arithmetic(operator: Operator) -> Option<Op> {
 impl Translator<'_> {
     /// `EQU` to `GEQ`
     pub(super) fn compare(&mut self, op: Op, operands: &[&str]) -> Result<Circuit<Element>> {
-        let values: [Expr; 2] = self.exprs(operands)?;
+        let mut values: [Expr; 2] = self.exprs(operands)?;
+        self.as_reals(&mut values)?;
         self.comparison(op, &values)
     }
 
@@ -106,7 +107,9 @@ impl Translator<'_> {
 
     /// `LIM`: between two limits, or outside of them if the lower one is the higher.
     pub(super) fn limits(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
-        let [low, test, high] = self.exprs(operands)?;
+        let mut values: [Expr; 3] = self.exprs(operands)?;
+        self.as_reals(&mut values)?;
+        let [low, test, high] = values;
         let number = |expr: &Expr| match expr {
             Expr::Int(int) => Some(*int as f64),
             Expr::Real(real) => Some(*real),
@@ -150,7 +153,11 @@ impl Translator<'_> {
             let mut circuit = Vec::new();
             let left = self.side(left, &mut circuit)?;
             let right = self.side(right, &mut circuit)?;
-            circuit.push(self.comparison(op, &[left, right])?);
+            let mut sides = [left, right];
+            if circuit.is_empty() {
+                self.as_reals(&mut sides)?;
+            }
+            circuit.push(self.comparison(op, &sides)?);
             return Ok(Circuit::Series(circuit));
         }
         self.condition(&expr, "CMP")
@@ -268,6 +275,9 @@ impl Translator<'_> {
 
     pub(super) fn move_value(&mut self, from: &str, to: &str) -> Result<Circuit<Element>> {
         let from = self.expr(from)?;
+        if let Some(shorter) = self.shorten(to, &from)? {
+            return Ok(shorter);
+        }
         let is_text = matches!(from, Expr::Text(_));
         let to = self.target(to, if is_text { Role::Text } else { Role::Value })?;
         self.moved(&from, &to)
@@ -371,7 +381,30 @@ impl Translator<'_> {
         self.put(Op::Calc, &to.path, formula(&from, bits))
     }
 
+    /// The length of a text as what is written: the text is cut. None: the place is no such length.
+    fn shorten(&mut self, to: &str, length: &Expr) -> Result<Option<Circuit<Element>>> {
+        let Some(text) = to.strip_suffix(".LEN") else {
+            return Ok(None);
+        };
+        let Ok(place) = self.target(text, Role::Text) else {
+            return Ok(None);
+        };
+        if !matches!(place.elem(), Some(Elem::String(_))) {
+            return Ok(None);
+        }
+        if *length == Expr::Int(0) {
+            return self.moved(&Expr::Text(String::new()), &place).map(Some);
+        }
+        self.note("a text is cut here, and does not grow: what follows its end is not kept");
+        let (length, _) = self.value(length, Elem::Dint)?;
+        let text = Expression::from(&place.path);
+        self.op(Op::Left, [text.clone(), text, length]).map(Some)
+    }
+
     pub(super) fn clear(&mut self, text: &str) -> Result<Circuit<Element>> {
+        if let Some(shorter) = self.shorten(text, &Expr::Int(0))? {
+            return Ok(shorter);
+        }
         let to = self.target(text, Role::Value)?;
         if !matches!(to.ty, Ty::Elem(elem) if elem.is_integer() || elem.is_real()) {
             return Err(format!("`{text}` is no number"));
@@ -381,9 +414,6 @@ impl Translator<'_> {
 
     /// `SCL`: `source * rate / 10000 + offset`
     pub(super) fn scale(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
-        if !self.is_slc() {
-            return Err("SCL is an instruction of function block diagrams in Logix".to_owned());
-        }
         let [source, rate, offset] = self.exprs(operands)?;
         let product = binary(Times, source, rate);
         let slope = binary(Divide, product, Expr::Int(10_000));

@@ -1,12 +1,13 @@
 //! Jumps, subroutines and their parameters.
 
 use super::{Result, Translator};
+use crate::calls::called;
 use crate::mnemonic::{Op, Role, instruction};
+use crate::model::Language;
 use crate::operand::Expr;
 use crate::scope::{Place, Tags};
 use crate::types::{Elem, Ty};
 use crate::unit::{Unit, operand};
-use ladder_drawings::neutral::instructions;
 use ladder_format::Circuit;
 use ladder_format::program::{Block, Element, Path};
 use ladder_instructions::Op as Own;
@@ -44,22 +45,22 @@ impl Routines {
         for (unit, function) in units.iter().zip(functions) {
             let mut subroutine = Subroutine {
                 function: function.clone(),
-                is_foreign: unit.routine.foreign.is_some(),
+                is_foreign: unit
+                    .routine
+                    .foreign
+                    .as_ref()
+                    .is_some_and(|own| own.language != Language::StructuredText),
                 ..Subroutine::default()
             };
-            let mut returned: Vec<&str> = Vec::new();
+            let mut returned: Vec<String> = Vec::new();
             let mut breaks = false;
-            for parts in unit.rungs.iter().filter_map(|rung| rung.as_ref().ok()) {
-                instructions(parts, &mut |it| match instruction(it.name, it.operands.len()) {
-                    Some(Op::Sbr) => {
-                        subroutine.inputs = it.operands.iter().map(|text| (*text).to_owned()).collect();
-                    }
+            for (name, operands) in called(unit) {
+                match instruction(&name, operands.len()) {
+                    Some(Op::Sbr) => subroutine.inputs = operands,
                     Some(Op::Brk) => breaks = true,
-                    Some(Op::Ret) if it.operands.len() > returned.len() => {
-                        returned.clone_from(&it.operands);
-                    }
+                    Some(Op::Ret) if operands.len() > returned.len() => returned = operands,
                     _ => {}
-                });
+                }
             }
             for (number, text) in returned.iter().enumerate() {
                 let elem = match operand(family, text) {

@@ -23,6 +23,7 @@ use ladder_format::Circuit;
 use ladder_format::program::{self, Block, Element, Expression, Operand, Sign};
 use ladder_instructions::Op as Own;
 use ladder_notation::UnreadParts;
+pub(crate) use states::tagged;
 use std::collections::{HashMap, HashSet};
 
 /// What an instruction became: the elements, and what there is to say about them.
@@ -143,6 +144,8 @@ impl<'p> Translator<'p> {
             Op::Osf => self.state_block("OSF", operands),
             Op::Timer(name) => self.timer(name, operands),
             Op::Counter(name) => self.state_block(name, &operands[..1]),
+            Op::Tagged(name) => self.tagged(name, operands[0]),
+            Op::Scl if operands.len() == 1 => self.tagged("SCL", operands[0]),
             Op::Res => self.reset(operands[0]),
             Op::Compare(own) => self.compare(own, operands),
             Op::Lim => self.limits(operands),
@@ -254,6 +257,39 @@ impl<'p> Translator<'p> {
         let all = texts.iter().take(N).map(|text| self.expr(text));
         let all: Vec<Expr> = all.collect::<Result<_>>()?;
         all.try_into().map_err(|_| "operands are missing".to_owned())
+    }
+
+    /// Of values of which some are reals, those that have more digits than a real become reals before: "the controller
+    /// converts the integer value to a REAL value before the instruction executes", rounded to 24 bits (1756-RM006K, p. 543).
+    fn as_reals(&mut self, values: &mut [Expr]) -> Result<()> {
+        let mut elems = Vec::new();
+        for value in values.iter() {
+            elems.push(match value {
+                Expr::Path(path) => self.tags.place(self.scope, path, Role::Value)?.elem(),
+                Expr::Real(_) => Some(Elem::Real),
+                _ => None,
+            });
+        }
+        let is = |elem: Elem| elems.contains(&Some(elem));
+        let real = match (is(Elem::Lreal), is(Elem::Real)) {
+            (true, _) => Elem::Lreal,
+            (false, true) => Elem::Real,
+            (false, false) => return Ok(()),
+        };
+        for (value, elem) in values.iter_mut().zip(elems) {
+            let is_exact = |elem: Elem| elem.is_real() || elem.widens_to(real);
+            if elem.is_some_and(|elem| elem.is_integer() && !is_exact(elem)) {
+                let helper = self.helper("real", real, "an integer that is compared with a real");
+                let (own, _) = self.value(value, real)?;
+                let block = self.put(Own::Typ, &helper, own)?;
+                self.before.push(block);
+                *value = Expr::Path(Path::tag(helper.root));
+            }
+            if let (Elem::Real, Expr::Int(int)) = (real, &*value) {
+                *value = Expr::Real(f64::from(*int as f32));
+            }
+        }
+        Ok(())
     }
 
     /// Puts tags in the place of the lengths of texts.

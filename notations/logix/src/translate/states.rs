@@ -3,9 +3,25 @@
 use super::{Result, Translator};
 use crate::mnemonic::Role;
 use crate::operand::Expr;
-use crate::types::Elem;
+use crate::types::{Elem, Ty};
 use ladder_format::Circuit;
 use ladder_format::program::{Element, Expression};
+
+/// The type of the tag of such an instruction, and the members that it works on.
+pub(crate) const fn tagged(name: &str) -> (&'static str, &'static [&'static str]) {
+    match name.as_bytes() {
+        b"SCL" => (
+            "SCALE",
+            &[
+                "In", "InRawMax", "InRawMin", "InEUMax", "InEUMin", "Limiting", "Out", "MaxAlarm", "MinAlarm",
+            ],
+        ),
+        _ => (
+            "FBD_TIMER",
+            &["TimerEnable", "PRE", "Reset", "ACC", "EN", "TT", "DN"],
+        ),
+    }
+}
 
 impl Translator<'_> {
     /// A block that keeps its state in its operands.
@@ -52,6 +68,24 @@ impl Translator<'_> {
             own.push(Expression::literal(unit)?);
         }
         self.user(&block, own)
+    }
+
+    /// An instruction whose inputs and outputs are members of its tag.
+    pub(super) fn tagged(&mut self, name: &str, text: &str) -> Result<Circuit<Element>> {
+        let place = self.target(text, Role::Word)?;
+        let (ty, members) = tagged(name);
+        let own = match place.ty {
+            Ty::Structure(index) if self.tags.types.original(&place.ty).eq_ignore_ascii_case(ty) => index,
+            _ => return Err(format!("`{text}` is no {ty}")),
+        };
+        let missing = members
+            .iter()
+            .find(|member| self.tags.types.member(own, member).is_none());
+        if let Some(member) = missing {
+            return Err(format!("`{text}` has no `{member}`"));
+        }
+        let block = self.blocks.plain(name);
+        self.user(&block, [place.path])
     }
 
     pub(super) fn reset(&mut self, text: &str) -> Result<Circuit<Element>> {

@@ -128,6 +128,11 @@ impl Writer<'_> {
             (Op::Concat | Op::Mid | Op::Delete | Op::Insert | Op::Find, values) => {
                 self.strings(op, &to, values)
             }
+            // A text that is cut where it is: its length is written.
+            (Op::Left, [text, length]) if self.value(text)?.eq_ignore_ascii_case(&to) => {
+                let length = self.value(length)?;
+                Ok(vec![it("MOV", &[&length, &format!("{to}.LEN")])])
+            }
             (op, [value]) if function(op).is_some() => {
                 let mut out = self.domain(op, value)?;
                 let name = function(op).unwrap_or_default();

@@ -37,6 +37,10 @@ fn bare(text: &str) -> String {
 fn native(name: &str, definition: &str) -> Option<&'static str> {
     let name = name.trim_start_matches('$');
     let (own, suffix) = Blocks::named(name)?;
+    // Of structured text: rungs have no such instruction.
+    if ["TONR", "RTOR", "SCL"].contains(&own) {
+        return None;
+    }
     let mut blocks = Blocks::default();
     if [OTE_BIT, ONS_BIT].contains(&own) {
         let ty = if suffix.is_empty() { "DINT" } else { suffix };

@@ -62,9 +62,13 @@ impl Writer<'_> {
         if op_of(first) == Some(Op::Typ)
             && let (Some(helper), Some(value)) = (self.helper(first), value_at(first, 1))
             && Self::is_simple(value)
-            && series[1..].iter().any(
-                |part| matches!(part, Circuit::Element(block) if op_of(&network.blocks[*block]).is_none()),
-            )
+            && series[1..].iter().any(|part| match part {
+                Circuit::Element(block) => {
+                    let op = op_of(&network.blocks[*block]);
+                    op.is_none_or(|op| matches!(op, Op::Eq | Op::Ne | Op::Lt | Op::Le | Op::Gt | Op::Ge))
+                }
+                _ => false,
+            })
         {
             let value = self.value(value)?;
             self.absorb(helper, Some(value));

@@ -107,7 +107,7 @@ fn rungs_contacts_coils_and_legs() {
         alex-optim.BOOLS_2_DINT: 32/32/32/0, 0 approximated, 0 refused
         alex-optim.DINT_2_BOOLS: 32/32/32/0, 0 approximated, 0 refused
         alex-optim.DUTY_CYCLE: 76/86/71/14, 0 approximated, 0 refused
-        fanno.Plc_emulator: 211/64/72/35, 62 approximated, 0 refused
+        fanno.Plc_emulator: 211/64/72/35, 61 approximated, 0 refused
         hutcheb.ACDTestsWithAOI: 7/2/2/0, 3 approximated, 0 refused
         invalid.EC013_duplicate_jmp_label: 2/0/0/0, 0 approximated, 0 refused
         invalid.ER009_wrong_operand_count: 1/0/1/0, 0 approximated, 1 refused
@@ -115,7 +115,7 @@ fn rungs_contacts_coils_and_legs() {
         invalid.ER014_otl_without_otu: 1/0/1/0, 0 approximated, 0 refused
         invalid.WR003_output_never_driven: 1/2/1/0, 0 approximated, 0 refused
         l5x-lint.Message_Rung: 1/0/0/0, 1 approximated, 0 refused
-        l5x-lint.rungs_process: 6/4/0/0, 2 approximated, 0 refused
+        l5x-lint.rungs_process: 6/4/0/0, 1 approximated, 0 refused
         l5x-lint.rungs_prog_control: 7/5/0/0, 1 approximated, 0 refused
         l5x2c.ex1: 5/11/5/5, 0 approximated, 0 refused
         rockwell.raC_Opr_HTTP_Client_no_deps: 0/0/0/0, 4 approximated, 0 refused

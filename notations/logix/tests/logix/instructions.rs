@@ -82,6 +82,59 @@ fn one_shots_of_computed_bits() {
 }
 
 #[test]
+fn integers_are_compared_with_reals_as_reals() {
+    let rungs = [
+        "GRT(d,r)OTE(gt);",
+        "EQU(d,r)OTE(eq);",
+        "GRT(16777217,16777216.0)OTE(con);",
+        "CMP(d > r)OTE(cmp);",
+        "GRT(i,r)OTE(small);",
+        "GRT(l,e)OTE(long);",
+    ];
+    check(
+        &[
+            ("d", "DINT", "16777217"),
+            ("r", "REAL", "16777216.0"),
+            ("i", "INT", "5"),
+            ("l", "LINT", "7"),
+            ("e", "LREAL", "6.5"),
+            ("gt", "BOOL", ""),
+            ("eq", "BOOL", ""),
+            ("con", "BOOL", ""),
+            ("cmp", "BOOL", ""),
+            ("small", "BOOL", ""),
+            ("long", "BOOL", ""),
+        ],
+        &rungs,
+        "",
+        1,
+        "gt,eq,con,cmp,small,long",
+        expect![[r#"
+            gt,eq,con,cmp,small,long
+            0,1,0,0,0,1"#]],
+    );
+}
+
+#[test]
+fn a_text_is_cut_at_its_length() {
+    check(
+        &[
+            ("s", "STRING", ""),
+            ("t", "STRING", ""),
+            ("n", "DINT", "2"),
+            ("m", "DINT", ""),
+        ],
+        &["MOV('abcd',s)MOV('abc',t)CLR(t.LEN)MOV(n,s.LEN)MOV(s.LEN,m);"],
+        "",
+        1,
+        "s,t,m",
+        expect![[r#"
+            s,t,m
+            Text([97, 98]),Text([]),2"#]],
+    );
+}
+
+#[test]
 fn the_prescan_clears_coils_and_keeps_latches() {
     check(
         &[

@@ -12,5 +12,6 @@ mod opened;
 mod oracle;
 mod projects;
 mod run;
+mod texts;
 mod unread;
 mod written;

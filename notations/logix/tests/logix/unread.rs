@@ -287,7 +287,7 @@ fn routines_in_other_languages() {
 
             +--------------------------------------------------------------<CALL>( Draw )--+
 
-            +----------------------------------------------[$JSR]( 'Calc,1,speed,speed' )--+
+            +--------------------------------------------------------------<CALL>( Calc )--+
 
             +--<FUN>( Calc )---------------------------------------------------------------+
 
@@ -296,14 +296,6 @@ fn routines_in_other_languages() {
             +--<FUN>( Draw )---------------------------------------------------------------+
 
             +-------------------------------------------------------------[$routine_Draw]--+
-
-            # JSR: what the routine `Calc` returns is not read; it is not run here, and power passes. #
-            FUNCTION_BLOCK [$JSR]
-            VAR_INPUT
-                operands : STRING[254] := '';
-            END_VAR
-            # ladder: unread #
-            END_FUNCTION_BLOCK
 
             # routine Calc: it is structured text, and not read: line 2 does not parse: `:=` is expected here, not `?`; it is not run here. #
             FUNCTION_BLOCK [$routine_Calc]
@@ -319,7 +311,7 @@ fn routines_in_other_languages() {
             # <FBDContent SheetSize="Letter"><Sheet Number="1"/></FBDContent> #
             END_FUNCTION_BLOCK
 
-            26:10 JSR(Calc,1,speed,speed): Approximated("what the routine `Calc` returns is not read: it is not run, and power passes")
+            26:10 JSR(Calc,1,speed,speed): Approximated("the routine takes fewer values than it is given")
             31:1 routine Calc: Approximated("it is structured text, and not read: line 2 does not parse: `:=` is expected here, not `?`: it is not run")
             44:1 routine Draw: Approximated("it is a function block diagram: it is not run")"#]],
     );
@@ -341,7 +333,7 @@ fn routines_in_other_languages() {
             </Rung>
             <Rung Number="2" Type="N">
             <Text>
-            <![CDATA[JSR(Calc,1,speed,speed);]]>
+            <![CDATA[JSR(Calc,0);]]>
             </Text>
             </Rung>
             </RLLContent>

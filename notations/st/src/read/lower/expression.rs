@@ -24,6 +24,11 @@ impl Lowering<'_, '_> {
                         }
                     }
                 }
+                if let Some((word, index)) = self.computed_bit(place)? {
+                    let shifted = Expression::from(word).with(Operator::Shr, index);
+                    let is_on = shifted.with(Operator::And, 1).with(Operator::NotEqual, 0);
+                    return Ok(Value::of(is_on, Type::BOOL));
+                }
                 let (path, ty) = self.path(place)?;
                 Ok(Value::of(path, ty))
             }

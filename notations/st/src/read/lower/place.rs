@@ -46,6 +46,26 @@ impl Lowering<'_, '_> {
         Ok((path, ty))
     }
 
+    /// The word and the number of a bit whose number is computed. None: it is not such a bit.
+    pub(super) fn computed_bit(&mut self, place: &Place) -> Lowered<Option<(Path, Expression)>> {
+        let [before @ .., Step::ComputedBit(index)] = &place.steps[..] else {
+            return Ok(None);
+        };
+        let word = Place {
+            steps: before.to_vec(),
+            ..place.clone()
+        };
+        let (path, ty) = self.path(&word)?;
+        if !ty.scalar().is_some_and(|ty| ty.is_integer() || ty.is_bits()) {
+            return Err(format!("`{path}` has no bits"));
+        }
+        let index = self.value(index)?;
+        if !index.is_integer() {
+            return Err(format!("the number of a bit of `{path}` is not a whole number"));
+        }
+        Ok(Some((path, index.expression)))
+    }
+
     fn root(&self, place: &Place) -> Lowered<(Path, Type)> {
         if place.root.starts_with('%') {
             let address = address(&place.root)

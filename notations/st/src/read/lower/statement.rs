@@ -11,7 +11,7 @@ use super::value::Value;
 use super::{Lowered, Lowering};
 use ladder_analysis::values::types::Scalar;
 use ladder_format::Circuit;
-use ladder_format::program::{Block, Element, Path};
+use ladder_format::program::{Block, Element, Expression, Operator, Path};
 use ladder_instructions::Op;
 use ladder_notation::Outcome;
 
@@ -153,6 +153,9 @@ impl Lowering<'_, '_> {
         let Some((last, others)) = targets.split_last() else {
             return Ok(());
         };
+        if let ([], Assignment::Value, Some((word, index))) = (others, how, self.computed_bit(last)?) {
+            return self.assign_bit(&word, index, value);
+        }
         let (path, ty) = self.target(last)?;
         match how {
             Assignment::Value => {}
@@ -199,6 +202,27 @@ impl Lowering<'_, '_> {
             self.comments.extend(shown);
         }
         self.flush();
+        Ok(())
+    }
+
+    /// `word.[index] := value`
+    fn assign_bit(&mut self, word: &Path, index: Expression, value: &Tree) -> Lowered<()> {
+        let value = self.value(value)?;
+        let bit = self.temporary(Scalar::Bool);
+        self.assign(&bit, &Type::BOOL, value)?;
+        self.flush();
+        let mask = || Expression::from(1).with(Operator::Shl, index.clone());
+        let whole = || Expression::from(word);
+        let set = whole().with(Operator::Or, mask());
+        let reset = whole().with(Operator::And, mask().negated());
+        for (contact, changed) in [
+            (Block::contact(bit.clone()), set),
+            (Block::negated_contact(bit.clone()), reset),
+        ] {
+            let changes = Block::of(Op::Calc, [whole(), changed])?;
+            let parts = vec![self.element(contact), self.element(changes)];
+            self.network(parts);
+        }
         Ok(())
     }
 
