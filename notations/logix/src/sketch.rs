@@ -19,7 +19,9 @@ use ladder_format::program::{Block, Drawing, Element, Item, Network, Origin, Pat
 use ladder_instructions::Op as Own;
 use ladder_notation::names::Names;
 use ladder_notation::{LineColumn, Lines, Reading};
+use ladder_notation_st::read::Scope;
 use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
 
 /// The whole program. `text` is the file that the project was read from.
 pub(crate) fn sketch(project: &Project, text: &str) -> Reading {
@@ -35,6 +37,7 @@ pub(crate) fn sketch(project: &Project, text: &str) -> Reading {
         units: &units,
         reading: Reading::default(),
         leaves: None,
+        seen: HashMap::new(),
     };
     sketcher.program(&plan);
     let mut reading = sketcher.reading;
@@ -51,6 +54,8 @@ pub(crate) struct Sketcher<'p> {
     pub(crate) reading: Reading,
     /// Why the routine that is being read may not go on after an instruction that is not read.
     leaves: Option<String>,
+    /// What names mean in the texts of a scope, and how many tags had names when that was found.
+    pub(crate) seen: HashMap<usize, (usize, Rc<Scope>)>,
 }
 
 impl<'p> Sketcher<'p> {

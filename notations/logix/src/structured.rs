@@ -82,7 +82,10 @@ impl Sketcher<'_> {
             let elem =
                 Elem::named(&tag.ty).ok_or_else(|| format!("it needs a tag of the type {}", tag.ty))?;
             for name in tag.names {
-                self.translator.tags.helper(scope_number, &name, elem, "");
+                let made = self.translator.tags.helper(scope_number, &name, elem, "");
+                if made != Path::tag(&name) {
+                    return Err(format!("two tags that it needs have the name {name}"));
+                }
             }
         }
         Ok(body.items)
@@ -102,7 +105,13 @@ impl Sketcher<'_> {
     }
 
     /// What names mean in a text.
-    fn seen_in_text(&self, scope: usize) -> st::Scope {
+    fn seen_in_text(&mut self, scope: usize) -> Rc<st::Scope> {
+        let count = self.translator.tags.named;
+        if let Some((at, seen)) = self.seen.get(&scope)
+            && *at == count
+        {
+            return Rc::clone(seen);
+        }
         let mut types = TypesOfText {
             sketcher: self,
             structures: HashMap::new(),
@@ -117,6 +126,8 @@ impl Sketcher<'_> {
                 symbol.kind == Kind::Constant,
             );
         }
+        let seen = Rc::new(seen);
+        self.seen.insert(scope, (count, Rc::clone(&seen)));
         seen
     }
 }

@@ -31,12 +31,18 @@ fn writes_of(name: &str) -> Writes {
     match name.to_ascii_uppercase().as_str() {
         "SSV" | "IOT" | "UID" | "UIE" | "EVENT" | "REF" | "IOM" => Writes::Nothing,
         "GSV" => Writes::Only(3),
+        "RTOS" | "UPPER" | "LOWER" => Writes::Only(1),
+        "DTR" => Writes::Only(2),
+        "ISNAN" | "ISINF" => Writes::Nothing,
         // Charts and phases, other routines, what a communication brings.
         "SFR" | "SFP" | "PSC" | "PFL" | "PCMD" | "PCLF" | "PXRQ" | "POVR" | "PATT" | "PDET" | "PRNP"
         | "PPD" | "JXR" | "SVC" | "SUS" => Writes::Anything,
         _ => Writes::Operands,
     }
 }
+
+/// The instructions without a counterpart that decide about the power of their rung.
+const CONDITIONS: [&str; 3] = ["DTR", "IsNAN", "IsINF"];
 
 /// What is reported about a routine that is unread for one of its instructions.
 pub(crate) const LEFT: &str = "in it is not read";
@@ -54,7 +60,10 @@ impl<'p> Translator<'p> {
     /// The block in the place of an instruction that is not read.
     pub(crate) fn unread(&mut self, it: &Instruction<'_>, why: &str) -> Unreadable {
         let op = instruction(it.name, it.operands.len());
-        let is_condition = op.is_some_and(|op| op.is_condition(it.operands.len()));
+        let is_condition = match op {
+            Some(op) => op.is_condition(it.operands.len()),
+            None => CONDITIONS.iter().any(|own| it.name.eq_ignore_ascii_case(own)),
+        };
         let (power, says) = if is_condition {
             (Power::Ends, "no power passes")
         } else {

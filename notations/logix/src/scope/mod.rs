@@ -95,6 +95,8 @@ pub(crate) struct Tags {
     pub(crate) symbols: Vec<Symbol>,
     scopes: Vec<Scope>,
     names: Names,
+    /// How many tags have a name in the file.
+    pub(crate) named: usize,
     /// Inputs of instances that begin with a value of their own.
     pub(crate) begins: Vec<Begins>,
     /// Tags of types that the file does not declare: place, tag, type.
@@ -112,6 +114,7 @@ impl Tags {
             symbols: Vec::new(),
             scopes: Vec::new(),
             names: Names::default(),
+            named: 0,
             begins: Vec::new(),
             opened: Vec::new(),
             ambiguous: ambiguous(project),
@@ -224,6 +227,7 @@ impl Tags {
         self.types.keep(&symbol.ty);
         let key = symbol.original.to_ascii_uppercase();
         let number = self.symbols.len();
+        self.named += 1;
         self.scopes[symbol.scope]
             .entries
             .insert(key, Entry::Symbol(number));

@@ -246,6 +246,41 @@ fn instructions() {
 }
 
 #[test]
+fn conditions_without_a_counterpart_give_no_power() {
+    shows(
+        &L5x,
+        &controller(
+            &[("r", "REAL", ""), ("s", "STRING", ""), ("y", "BOOL", "")],
+            &["IsNAN(r)OTE(y);", "XIC(y)RTOS(r,s);"],
+        ),
+        expect![[r#"
+            +---------------------------------------------------[$IsNAN]( 'r' )--( )( y )--+
+
+            +--[ ]( y )--------------------------------------------------[$RTOS]( 'r,s' )--+
+
+            # IsNAN: it has no counterpart here; it is not run here, and no power passes. #
+            FUNCTION_BLOCK [$IsNAN]
+            VAR_INPUT
+                operands : STRING[254] := '';
+            END_VAR
+            # ladder: unread, writes #
+            +------------------------------------------------------------------(R)( ENO )--+
+            END_FUNCTION_BLOCK
+
+            # RTOS: it has no counterpart here; it is not run here, and power passes. #
+            FUNCTION_BLOCK [$RTOS]
+            VAR_INPUT
+                operands : STRING[254] := '';
+            END_VAR
+            # ladder: unread, writes s #
+            END_FUNCTION_BLOCK
+
+            17:10 IsNAN(r): Approximated("it has no counterpart here: it is not run, and no power passes")
+            22:16 RTOS(r,s): Approximated("it has no counterpart here: it is not run, and power passes")"#]],
+    );
+}
+
+#[test]
 fn what_a_message_fetches_is_written() {
     let message = |kind: &str| {
         format!(
