@@ -26,16 +26,22 @@ pub fn block_name(name: &str, first: &str) -> String {
     near
 }
 
-/// The nearest name that no other block took.
-pub fn free_block_name(name: &str, first: &str, taken: &mut HashSet<Name>) -> String {
-    let near = block_name(name, first);
-    let mut free = near.clone();
-    let mut number = 2;
-    while !taken.insert(Name::new(&free)) {
-        free = format!("{near}x{number}");
-        number += 1;
+/// The names that blocks took.
+#[derive(Debug, Default)]
+pub struct BlockNames(HashSet<Name>);
+
+impl BlockNames {
+    /// The nearest name that no other block took; see [`block_name`].
+    pub fn free(&mut self, name: &str, first: &str) -> String {
+        let near = block_name(name, first);
+        let mut free = near.clone();
+        let mut number = 2;
+        while !self.0.insert(Name::new(&free)) {
+            free = format!("{near}x{number}");
+            number += 1;
+        }
+        free
     }
-    free
 }
 
 #[cfg(test)]
@@ -66,10 +72,10 @@ mod tests {
 
     #[test]
     fn no_two_blocks_have_one_name() {
-        let mut taken = HashSet::new();
+        let mut taken = BlockNames::default();
         let names = ["Motor", "MOTOR", "motor_", "ÄB", "äb"];
         assert_eq!(
-            names.map(|name| free_block_name(name, "B", &mut taken)),
+            names.map(|name| taken.free(name, "B")),
             ["Motor", "MOTORx2", "motorx3", "ÄB", "äbx2"]
         );
     }

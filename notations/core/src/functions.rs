@@ -178,7 +178,7 @@ fn named(context: &Context) -> Functions {
     };
     let mut functions = Functions::new();
     for (number, facts) in context.functions.iter().enumerate() {
-        let plain = fresh(block_name(&facts.name.to_string(), "Function"));
+        let plain = fresh(block_name(facts.name.as_ref(), "Function"));
         let function = Function {
             name: facts.name.to_string(),
             state: fresh(format!("{plain}_state")),

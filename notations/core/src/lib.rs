@@ -47,7 +47,7 @@ mod whole;
 mod written;
 pub mod xml;
 
-pub use block_name::{block_name, free_block_name};
+pub use block_name::{BlockNames, block_name};
 pub use convert::{Converted, convert};
 pub use elements::blocks;
 pub use encoding::in_utf8;

@@ -6,7 +6,7 @@ use super::model::{Body, Evaluation, Project, Role, Type, Unit, UnitKind, Variab
 use super::own;
 use super::standard::{self, StandardBlock};
 use ladder_format::program::Path;
-use ladder_notation::{Names, free_block_name};
+use ladder_notation::{BlockNames, Names};
 use std::collections::{HashMap, HashSet};
 
 /// A variable as it is called here.
@@ -146,7 +146,7 @@ impl<'p> Shared<'p> {
             }
         }
         let mut blocks = HashMap::new();
-        let mut taken = HashSet::new();
+        let mut taken = BlockNames::default();
         for unit in &project.units {
             if unit.kind == UnitKind::Program || blocks.contains_key(&unit.name.to_lowercase()) {
                 continue;
@@ -155,7 +155,7 @@ impl<'p> Shared<'p> {
                 Body::Ladder(text) => brought::name(text).unwrap_or(&unit.name),
                 _ => &unit.name,
             };
-            let name = format!("${}", free_block_name(short(name), "B", &mut taken));
+            let name = format!("${}", taken.free(short(name), "B"));
             let mut scope = Scope::next_to(&globals);
             let power = Type::Named("BOOL".to_owned());
             scope.alias("EN", Path::tag("EN"), &power);

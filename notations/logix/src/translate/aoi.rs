@@ -10,16 +10,15 @@ use crate::types::{Elem, Ty};
 use ladder_format::Circuit;
 use ladder_format::program::{Element, Expression, Operand};
 use ladder_instructions::Op;
-use ladder_notation::{block_name, free_block_name};
-use std::collections::HashSet;
+use ladder_notation::{BlockNames, block_name};
 
 /// The name of the block that each Add-On Instruction becomes, with its `$`.
 pub(super) fn names(project: &Project) -> Vec<String> {
-    let mut taken = HashSet::new();
+    let mut taken = BlockNames::default();
     let mut name = |original: &str| {
         let near = block_name(original, "A");
         let suffix = if Blocks::has(&near) { "AOI" } else { "" };
-        format!("${}", free_block_name(&(near + suffix), "A", &mut taken))
+        format!("${}", taken.free(&(near + suffix), "A"))
     };
     project.aois.iter().map(|aoi| name(&aoi.name)).collect()
 }

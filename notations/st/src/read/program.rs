@@ -15,10 +15,8 @@ use ladder_format::program::{
     Block, Drawing, Element, Expression, Item, Network, Path, Section, SectionKind,
 };
 use ladder_notation::{
-    Finding, Lines, Names, Power, ReadError, Reading, Turn, Unread, UnreadParts, free_block_name, unread_body,
+    BlockNames, Finding, Lines, Names, Power, ReadError, Reading, Turn, Unread, UnreadParts, unread_body,
 };
-use ladder_syntax::Name;
-use std::collections::HashSet;
 use std::rc::Rc;
 
 /// Reads a file.
@@ -49,7 +47,7 @@ pub(crate) fn read(text: &str, dialect: Dialect) -> Result<Reading, ReadError> {
         comments: &comments,
         scope: Scope::default(),
         names: Names::default(),
-        blocks: HashSet::new(),
+        blocks: BlockNames::default(),
         unread: UnreadParts::default(),
         others: Vec::new(),
         reading: Reading::default(),
@@ -78,7 +76,7 @@ struct Reader<'a> {
     /// Of the globals and the types.
     names: Names,
     /// The names of blocks that are taken.
-    blocks: HashSet<Name>,
+    blocks: BlockNames,
     unread: UnreadParts,
     /// The places of programs that are not read.
     others: Vec<Item>,
@@ -172,7 +170,7 @@ impl Reader<'_> {
         if unit.kind == UnitKind::Program {
             return;
         }
-        let name = free_block_name(&unit.name, "B", &mut self.blocks);
+        let name = self.blocks.free(&unit.name, "B");
         let mut names = Names::default();
         let mut parameters = Vec::new();
         for variable in &unit.variables {
