@@ -144,3 +144,36 @@ fn what_is_no_program() {
 fn text_of(file: &str) -> String {
     text(&OpenPlc, file.as_bytes())
 }
+
+#[test]
+fn a_variable_without_a_name_is_nothing() {
+    let field = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/corpus/field/output_pin_left_blank");
+    let [blank, named] = ["blank.ld", "named.ld"].map(|name| {
+        let bytes = std::fs::read(field.join(name)).expect("the file can be read");
+        text(&OpenPlc, &bytes)
+    });
+    expect![[r#"
+        VAR
+            go   : BOOL;
+            done : BOOL;
+            t1   : TON;
+            x    : TIME;
+        END_VAR
+
+        +--[ ]( go )---------------------------------[TON]( t1, T#50ms )--( )( done )--+
+    "#]]
+    .assert_eq(&blank);
+    expect![[r#"
+        VAR
+            go   : BOOL;
+            done : BOOL;
+            t1   : TON;
+            x    : TIME;
+        END_VAR
+
+        +--[ ]( go )---------------------------------[TON]( t1, T#50ms )--( )( done )--+
+
+        +-----------------------------------------------------------[MOV]( x, t1.ET )--+
+    "#]]
+    .assert_eq(&named);
+}

@@ -1,7 +1,6 @@
 //! A body in LD or FBD: elements, and the wires between their pins.
 
-use super::standard::{self, Function};
-use ladder_notation::{LineColumn, Report};
+use ladder_notation::LineColumn;
 use std::collections::HashSet;
 
 /// The elements of a body, in the order of the file.
@@ -31,7 +30,7 @@ pub struct Node {
 }
 
 /// Where power or a value enters.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Pin {
     /// `EN`, `IN1`; empty where there is only one.
     pub name: String,
@@ -181,7 +180,7 @@ impl Graph {
 
     /// The elements in the order of the drawing: numbered ones first, then row by row, elements whose tops differ by less
     /// than ten units being in one row, as the generator of OpenPLC has it. Without positions the order of the file.
-    pub(crate) fn in_order(&self) -> Vec<usize> {
+    pub(crate) fn by_place(&self) -> Vec<usize> {
         let mut order: Vec<usize> = (0..self.nodes.len()).collect();
         order.sort_by(|one, other| {
             self.nodes[*one]
@@ -248,137 +247,5 @@ impl Graph {
             }
             self.nodes.push(node);
         }
-    }
-}
-
-/// A wire: to this pin of this element, the n-th of those that end there.
-type Wire = (usize, usize, usize);
-
-/// The wires of a drawing are no deeper.
-const DEEPEST: usize = 300;
-
-/// A drawing has no more loops than these.
-const MOST_LOOPS: usize = 200;
-
-impl Graph {
-    /// Makes sure that it can be drawn: wires that make a circle are taken out, and one that is too deep keeps its
-    /// comments only.
-    pub fn open(&mut self, report: &mut Report) {
-        match self.without_loops() {
-            Ok(taken) => {
-                for (node, _) in taken {
-                    let why = "its power comes back to it, without a block between: that wire is left out";
-                    report.refused(self.nodes[node].place, "wire", why);
-                }
-            }
-            Err(node) => {
-                let why = format!(
-                    "more than {DEEPEST} elements or {MOST_LOOPS} loops are in it: nothing of it is read"
-                );
-                let place = self.nodes.get(node).map_or(LineColumn::START, |node| node.place);
-                report.refused(place, "drawing", &why);
-                self.nodes.retain(|node| matches!(node.kind, Kind::Comment(_)));
-                self.nodes.push(Node::new(
-                    place,
-                    Kind::Comment(format!("A drawing is not read: {why}")),
-                    Vec::new(),
-                ));
-                self.feedback.clear();
-            }
-        }
-    }
-
-    /// Takes apart what is wired in a circle: a wire from a block that acts shows what the block had in the scan before, and
-    /// goes into [`Graph::feedback`]; any other is taken out and comes back. The error is the element that is too deep.
-    fn without_loops(&mut self) -> Result<Vec<(usize, usize)>, usize> {
-        let acts = |kind: &Kind| match kind {
-            Kind::Block { name, .. } => !matches!(
-                standard::function(name),
-                Some(Function::Gate(_) | Function::Compare(..))
-            ),
-            _ => false,
-        };
-        let mut taken = Vec::new();
-        for _ in 0..=MOST_LOOPS {
-            let Some(circle) = self.circle()? else {
-                return Ok(taken);
-            };
-            let source = |wire: &Wire| self.nodes[wire.0].inputs[wire.1].from[wire.2];
-            let from_block = circle
-                .iter()
-                .find(|wire| acts(&self.nodes[source(wire).node].kind));
-            if let Some(wire) = from_block {
-                let end = source(wire);
-                self.feedback.insert((wire.0, end));
-            } else if let Some(&(node, pin, wire)) = circle.last() {
-                self.nodes[node].inputs[pin].from.remove(wire);
-                taken.push((node, pin));
-            }
-        }
-        Err(taken.first().map_or(0, |(node, _)| *node))
-    }
-
-    /// A circle of wires, if there is one.
-    fn circle(&self) -> Result<Option<Vec<Wire>>, usize> {
-        #[derive(Clone, Copy, PartialEq)]
-        enum State {
-            New,
-            Open,
-            Done,
-        }
-        let mut state = vec![State::New; self.nodes.len()];
-        let mut depth = vec![0; self.nodes.len()];
-        // Elements that are open, each with the next of its wires and the wire that it is the source of.
-        let mut stack: Vec<(usize, usize, Option<Wire>)> = Vec::new();
-        let wires: Vec<Vec<Wire>> = self
-            .nodes
-            .iter()
-            .enumerate()
-            .map(|(node, it)| {
-                let pins = it.inputs.iter().enumerate();
-                pins.flat_map(|(pin, it)| (0..it.from.len()).map(move |wire| (node, pin, wire)))
-                    .collect()
-            })
-            .collect();
-        for start in 0..self.nodes.len() {
-            if state[start] != State::New {
-                continue;
-            }
-            stack.push((start, 0, None));
-            state[start] = State::Open;
-            while let Some((node, next, _)) = stack.last_mut() {
-                let Some(&wire) = wires[*node].get(*next) else {
-                    let sources = wires[*node]
-                        .iter()
-                        .map(|(node, pin, wire)| self.nodes[*node].inputs[*pin].from[*wire]);
-                    let sources = sources.filter(|end| !self.feedback.contains(&(*node, *end)));
-                    depth[*node] = 1 + sources.map(|end| depth[end.node]).max().unwrap_or(0);
-                    if depth[*node] > DEEPEST {
-                        return Err(*node);
-                    }
-                    state[*node] = State::Done;
-                    stack.pop();
-                    continue;
-                };
-                *next += 1;
-                let end = self.nodes[wire.0].inputs[wire.1].from[wire.2];
-                if self.feedback.contains(&(wire.0, end)) {
-                    continue;
-                }
-                match state[end.node] {
-                    State::Done => {}
-                    State::Open => {
-                        let begin = stack.iter().position(|(node, ..)| *node == end.node).unwrap_or(0);
-                        let path = stack[begin + 1..].iter().filter_map(|(_, _, wire)| *wire);
-                        return Ok(Some(path.chain([wire]).collect()));
-                    }
-                    State::New => {
-                        state[end.node] = State::Open;
-                        stack.push((end.node, 0, Some(wire)));
-                    }
-                }
-            }
-        }
-        Ok(None)
     }
 }

@@ -325,7 +325,7 @@ impl Reader<'_, '_> {
         let mut inputs = Vec::new();
         let items = object.field("InputItems");
         for (number, item) in items.iter().flat_map(|items| items.elements()).enumerate() {
-            let from = if item.is_nothing() {
+            let from = if item.is_nothing() || item.field("Operand").is_some_and(is_blank) {
                 Vec::new()
             } else {
                 self.value(item, depth + 1)?
@@ -372,12 +372,17 @@ impl Reader<'_, '_> {
         for (output, target) in targets
             .into_iter()
             .enumerate()
-            .filter(|(_, target)| !target.is_nothing())
+            .filter(|(_, target)| !target.is_nothing() && !is_blank(*target))
         {
             self.target(target, vec![End { output, ..end }])?;
         }
         Ok(vec![end])
     }
+}
+
+/// Whether an operand at a pin is drawn and not filled in.
+fn is_blank(operand: Object<'_>) -> bool {
+    operand.text("Operand").trim().is_empty() && !matches!(operand.flags(), flag::JUMP | flag::RETURN)
 }
 
 fn pin(name: &str, from: Vec<End>) -> Pin {

@@ -430,3 +430,38 @@ fn units_of_the_corpus() {
     "#]]
     .assert_eq(&read("volt.FbCall.derived.TcPOU"));
 }
+
+#[test]
+fn a_pin_whose_variable_is_not_filled_in_is_not_connected() {
+    let blank = |outputs: &str| outputs.replace("<n/>", &target("", 0));
+    let timer = tree(
+        "TON",
+        "t1",
+        &[("IN", leaf("a", 0)), ("PT", leaf("T#5s", 0))],
+        &[("Q", ""), ("ET", "")],
+    );
+    let sum = tree(
+        "ADD",
+        "",
+        &[("", leaf("n", 0)), ("", leaf("", 0)), ("", leaf("2", 0))],
+        &[("", "n")],
+    );
+    check(
+        &unit(
+            "PROGRAM Main\nVAR\n\ta : BOOL;\n\tq : BOOL;\n\tn : INT;\n\tt1 : TON;\nEND_VAR\n",
+            &(network(&assign(&[target("q", 0)], &blank(&timer))) + &network(&sum)),
+        ),
+        expect![[r#"
+            VAR
+                a  : BOOL;
+                q  : BOOL;
+                n  : INT;
+                t1 : TON;
+            END_VAR
+
+            +--[ ]( a )---------------------------------------[TON]( t1, T#5s )--( )( q )--+
+
+            +------------------------------------------------------------[ADD]( n, n, 2 )--+
+        "#]],
+    );
+}

@@ -54,7 +54,12 @@ pub(super) fn class(body: &Body<'_>, node: usize) -> Option<Class> {
     let Some(function) = standard::function(name) else {
         return Some(Class::Unknown);
     };
-    let has_enable = drawn.inputs.iter().any(|pin| is_enable(&pin.name)) && !only_decides(body, node);
+    let is_taken = |(output, it): (usize, &Output)| {
+        is_enable_out(&it.name) && body.facts.uses.contains_key(&End { node, output })
+    };
+    let has_enable =
+        drawn.inputs.iter().any(|pin| is_enable(&pin.name)) || drawn.outputs.iter().enumerate().any(is_taken);
+    let has_enable = has_enable && !only_decides(body, node);
     Some(match function {
         Function::Gate(gate) if is_bits(body, node) => {
             Class::Value(["AND", "OR", "XOR", "NOT"][gate as usize])
@@ -114,7 +119,7 @@ pub(super) fn is_enable(pin: &str) -> bool {
     pin.eq_ignore_ascii_case("EN")
 }
 
-fn is_enable_out(pin: &str) -> bool {
+pub(super) fn is_enable_out(pin: &str) -> bool {
     pin.eq_ignore_ascii_case("ENO")
 }
 

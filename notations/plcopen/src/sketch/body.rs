@@ -77,6 +77,7 @@ impl<'b> Body<'b> {
             next: Next::default(),
         };
         body.names();
+        body.hold_what_feeds_back();
         body.look_over();
         while let Some(node) = body.facts.order.get(body.state.turn).copied() {
             body.element(node);
@@ -154,9 +155,10 @@ impl<'b> Body<'b> {
                 }
             }
             Kind::Block { .. } => {
-                if self.class(node).is_some_and(super::blocks::Class::acts) || unused {
+                if self.class(node).is_some_and(Class::acts) || unused {
                     self.root(node);
                 }
+                self.decide(node);
             }
             Kind::Value(text, _) => {
                 if !self.facts.uses.contains_key(&end) {

@@ -10,6 +10,9 @@ use crate::standard::{self, Function, Gate, StandardBlock};
 use ladder_format::program::{Block, Expression, Literal, Operand, Operator, Path, Step};
 use ladder_instructions::{Op, Shape};
 
+/// What a tag is for that holds power.
+const POWER: &str = "the power after a block";
+
 impl Body<'_> {
     /// Instances, and which tags are read by name.
     pub(super) fn names(&mut self) {
@@ -222,8 +225,15 @@ impl Body<'_> {
 
     /// The tag that holds the power after a block.
     pub(super) fn holder(&mut self, end: End) -> Path {
-        if let Some(tag) = self.tags.holders.get(&end) {
-            return tag.clone();
+        if let Some(tag) = self.tags.holders.get(&end).cloned() {
+            // It may have been made for a network that could not be drawn.
+            let is_declared = self.tags.instances.get(&end.node) == Some(&tag)
+                || self.made.helpers.iter().any(|(name, ..)| *name == tag.root);
+            if !is_declared {
+                let helper = (tag.root.clone(), "BOOL".to_owned(), POWER.to_owned());
+                self.made.helpers.push(helper);
+            }
+            return tag;
         }
         let tag = match (self.class(end.node), self.tags.instances.get(&end.node)) {
             // The tag of the edge detector itself, which is declared where it is read.
@@ -231,7 +241,7 @@ impl Body<'_> {
                 self.made.needed.insert(instance.root.to_lowercase());
                 instance.clone()
             }
-            _ => self.helper("power", "BOOL", "the power after a block"),
+            _ => self.helper("power", "BOOL", POWER),
         };
         self.tags.holders.insert(end, tag.clone());
         tag

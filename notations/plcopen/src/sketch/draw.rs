@@ -1,9 +1,10 @@
 //! One network: everything that feeds what is done in it, as wires between points.
 
+mod hold;
+
 use super::blocks::{Class, power_output, power_pins};
 use super::body::Body;
 use crate::graph::{Edge, End, Kind, Modifier};
-use crate::standard::StandardBlock;
 use ladder_format::Circuit;
 use ladder_format::program::{Block, Element, Expression, Path};
 use ladder_instructions::Op;
@@ -86,6 +87,8 @@ pub(super) struct Pencil<'d, 'b> {
     pub(super) shown: HashSet<usize>,
     /// What is done in it.
     done: HashSet<usize>,
+    /// The pins of which it puts the power into tags.
+    put: Vec<(usize, usize)>,
     held: Vec<(End, Path)>,
 }
 
@@ -126,6 +129,7 @@ impl Drawn {
             executed: Vec::new(),
             shown: HashSet::new(),
             done: HashSet::new(),
+            put: Vec::new(),
             held: Vec::new(),
         };
         for target in targets {
@@ -178,6 +182,7 @@ impl Pencil<'_, '_> {
             Target::Root(node) => self.root(*node),
             Target::Pin(node, pin, tag) => {
                 self.done.insert(*node);
+                self.put.push((*node, *pin));
                 let before = self.pin(*node, *pin, RAIL)?;
                 self.series(before, [Block::coil(tag)], *node);
                 Ok(())
@@ -281,7 +286,11 @@ impl Pencil<'_, '_> {
                     };
                     self.series(before, [block], node);
                 } else {
-                    let op = if *negated { Op::NegatedCoil } else { Op::Coil };
+                    let op = match negated {
+                        true => Op::NegatedCoil,
+                        false if self.body.takes_own_enable(node) => Op::SetCoil,
+                        false => Op::Coil,
+                    };
                     let coil = at(node, Block::of(op, [self.variable(node, text)?]))?;
                     let before = self.pin(node, 0, RAIL)?;
                     self.series(before, [coil], node);
@@ -393,7 +402,12 @@ impl Pencil<'_, '_> {
         }
         let tag = at(end.node, self.body.reference(end))?;
         let output = &self.body.graph.nodes[end.node].outputs.get(end.output);
-        let is_negated = output.is_some_and(|output| output.negated);
+        // What a condition decided is held as it leaves.
+        let acts = self.body.class(end.node).is_some_and(Class::acts);
+        let is_negated = acts && output.is_some_and(|output| output.negated);
+        if tag == Path::system("ON") && !is_negated {
+            return Ok(start);
+        }
         Ok(self.series(start, [contact_on(tag, is_negated)], end.node))
     }
 
@@ -512,8 +526,14 @@ impl Pencil<'_, '_> {
                 "without EN it stands still there; here EN and its first input are in series",
             );
         }
+        let enabled = self.body.enable_taken(node);
         for pin in pins {
-            point = self.pin(node, pin, point)?;
+            let held = enabled.filter(|(enable, _)| *enable == pin);
+            let held = held.and_then(|(_, end)| self.body.tags.results.get(&end).cloned());
+            point = match held {
+                Some(tag) => self.series(point, [Block::contact(tag)], node),
+                None => self.pin(node, pin, point)?,
+            };
         }
         let point = if self.body.is_refused(node) {
             self.stand_in(point, node)
@@ -537,53 +557,5 @@ impl Pencil<'_, '_> {
             self.hold(end);
         }
         Ok(point)
-    }
-
-    /// A coil on a tag for the power after a block, where nothing has it already.
-    fn hold(&mut self, end: End) {
-        let has_tag = match self.body.class(end.node) {
-            Some(Class::Standard(StandardBlock::Stateful(..))) => true,
-            _ => self.body.tags.results.contains_key(&end),
-        };
-        if has_tag || self.body.is_refused(end.node) || self.held.iter().any(|(held, _)| *held == end) {
-            return;
-        }
-        let tag = self.body.holder(end);
-        self.series(self.after[&end.node], [Block::coil(&tag)], end.node);
-        self.held.push((end, tag));
-    }
-
-    /// Coils on tags for power that leaves blocks of this network and goes on in others.
-    fn hold_what_goes_on(&mut self) {
-        for node in self.executed.clone() {
-            if let Some(output) = power_output(self.body, node) {
-                let end = End { node, output };
-                let mut guards = self.body.tags.guards.iter();
-                let is_guard = guards.any(|(user, guard)| *guard == end && !self.done.contains(user));
-                if is_guard || self.body.goes_on_from(end, &self.done) {
-                    self.hold(end);
-                }
-            }
-        }
-    }
-
-    /// The same of what conditions decided that are asked for again.
-    fn hold_what_was_decided(&mut self) {
-        let mut conditions: Vec<usize> = self.shown.iter().copied().collect();
-        conditions.retain(|node| self.body.class(*node).is_some_and(|class| !class.acts()));
-        conditions.sort_unstable();
-        for node in conditions {
-            let output = power_output(self.body, node).unwrap_or(0);
-            let end = End { node, output };
-            let Some(point) = self.ends.get(&(end, RAIL)).copied() else {
-                continue;
-            };
-            let has_tag = self.held.iter().any(|(held, _)| *held == end);
-            if !has_tag && self.body.is_asked_again(end, &self.done) {
-                let tag = self.body.helper("decided", "BOOL", "what a condition decided");
-                self.series(point, [Block::coil(&tag)], node);
-                self.held.push((end, tag));
-            }
-        }
     }
 }

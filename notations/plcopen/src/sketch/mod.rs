@@ -7,6 +7,7 @@ mod declare;
 mod draw;
 mod duration;
 mod enabled;
+mod feedback;
 mod initial;
 mod power;
 mod prepare;

@@ -165,7 +165,9 @@ impl Pencil<'_, '_> {
                 Ok(point)
             }
             Class::Gate(_) => {
-                if let Some(point) = self.inverted(node, 0, start)? {
+                let pin = self.body.graph.nodes[node].inputs.first();
+                let is_plain = pin.is_some_and(|pin| pin.modifier == Modifier::default());
+                if is_plain && let Some(point) = self.inverted(node, 0, start)? {
                     return Ok(point);
                 }
                 if let (true, Some(operand)) = (start != RAIL, self.body.tags.operands.get(&(node, 0))) {

@@ -1,6 +1,6 @@
 //! What must stand above a network: the blocks that its operands come from, and tags for power that is an operand.
 
-use super::blocks::{Class, is_enable, operand_pins, power_output, power_pins, result_output};
+use super::blocks::{Class, is_enable, is_enable_out, operand_pins, power_output, power_pins, result_output};
 use super::body::Body;
 use super::draw::Target;
 use crate::expression::{Form, Typed};
@@ -12,7 +12,7 @@ use ladder_instructions::Op;
 use std::collections::HashSet;
 
 /// The outputs that were seen, and whether their blocks may stand in the network itself.
-type Seen = HashSet<(End, bool)>;
+pub(super) type Seen = HashSet<(End, bool)>;
 
 impl Body<'_> {
     /// Writes what must stand above the network of an element.
@@ -96,7 +96,8 @@ impl Body<'_> {
         let is_not = self.class(node) == Some(Class::Gate(Gate::Not));
         let is_modified = self.graph.nodes[node].inputs[pin].modifier != Modifier::default();
         let is_kept = inline || self.tags.operands.contains_key(&(node, pin));
-        if is_kept || !(is_not || is_modified) || self.invertible(node, pin).is_some() {
+        let is_once = is_not != is_modified;
+        if is_kept || !(is_not || is_modified) || (is_once && self.invertible(node, pin).is_some()) {
             return;
         }
         if let Err(why) = self.direct(node, pin, seen) {
@@ -149,6 +150,10 @@ impl Body<'_> {
             Kind::Block { .. } => {
                 let Some(class) = self.class(node) else { return };
                 if !class.acts() {
+                    self.decide(node);
+                    if self.tags.results.contains_key(&end) {
+                        return;
+                    }
                     return self.prepare_condition(node, inline, seen);
                 }
                 if self.state.executed[node] {
@@ -200,6 +205,7 @@ impl Body<'_> {
                 self.direct(node, pin, seen)?;
             }
         }
+        self.enabled(node, seen);
         self.results_of(node, class)
     }
 
@@ -273,7 +279,10 @@ impl Body<'_> {
                     return Ok(());
                 };
                 let comment = format!("the result of {name}");
-                let tag = self.helper(&name.to_lowercase(), &ty, &comment);
+                let tag = match self.tags.holders.get(&end) {
+                    Some(tag) => tag.clone(),
+                    None => self.helper(&name.to_lowercase(), &ty, &comment),
+                };
                 self.begin_with_nothing(node, end, &tag)?;
                 // Without power at EN nothing is written.
                 if is_enabled {
@@ -295,7 +304,10 @@ impl Body<'_> {
         let operand = self.find_direct(node, pin, seen)?;
         self.tags.operands.insert((node, pin), operand.clone());
         for end in &self.graph.nodes[node].inputs[pin].from {
-            self.state.seen[end.node] = true;
+            // What feeds back has its turn after that.
+            if !self.graph.feedback.contains(&(node, *end)) {
+                self.state.seen[end.node] = true;
+            }
         }
         Ok(operand)
     }
@@ -358,8 +370,6 @@ impl Body<'_> {
         if !is_power {
             return Err("several values are wired to one pin, or one is inverted".to_owned());
         }
-        self.take_turns(node);
-        self.prepare_pin(node, pin, true, seen);
         let like = match &self.graph.nodes[node].kind {
             Kind::Block { name, instance, .. } => {
                 let name = instance.as_deref().unwrap_or(name).to_owned();
@@ -367,12 +377,24 @@ impl Body<'_> {
             }
             _ => "power".to_owned(),
         };
+        self.prepare_power(node, pin, seen);
         let tag = self.helper(&like, "BOOL", "what comes to a pin");
-        self.flush();
-        if !self.network(&[Target::Pin(node, pin, tag.clone())]) {
-            self.in_pieces(Target::Pin(node, pin, tag.clone()));
-        }
+        self.put_power(Target::Pin(node, pin, tag.clone()));
         Ok(Typed::of(tag, Some(Type::Named("BOOL".to_owned()))))
+    }
+
+    /// What must stand above the power at a pin.
+    pub(super) fn prepare_power(&mut self, node: usize, pin: usize, seen: &mut Seen) {
+        self.take_turns(node);
+        self.prepare_pin(node, pin, true, seen);
+    }
+
+    /// A network that puts power into a tag.
+    pub(super) fn put_power(&mut self, target: Target) {
+        self.flush();
+        if !self.network(std::slice::from_ref(&target)) {
+            self.in_pieces(target);
+        }
     }
 
     /// Whether an expression is all that a block computes, in the type of the one variable that takes it.
@@ -421,12 +443,16 @@ impl Body<'_> {
             .outputs
             .get(end.output)
             .map_or("", |output| output.name.as_str());
-        if let Some(tag) = self.tags.results.get(&end) {
+        let held = self.tags.results.get(&end);
+        if let Some(tag) = held.or_else(|| self.tags.holders.get(&end)) {
             return Ok(tag.clone());
         }
         let Kind::Block { name, .. } = &node.kind else {
             return Err("what feeds it has no result".to_owned());
         };
+        if matches!(self.class(end.node), Some(Class::Standard(_))) && is_enable_out(output) {
+            return Ok(Path::system("ON"));
+        }
         match (self.class(end.node), self.tags.instances.get(&end.node).cloned()) {
             (Some(Class::Standard(standard::StandardBlock::Stateful(mnemonic, ..))), Some(instance)) => {
                 let output = if output.is_empty() {

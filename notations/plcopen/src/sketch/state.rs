@@ -52,6 +52,8 @@ pub(super) struct Tags {
     pub(super) edges: HashMap<usize, Path>,
     /// The tags for power after blocks.
     pub(super) holders: HashMap<End, Path>,
+    /// Those of them for what is read in the scan after.
+    pub(super) fed_back: Vec<(End, Path)>,
     /// What else is written where a block has power: the variables that take its result.
     pub(super) moves: HashMap<usize, Vec<Block>>,
     /// The power with which variables take a result that was made above.

@@ -51,10 +51,16 @@ impl Body<'_> {
 
     /// The tags that an element reads by name, in small letters.
     pub(super) fn reads(&self, node: usize) -> Vec<String> {
-        match &self.graph.nodes[node].kind {
+        let mut all = match &self.graph.nodes[node].kind {
             Kind::Contact(text, _) | Kind::Value(text, _) => self.tags(text),
             _ => Vec::new(),
+        };
+        if !self.graph.feedback.is_empty() {
+            let ends = self.graph.nodes[node].inputs.iter().flat_map(|pin| &pin.from);
+            let back = ends.filter(|end| self.graph.feedback.contains(&(node, **end)));
+            all.extend(back.flat_map(|end| self.writes(end.node)));
         }
+        all
     }
 
     /// The tags that an element writes, and those that say which of them.
@@ -63,7 +69,9 @@ impl Body<'_> {
             Kind::Coil(text, ..) | Kind::Variable(text, _) => self.tags(text),
             Kind::Block { .. } => {
                 let instance = self.tags.instances.get(&node).into_iter();
-                instance.map(|tag| tag.root.to_lowercase()).collect()
+                let held = self.tags.fed_back.iter().filter(|(end, _)| end.node == node);
+                let tags = instance.chain(held.map(|(_, tag)| tag));
+                tags.map(|tag| tag.root.to_lowercase()).collect()
             }
             _ => Vec::new(),
         }
@@ -206,6 +214,15 @@ impl Body<'_> {
             }
         }
         false
+    }
+
+    /// Whether power or a value comes from a block to another pin of an element than this one.
+    pub(super) fn feeds_another(&self, block: usize, node: usize, pin: usize) -> bool {
+        let pins = self.graph.nodes[node].inputs.iter().enumerate();
+        let mut ends = pins
+            .filter(|(other, _)| *other != pin)
+            .flat_map(|(_, other)| &other.from);
+        ends.any(|end| end.node == block || self.is_fed_by(end.node, block))
     }
 
     /// Runs the blocks that feed an element, each in a network of its own.

@@ -45,7 +45,8 @@ pub(crate) fn short(body: &str) -> String {
         let id = words.next().expect("an element has a number");
         let rest: Vec<&str> = words.collect();
         let point = |from: &str| {
-            let connections: String = from.split(',').map(connection).collect();
+            let wires = from.split(',').filter(|wire| !wire.is_empty());
+            let connections: String = wires.map(connection).collect();
             format!("<connectionPointIn>{connections}</connectionPointIn>")
         };
         if kind == "block" {

@@ -5,6 +5,7 @@ mod corpus;
 mod elements;
 mod harness;
 mod oracle;
+mod pins;
 mod projects;
 mod ten;
 mod traces;

@@ -284,10 +284,31 @@ impl<'e> Generator<'e> {
         };
         let ordered = |id: &&String| self.elements[*id].order > 0;
         let written = roots(&["outVariable", "inOutVariable", "coil"]);
+        let written: Vec<&String> = written
+            .into_iter()
+            .filter(|id| !self.elements[*id].told.trim().is_empty())
+            .collect();
         let all: Vec<&String> = written.into_iter().chain(roots(&["block"])).collect();
         let mut first: Vec<&String> = all.iter().copied().filter(ordered).collect();
         first.sort_by_key(|id| self.elements[*id].order);
         let mut others: Vec<&String> = all.into_iter().filter(|id| !ordered(id)).collect();
+        // The one of OpenPLC 4 runs all functions by their places, and what takes their results after that.
+        let is_function =
+            |id: &str| self.elements[id].kind == "block" && self.elements[id].instance.is_none();
+        let mut waiting: Vec<&str> = first
+            .iter()
+            .chain(&others)
+            .map(|id| id.as_str())
+            .filter(|id| !is_function(id))
+            .collect();
+        let mut asked = HashSet::new();
+        while let Some(id) = waiting.pop() {
+            if asked.insert(id) {
+                let pins = self.elements.get(id).into_iter().flat_map(|it| &it.inputs);
+                waiting.extend(pins.flat_map(|pin| &pin.from).map(|(id, _)| id.as_str()));
+            }
+        }
+        others.retain(|id| !(is_function(id) && asked.contains(id.as_str())));
         others.sort_by(|one, other| {
             let (one, other) = (self.elements[*one].at, self.elements[*other].at);
             if (one.1 - other.1).abs() < 10 {
@@ -379,7 +400,7 @@ impl<'e> Generator<'e> {
     fn paths(&mut self, from: &'e [(String, String)], order: bool) -> Found<Vec<Option<Term>>> {
         self.depth += 1;
         if self.depth > 200 {
-            return Err("a loop".to_owned());
+            return Err(super::ENDLESS.to_owned());
         }
         let mut paths = Vec::new();
         for (id, output) in from {

@@ -23,6 +23,7 @@ impl Frame {
             unit: unit.to_lowercase(),
             ..Frame::default()
         };
+        frame.values.insert("eno".to_owned(), 1.0);
         let Some(known) = units.get(&frame.unit) else {
             let base = unit.split_once('_').map_or(unit, |(base, _)| base);
             return match base {
@@ -138,14 +139,16 @@ impl Frame {
                 }
                 Step::Compute(name, terms, to, enable) => {
                     let mut value = None;
+                    let terms: Vec<f64> = terms.iter().map(|term| self.term(term)).collect();
                     if let Some((enable, eno)) = enable {
                         let enable = self.term(enable);
                         self.set(eno, enable);
                         if enable == 0.0 {
                             value = Some(0.0);
                         }
+                    } else {
+                        self.set(&to.replace("_out", "_eno"), 1.0);
                     }
-                    let terms: Vec<f64> = terms.iter().map(|term| self.term(term)).collect();
                     let value = match value {
                         Some(value) => value,
                         None => function(name, &terms)?,

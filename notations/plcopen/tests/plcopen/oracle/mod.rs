@@ -3,6 +3,7 @@
 //!
 //! `LADDER_PLCOPEN_PROGRAMS` is how many drawings are tried.
 
+mod boxes;
 mod controls;
 mod drawing;
 mod generator;
@@ -124,6 +125,27 @@ fn random_drawings_do_what_the_generator_says() {
         first.join("\n"),
         different[0]
     );
+}
+
+/// A wire that comes back without a block between: the generator does not end.
+const ENDLESS: &str = "a loop";
+
+#[test]
+fn random_boxes_do_what_the_generator_says() {
+    let count = std::env::var("LADDER_PLCOPEN_PROGRAMS").ok();
+    let count: u64 = count.and_then(|count| count.parse().ok()).unwrap_or(400);
+    for seed in 0..count {
+        let mut dice = Dice(seed * 2 + 1);
+        let xml = boxes::project(&mut dice, seed % 3 > 0);
+        match difference(&xml, 30, &mut dice) {
+            Ok(None) => {}
+            Err(why) if why == ENDLESS => {}
+            // A function that takes its own result and may be off is approximated.
+            Ok(Some(_)) if text(&xml).contains("as it was here") => {}
+            Ok(Some(why)) => panic!("seed {seed}: {why}\n{xml}"),
+            Err(why) => panic!("seed {seed} cannot be compared: {why}\n{xml}"),
+        }
+    }
 }
 
 /// A program with one block, whose inputs are variables and values, and its output in a variable.
