@@ -1,6 +1,7 @@
 //! Declarations: types, variables, initial values.
 
 use super::initial::{initial_text, zero};
+use super::structured;
 use crate::along;
 use crate::expression::{Meaning, address_of, operand};
 use crate::graph::Kind;
@@ -229,6 +230,8 @@ pub(super) fn variables(
 ) -> Sections {
     let mut sections = Sections::default();
     let is_program = unit.kind == UnitKind::Program;
+    // A text sets them at the start of each call.
+    let begins_again = structured::text(unit).is_some();
     let mut seen = std::collections::HashSet::new();
     for variable in &unit.variables {
         let shown = format!("variable {}", variable.name);
@@ -282,7 +285,7 @@ pub(super) fn variables(
             Role::InOut if !is_program => SectionKind::VarInOut,
             _ => SectionKind::Var,
         };
-        if variable.role == Role::Temp {
+        if variable.role == Role::Temp && !begins_again {
             let why = "it keeps its value from one scan to the next here";
             reading.report.approximated(variable.place, &shown, why);
         }
@@ -304,7 +307,7 @@ pub(super) fn variables(
         }
     }
     let has_state = local(unit).any(|variable| matches!(variable.role, Role::Local | Role::Temp));
-    if unit.kind == UnitKind::Function && has_state {
+    if unit.kind == UnitKind::Function && has_state && !begins_again {
         let why = "its own variables keep their values from one call to the next here";
         reading
             .report

@@ -226,3 +226,73 @@ fn tasks_at_other_times() {
         "#]],
     );
 }
+
+#[test]
+fn variables_of_a_text_begin_again_at_each_call() {
+    let variables = "inputVars a : INT\nlocalVars sum : INT";
+    let function = unit(
+        "function",
+        "Twice",
+        variables,
+        "<ST><xhtml:p>sum := sum + a; Twice := sum + sum;</xhtml:p></ST>",
+    );
+    let function = function.replace("<interface>", "<interface><returnType><INT/></returnType>");
+    let block = unit(
+        "functionBlock",
+        "Last",
+        "inputVars a : INT\ntempVars t : INT\noutputVars y : INT",
+        "<ST><xhtml:p>t := t + a; y := t;</xhtml:p></ST>",
+    );
+    let main = program(
+        "n : INT\nl : Last",
+        "inVariable 1 n\nblock 2 Twice a=1 / OUT\nblock 3 Last l a=2.OUT / y\noutVariable 4 from=3.y n",
+    );
+    check(
+        &project("", &(function + &block + &main), ""),
+        expect![[r#"
+        FUNCTION_BLOCK [$Twice]
+        VAR_INPUT
+            a : INT := 0;
+        END_VAR
+        VAR
+            sum : INT;
+        END_VAR
+        VAR_OUTPUT
+            Twice : INT;  # what the function returns #
+        END_VAR
+
+        +-------------------------------------------------------------[MOV]( sum, 0 )--+
+        +------------------------------------------------------[CALC]( sum, sum + a )--+
+        +--------------------------------------------------[CALC]( Twice, sum + sum )--+
+        END_FUNCTION_BLOCK
+
+        FUNCTION_BLOCK [$Last]
+        VAR_INPUT
+            a : INT := 0;
+        END_VAR
+        VAR
+            t : INT;
+        END_VAR
+        VAR_OUTPUT
+            y : INT;
+        END_VAR
+
+        +---------------------------------------------------------------[MOV]( t, 0 )--+
+        +----------------------------------------------------------[CALC]( t, t + a )--+
+        +---------------------------------------------------------------[MOV]( y, t )--+
+        END_FUNCTION_BLOCK
+
+        VAR
+            n     : INT;
+            l     : $Last;
+            twice : INT;  # the result of Twice #
+        END_VAR
+
+        +------------------------------------------[$Twice]( a := n, Twice => twice )--+
+
+        +----------------------------------------------------[$Last]( l, a := twice )--+
+
+        +-------------------------------------------------------------[MOV]( n, l.y )--+
+    "#]],
+    );
+}
