@@ -3,8 +3,8 @@
 
 use crate::calls::called;
 use crate::mnemonic::Role;
-use crate::model::{Project, Usage};
-use crate::operand::Expr;
+use crate::model::{Aoi, Project, Tag, Usage};
+use crate::operand::{Expr, Step};
 use crate::scope::Tags;
 use crate::types::Ty;
 use crate::unit::{Owner, operand, units};
@@ -12,6 +12,9 @@ use std::collections::{HashMap, HashSet};
 
 /// Parts of Add-On Instructions call others no deeper.
 const DEEPEST: usize = 16;
+
+/// An Add-On Instruction is no more blocks.
+const MOST_SIZES: usize = 64;
 
 /// The sizes of the parameters that are arrays, by their numbers.
 type Sizes = Vec<(usize, Vec<u32>)>;
@@ -21,30 +24,42 @@ struct Call {
     aoi: usize,
     /// What declares the instance: a scope, and a name in capitals.
     instance: (usize, String),
+    /// The instance is a member of a structure, whose type stays.
+    is_member: bool,
     sizes: Sizes,
 }
 
 /// Gives all such parameters the sizes of what is handed over.
 pub(crate) fn size_in_outs(project: &mut Project) {
-    let mut parameters = project.aois.iter().flat_map(|aoi| &aoi.parameters);
-    if !parameters.any(|tag| tag.usage == Usage::InOut && !tag.dimensions.is_empty()) {
+    let has_arrays = |aoi: &Aoi| aoi.parameters.iter().any(is_array);
+    if !project.aois.iter().any(has_arrays) {
         return;
     }
     // What programs hand over is known first, then what those that they call hand on.
-    for level in levels(project) {
+    for mut level in levels(project) {
+        level.retain(|aoi| has_arrays(&project.aois[*aoi]));
+        if level.is_empty() {
+            continue;
+        }
         let calls = calls(project, &level);
         apply(project, calls);
     }
 }
 
+/// Whether a parameter is an array that is handed over.
+fn is_array(tag: &Tag) -> bool {
+    tag.usage == Usage::InOut && !tag.dimensions.is_empty()
+}
+
+/// The Add-On Instructions by their names in capitals.
+fn by_name(project: &Project) -> HashMap<String, usize> {
+    let names = project.aois.iter().map(|aoi| aoi.name.to_ascii_uppercase());
+    names.enumerate().map(|(number, name)| (name, number)).collect()
+}
+
 /// The Add-On Instructions that are called from programs alone, then those that these call, and so on.
 fn levels(project: &Project) -> Vec<HashSet<usize>> {
-    let by_name: HashMap<String, usize> = project
-        .aois
-        .iter()
-        .enumerate()
-        .map(|(number, aoi)| (aoi.name.to_ascii_uppercase(), number))
-        .collect();
+    let by_name = by_name(project);
     let mut callers: Vec<HashSet<usize>> = vec![HashSet::new(); project.aois.len()];
     for unit in units(project) {
         let Owner::Aoi(caller) = unit.owner else { continue };
@@ -72,11 +87,11 @@ fn levels(project: &Project) -> Vec<HashSet<usize>> {
 /// The calls of some Add-On Instructions with what they hand over.
 fn calls(project: &Project, of: &HashSet<usize>) -> Vec<Call> {
     let mut tags = Tags::of(project);
+    let by_name = by_name(project);
     let mut calls = Vec::new();
     for unit in units(project) {
         for (name, operands) in called(&unit) {
-            let mut all = project.aois.iter();
-            let aoi = all.position(|aoi| aoi.name.eq_ignore_ascii_case(&name));
+            let aoi = by_name.get(&name.to_ascii_uppercase()).copied();
             let Some(aoi) = aoi.filter(|aoi| of.contains(aoi)) else {
                 continue;
             };
@@ -88,14 +103,19 @@ fn calls(project: &Project, of: &HashSet<usize>) -> Vec<Call> {
                 Some((instance, rest)) => (path(instance), rest),
                 None => continue,
             };
-            let Some(instance) = instance.and_then(|path| tags.declared_as(unit.scope, &path.root)) else {
+            let Some(instance) = instance else { continue };
+            let is_member = instance.steps.iter().any(|step| matches!(step, Step::Member(_)));
+            let Some((scope, mut name)) = tags.declared_as(unit.scope, &instance.root) else {
                 continue;
             };
+            if is_member {
+                name = operands[0].to_ascii_uppercase();
+            }
             let parameters = project.aois[aoi].parameters.iter().enumerate();
             let given = parameters.filter(|(_, tag)| tag.is_given());
             let mut sizes = Sizes::new();
             for ((number, tag), text) in given.zip(rest) {
-                if tag.usage != Usage::InOut || tag.dimensions.is_empty() {
+                if !is_array(tag) {
                     continue;
                 }
                 let whole = text.strip_suffix("[0]").unwrap_or(text);
@@ -106,16 +126,24 @@ fn calls(project: &Project, of: &HashSet<usize>) -> Vec<Call> {
                     sizes.push((number, own));
                 }
             }
-            calls.push(Call { aoi, instance, sizes });
+            let instance = (scope, name);
+            calls.push(Call {
+                aoi,
+                instance,
+                is_member,
+                sizes,
+            });
         }
     }
+    // The types of members stay: the instruction itself gets what they need.
+    calls.sort_by_key(|call| !call.is_member);
     calls
 }
 
 /// The first sizes become those of the instruction itself; others those of a copy, which is the type of the instance.
 fn apply(project: &mut Project, calls: Vec<Call>) {
     let mut known: HashMap<(usize, Sizes), usize> = HashMap::new();
-    let mut first: HashSet<usize> = HashSet::new();
+    let mut counts: HashMap<usize, usize> = HashMap::new();
     let mut placed: HashMap<(usize, String), usize> = HashMap::new();
     for call in calls {
         if call.sizes.is_empty() || placed.contains_key(&call.instance) {
@@ -125,10 +153,13 @@ fn apply(project: &mut Project, calls: Vec<Call>) {
         let own = match known.get(&key) {
             Some(own) => *own,
             None => {
-                let own = if first.insert(call.aoi) {
-                    call.aoi
-                } else {
-                    copy(project, call.aoi, &key.1)
+                let count = counts.entry(call.aoi).or_insert(0usize);
+                *count += 1;
+                let own = match *count {
+                    1 => call.aoi,
+                    // The calls with further sizes are not read.
+                    count if count > MOST_SIZES => continue,
+                    _ => copy(project, call.aoi, &key.1),
                 };
                 for (number, sizes) in &key.1 {
                     project.aois[own].parameters[*number].dimensions.clone_from(sizes);
@@ -174,7 +205,6 @@ fn retype(project: &mut Project, (scope, name): &(usize, String), from: usize, t
         scope => &mut project.aois[scope - 1 - programs].locals,
     };
     for tag in tags.iter_mut().filter(|tag| tag.name.eq_ignore_ascii_case(name)) {
-        // One that is a member of a structure keeps its type: its calls are not read.
         if tag.ty.eq_ignore_ascii_case(&from) {
             tag.ty.clone_from(&to);
         }

@@ -71,7 +71,8 @@ impl<'p> Translator<'p> {
         };
         let writes = match op {
             // What the routine does.
-            Some(Op::Jsr | Op::For) => None,
+            Some(Op::Jsr) => self.writes_of_routine(it),
+            Some(Op::For) => None,
             _ => self.writes(self.scope(), it),
         };
         let mut text = match self.project.family {
@@ -173,6 +174,22 @@ impl<'p> Translator<'p> {
         for root in words.into_iter().flat_map(|word| word.split(':').chain([word])) {
             names.extend(self.tags.written(scope, &Path::tag(root))?);
         }
+        Some(names.into_iter().collect())
+    }
+
+    /// What a call of a routine may write that is not read.
+    fn writes_of_routine(&mut self, it: &Instruction<'_>) -> Option<Vec<String>> {
+        let scope = self.scope();
+        let program = self.project.programs.get(scope.checked_sub(1)?)?;
+        let called = it.operands.first()?;
+        let mut routines = program.routines.iter();
+        let routine = routines.find(|routine| routine.name.eq_ignore_ascii_case(called))?;
+        let foreign = routine.foreign.as_ref()?;
+        if foreign.language == Language::Protected {
+            return None;
+        }
+        let inside = self.writes_of_text(scope, &foreign.text)?;
+        let names: BTreeSet<String> = inside.into_iter().chain(self.writes(scope, it)?).collect();
         Some(names.into_iter().collect())
     }
 

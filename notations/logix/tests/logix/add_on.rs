@@ -165,6 +165,35 @@ fn parameters_named_like_those_of_ladder_text() {
 }
 
 #[test]
+fn an_instance_in_a_structure_gets_the_size_that_it_needs() {
+    let pick = definition(
+        "Pick",
+        &[("tab", "DINT[1]", IN_OUT), ("y", "DINT", OUT)],
+        "",
+        &["SIZE(tab,0,y);"],
+    );
+    let types = "<DataTypes><DataType Name=\"Line\"><Members><Member Name=\"pick\" DataType=\"Pick\" Dimension=\"0\"/>\
+                 <Member Name=\"all\" DataType=\"DINT\" Dimension=\"7\"/></Members></DataType></DataTypes>\n";
+    let before = format!("{types}<AddOnInstructionDefinitions>\n{pick}</AddOnInstructionDefinitions>\n");
+    let file = whole(
+        &before,
+        &[
+            ("a", "Pick", ""),
+            ("line", "Line", ""),
+            ("four", "DINT[4]", ""),
+            ("x", "DINT", ""),
+            ("y", "DINT", ""),
+        ],
+        &[("Main", &["Pick(a,four,x);", "Pick(line.pick,line.all,y);"])],
+    );
+    let text = converted(&L5x, file.as_bytes()).written.text;
+    expect![[r#"
+        x,y
+        4,7"#]]
+    .assert_eq(&trace(&text, "", 1, "x,y"));
+}
+
+#[test]
 fn arrays_of_any_size() {
     let sum = definition(
         "Pick",
