@@ -410,6 +410,19 @@ impl Types {
         }
     }
 
+    /// Whether an instance of an Add-On Instruction is in a value: such a value is not moved.
+    pub(crate) fn holds_instance(&self, ty: &Ty, depth: usize) -> bool {
+        match ty {
+            Ty::Elem(_) => false,
+            Ty::Aoi(_) => true,
+            Ty::Array(of, _) => self.holds_instance(of, depth),
+            Ty::Structure(index) => {
+                let mut fields = self.all[*index].members.iter();
+                depth > 40 || fields.any(|field| self.holds_instance(&field.ty, depth + 1))
+            }
+        }
+    }
+
     /// Notes that a declared tag has a type.
     pub(crate) fn keep(&mut self, ty: &Ty) {
         match ty {

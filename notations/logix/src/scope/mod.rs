@@ -85,6 +85,9 @@ struct Scope {
     own_names: Option<Names>,
 }
 
+/// What the comment of a constant says whose parts are all 0.
+pub(crate) const CLEARED: &str = "helper: all of it is 0";
+
 /// The scope of the controller; the programs' follow, after them those of the Add-On Instructions.
 pub(crate) const CONTROLLER: usize = 0;
 
@@ -281,6 +284,30 @@ impl Tags {
             .entry(name.to_ascii_uppercase())
             .or_insert(Entry::Symbol(number));
         program::Path::tag(name)
+    }
+
+    /// A constant whose parts are all 0. None: a part of the type is an instance.
+    pub(crate) fn cleared(&mut self, scope: usize, ty: &Ty) -> Option<program::Path> {
+        if self.types.holds_instance(ty, 0) {
+            return None;
+        }
+        let known = self.symbols.iter().find(|symbol| {
+            symbol.kind == Kind::Constant
+                && symbol.comment.as_deref() == Some(CLEARED)
+                && symbol.ty == *ty
+                && symbol.scope == scope
+        });
+        if let Some(known) = known {
+            return Some(program::Path::tag(&known.name));
+        }
+        let name = self.fresh(scope, "cleared");
+        self.symbols.push(Symbol {
+            name: name.clone(),
+            kind: Kind::Constant,
+            comment: Some(CLEARED.to_owned()),
+            ..Symbol::new(scope, "", ty.clone())
+        });
+        Some(program::Path::tag(name))
     }
 
     /// What an operand is known as, in a scope or one around it.

@@ -142,14 +142,23 @@ impl Translator<'_> {
                 // The usual way to clear one.
                 Some(Elem::String(_)) if length == 1 && is_zero => self.moved(&empty, &to),
                 Some(elem) if length == 1 && (elem.is_integer() || elem.is_real()) => self.moved(&from, &to),
+                None if length == 1 && is_zero => {
+                    let cleared = self.cleared(&to.ty)?;
+                    self.put(Op::Mov, &to.path, cleared)
+                }
                 _ => Err(format!(
                     "`{}` is no array of one dimension with a constant index",
                     operands[1]
                 )),
             };
         };
+        let last = to.first + i64::from(length.min(to.left)) - 1;
         let Ty::Elem(elem) = to.ty else {
-            return Err(format!("`{}` has no elementary elements", to.array));
+            if !is_zero {
+                return Err(format!("`{}` has no elementary elements", to.array));
+            }
+            let cleared = self.cleared(&to.ty)?;
+            return self.put(Op::Fill, &to.array.range(to.first, last), cleared);
         };
         let (value, own) = match elem {
             Elem::String(_) if is_zero => self.value(&empty, elem)?,
@@ -159,8 +168,13 @@ impl Translator<'_> {
         if own.is_some_and(|own| own != elem) {
             return Err(different(&value, &to.array));
         }
-        let last = to.first + i64::from(length.min(to.left)) - 1;
         self.put(Op::Fill, &to.array.range(to.first, last), value)
+    }
+
+    /// A constant of a type whose parts are all 0.
+    fn cleared(&mut self, ty: &Ty) -> Result<Path> {
+        let cleared = self.tags.cleared(self.scope, ty);
+        cleared.ok_or_else(|| "an instance of an Add-On Instruction is not cleared here".to_owned())
     }
 
     /// A block on a whole array. `kinds` says of each further operand what it is: a place (`P`), a value of the elements' type

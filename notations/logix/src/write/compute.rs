@@ -8,6 +8,7 @@ use ladder_analysis::program::{Argument, BinaryOperator, Block, Bound, Expr, Exp
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
+use ladder_syntax::Name;
 
 /// Whether it is the text without characters, which is zeros there.
 fn is_empty_text(value: &Expr) -> bool {
@@ -296,8 +297,33 @@ impl Writer<'_> {
         if written.contains("..") {
             return Err("it has no counterpart there".to_owned());
         }
-        let (to, from) = (self.path(&written)?, self.path(&source)?);
+        let to = self.path(&written)?;
+        if self.is_cleared(from) {
+            return Ok(vec![it("FLL", &["0", &to, "1"])]);
+        }
+        let from = self.path(&source)?;
         Ok(vec![it("COP", &[&from, &to, "1"])])
+    }
+
+    /// Structures that are cleared, `all[0..4]`.
+    fn cleared(&mut self, to: &Bound) -> Result<Series> {
+        let written = self.source(to.range).trim().to_owned();
+        let range = written.strip_suffix(']').and_then(|text| text.rsplit_once('['));
+        let numbers = range.and_then(|(array, range)| {
+            let (first, last) = range.split_once("..").unwrap_or((range, range));
+            let number = |text: &str| text.trim().parse::<i64>().ok();
+            Some((array, number(first)?, number(last)?))
+        });
+        let (array, first, last) = numbers.ok_or("it has no counterpart there")?;
+        let (array, length) = (self.path(array)?, last.saturating_sub(first).saturating_add(1));
+        let begin = format!("{array}[{first}]");
+        Ok(vec![it("FLL", &["0", &begin, &length.to_string()])])
+    }
+
+    /// Whether it is a constant that the reader made to clear a structure.
+    fn is_cleared(&self, bound: &Bound) -> bool {
+        let name = Name::new(self.source(bound.range).trim());
+        self.facts.cleared.contains(&name)
     }
 
     /// `[BMOV]` and `[FILL]`
@@ -305,6 +331,9 @@ impl Writer<'_> {
         let [to, from] = &block.arguments[..] else {
             return Err("it has no counterpart there".to_owned());
         };
+        if op == Op::Fill && self.is_cleared(from) {
+            return self.cleared(to);
+        }
         let (array, first, last) = self.range(to)?;
         if op == Op::Fill {
             let Argument::Value(value) = &from.argument else {

@@ -75,6 +75,8 @@ struct Facts {
     /// Those that are not needed, and what is in the place of them.
     absorbed: HashMap<TagId, Option<String>>,
     absorbed_names: HashSet<Name>,
+    /// The constants whose parts are all 0.
+    cleared: HashSet<Name>,
     /// The bits with which routines end the loop that calls them.
     leaves: HashSet<TagId>,
     /// For each instruction with a loop the first network of that, by where it is.

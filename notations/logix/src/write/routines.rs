@@ -5,6 +5,7 @@ use super::native::Known;
 use super::rung::{Piece, Series, it, text};
 use super::{Result, Scope, Writer};
 use crate::model::{Program, Project, Routine, Rung};
+use crate::scope::CLEARED;
 use ladder_analysis::program::{Argument, BlockKind, Network};
 use ladder_instructions::Op;
 use ladder_notation::{Unwritable, comments};
@@ -228,6 +229,11 @@ impl Writer<'_> {
             return;
         }
         let told = self.comments();
+        let cleared = told.iter().filter(|(_, text)| *text == CLEARED);
+        self.facts.cleared = cleared.map(|((_, name), _)| name.clone()).collect();
+        self.facts
+            .absorbed_names
+            .extend(self.facts.cleared.iter().cloned());
         for (number, tag) in self.input.program.tags.iter().enumerate() {
             let block = tag
                 .block

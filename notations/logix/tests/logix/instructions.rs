@@ -116,6 +116,35 @@ fn integers_are_compared_with_reals_as_reals() {
 }
 
 #[test]
+fn structures_are_cleared() {
+    let types = "<DataTypes><DataType Name=\"Line\"><Members><Member Name=\"n\" DataType=\"DINT\" Dimension=\"0\"/>\
+                 <Member Name=\"t\" DataType=\"TIMER\" Dimension=\"0\"/></Members></DataType></DataTypes>\n";
+    let one = "<Structure DataType=\"Line\"><DataValueMember Name=\"n\" DataType=\"DINT\" Value=\"7\"/></Structure>";
+    let file = whole(
+        types,
+        &[
+            ("d", "Line", one),
+            ("e", "Line", one),
+            ("all", "Line[4]", ""),
+            ("i", "DINT", "3"),
+        ],
+        &[(
+            "Main",
+            &[
+                "MOV(5,all[1].n)MOV(5,all[2].n)MOV(5,all[i].n)MOV(9,e.t.PRE);",
+                "FLL(0,d,1)FLL(0,all[0],2)FLL(0,all[i],1)FLL(0,e.t,1);",
+            ],
+        )],
+    );
+    let text = converted(&L5x, file.as_bytes()).written.text;
+    expect![[r#"
+        d.n,all[1].n,all[2].n,all[3].n,e.n,e.t.PRE
+        0,0,5,0,7,0"#]]
+    .assert_eq(&trace(&text, "", 1, "d.n,all[1].n,all[2].n,all[3].n,e.n,e.t.PRE"));
+    comes_back(&text);
+}
+
+#[test]
 fn a_text_is_cut_at_its_length() {
     check(
         &[
