@@ -9,6 +9,7 @@ mod files;
 mod instructions;
 mod loops;
 mod opened;
+mod operands;
 mod oracle;
 mod projects;
 mod run;
