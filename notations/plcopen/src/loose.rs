@@ -1,10 +1,10 @@
 //! What stands in a drawing and connects nothing: editors draw a box for a variable at every pin of a block, and the pin EN, also where
 //! nobody fills them in.
 
-use crate::graph::{Graph, Kind, Node};
+use crate::graph::{Graph, Kind, Modifier, Node};
 
 impl Graph {
-    /// Takes out variables without a name, and every EN that nothing is wired to: such a block runs in every scan.
+    /// Takes out variables without a name, what is done to power at pins that nothing is wired to, and every EN that nothing is wired to: such a block runs in every scan.
     pub(crate) fn without_loose(&mut self) {
         let is_blank = |node: &Node| match &node.kind {
             Kind::Value(text, _) | Kind::Variable(text, _) => text.trim().is_empty(),
@@ -31,6 +31,10 @@ impl Graph {
                     }
                     None => false,
                 });
+                // A generator passes over it: what would come there is not inverted.
+                if pin.from.is_empty() {
+                    pin.modifier = Modifier::default();
+                }
             }
             if matches!(node.kind, Kind::Block { .. }) {
                 node.inputs

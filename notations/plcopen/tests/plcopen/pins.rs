@@ -143,6 +143,23 @@ fn enable_out_of_a_block_with_a_state_is_what_came_to_its_enable() {
 }
 
 #[test]
+fn a_negated_pin_that_nothing_is_wired_to_is_off() {
+    check_body(
+        "q : BOOL\nt : TON",
+        "inVariable 1 T#1s\nblock 2 TON t IN!negated= PT=1 / Q ET\noutVariable 3 from=2.Q q",
+        expect![[r#"
+            VAR
+                q : BOOL;
+                t : TON;
+            END_VAR
+
+            +--[ ]( SYS.OFF )----------------------------------[TON]( t, T#1s )--( )( q )--+
+            approximated TON t: nothing is wired to it: no power comes there
+        "#]],
+    );
+}
+
+#[test]
 fn of_boxes_in_a_chain_each_writes_before_the_next_reads() {
     check_field(
         "plcopen_chain_writes_too_late/prog.xml",
