@@ -2,13 +2,14 @@
 
 use super::Resolver;
 use super::numbers::{Numbers, Unit};
+use super::path::{Part, linear, no_array};
 use crate::names::context::Context;
 use crate::program::{
-    Argument, Chosen, ColumnOf, Disagreement, Instance, ParameterKind, Place, Program, Tag, TagId,
+    Argument, Chosen, ColumnOf, Disagreement, Expr, Instance, ParameterKind, Place, Program, Tag, TagId,
 };
 use crate::rules::{constant_write, type_mismatch, unknown_member};
 use crate::values::types::{Scalar, Type};
-use crate::written::facts::{Node, Word};
+use crate::written::facts::{Node, NodeKind, Word};
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
 
@@ -19,30 +20,53 @@ const MOST_TAGS: usize = 1_000_000;
 pub(super) type Insides = FxHashMap<(TagId, Name), TagId>;
 
 impl Resolver<'_, '_> {
-    /// An input or output of a block by the tag of its state.
-    pub(super) fn instance_member(
+    /// The innermost tag of a block's state that a path goes into, with the block and the word after it.
+    pub(super) fn instance_of<'n>(&self, node: &'n Node) -> Option<(&'n Node, String, &'n Word)> {
+        let ty = |base: &Node| {
+            let found = self.part_type(base).filter(|(_, given)| *given == 0);
+            found.map(|(ty, _)| ty)
+        };
+        Context::into_instance(node, ty)
+    }
+
+    /// An input or output of a block by the tag of its state, or a part of one: `m1.running`, `m1.drive.speeds[2]`.
+    pub(super) fn instance_part(
         &mut self,
-        base: &Node,
-        block: &str,
+        (instance, block, word): &(&Node, String, &Word),
         whole: &Node,
-        word: &Word,
     ) -> Option<(Place, Scalar)> {
+        let mut indices = Vec::new();
+        let mut name = self.inside_name(instance, whole, &mut indices)?;
+        if matches!(whole.kind, NodeKind::Index(..)) && name.contains('.') {
+            name.push_str("[]");
+        }
         let Some((ty, _)) = self.part_type(whole) else {
-            self.report(unknown_member::of_instance(block, word, self.at(word.range)));
+            let found = match &whole.kind {
+                NodeKind::Member(base, last) if self.context.block_parameter(block, &word.text).is_some() => {
+                    let (ty, _) = self.part_type(base)?;
+                    unknown_member::of_part(&ty, last, self.at(last.range))
+                }
+                _ => unknown_member::of_instance(block, word, self.at(word.range)),
+            };
+            self.report(found);
             return None;
         };
         let Some(scalar) = ty.scalar() else {
-            let message = format!(
-                "`{}` is {ty}: as a whole it is not read from outside yet",
-                word.text
-            );
+            let message = format!("`{name}` is {ty}: as a whole it is not read from outside yet");
             self.report(type_mismatch::wrong(self.at(word.range), message));
             return None;
         };
+        let range = self.at(whole.range);
         let insides = self.lowering.map(|lowering| lowering.insides);
-        let key = Name::new(&word.text);
+        let key = Name::new(&name);
         let inside = |tag: TagId| insides.and_then(|insides| insides.get(&(tag, key.clone())).copied());
-        let place = match self.state(base)? {
+        let place = match self.state(instance)? {
+            Argument::ChosenState(_) if !indices.is_empty() => {
+                let message =
+                    format!("an element of `{name}` of one of several blocks is not read from outside yet");
+                self.report(type_mismatch::wrong(range, message));
+                return None;
+            }
             Argument::ChosenState(chosen) => {
                 let first = inside(chosen.first).unwrap_or(chosen.first);
                 let second = inside(TagId(chosen.first.0.wrapping_add(1))).filter(|_| chosen.count > 1);
@@ -54,20 +78,63 @@ impl Resolver<'_, '_> {
             }
             state => {
                 let tag = state.root()?;
-                Place::Tag(inside(tag).unwrap_or(tag))
+                let tag = inside(tag).unwrap_or(tag);
+                if indices.is_empty() {
+                    Place::Tag(tag)
+                } else {
+                    let part = Part {
+                        tag: 0,
+                        ty,
+                        given: 0,
+                        column: 0,
+                        indices,
+                    };
+                    Place::Element(tag, Box::new(linear(&part, &[], range)))
+                }
             }
         };
         Some((place, scalar))
     }
 
+    /// What the body calls a part of its parameter, as tags are named that hold the members of a structure (`drive.running`,
+    /// `cells[].on`). The indices on the way are added.
+    fn inside_name(
+        &mut self,
+        instance: &Node,
+        node: &Node,
+        indices: &mut Vec<(Expr, (i64, i64))>,
+    ) -> Option<String> {
+        if std::ptr::eq(instance, node) {
+            return Some(String::new());
+        }
+        match &node.kind {
+            NodeKind::Paren(inner) => self.inside_name(instance, inner, indices),
+            NodeKind::Member(base, word) => {
+                let mut name = self.inside_name(instance, base, indices)?;
+                if !name.is_empty() {
+                    let is_element = matches!(base.kind, NodeKind::Index(..));
+                    name.push_str(if is_element { "[]." } else { "." });
+                }
+                Some(name + &word.text)
+            }
+            NodeKind::Index(base, index) => {
+                let name = self.inside_name(instance, base, indices)?;
+                let (ty, given) = self.part_type(base)?;
+                let Some((dimensions, _)) = ty.array() else {
+                    self.report(no_array(ty, self.text_of(base), self.at(base.range)));
+                    return None;
+                };
+                let bounds = dimensions[given];
+                indices.push((self.subscript(base, index, bounds)?, bounds));
+                Some(name)
+            }
+            _ => None,
+        }
+    }
+
     /// Reports a place in the state of a block that the block alone writes: anything but an input.
     pub(super) fn is_written_by_block(&mut self, node: &Node) -> bool {
-        let ty = |base: &Node| {
-            self.part_type(base)
-                .filter(|(_, given)| *given == 0)
-                .map(|(ty, _)| ty)
-        };
-        let Some((_, block, word)) = Context::into_instance(node, ty) else {
+        let Some((_, block, word)) = self.instance_of(node) else {
             return false;
         };
         let parameter = self.context.block_parameter(&block, &word.text);

@@ -150,13 +150,11 @@ impl Resolver<'_, '_> {
                     let (place, ty) = self.part_place(base)?;
                     return self.bit(place, ty, word);
                 }
-                Type::Compound(id) => {
-                    if let Some(block) = id.block() {
-                        return self.instance_member(base, &block, node, word);
-                    }
-                }
-                Type::Array { .. } => {}
+                Type::Compound(_) | Type::Array { .. } => {}
             }
+        }
+        if let Some(instance) = self.instance_of(node) {
+            return self.instance_part(&instance, node);
         }
         if let NodeKind::Range(..) = node.kind {
             let message = "a range does not fit here: name one element";

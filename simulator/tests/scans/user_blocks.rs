@@ -266,3 +266,36 @@ fn a_fault_in_an_operand_keeps_the_body_from_running() {
         ("1".into(), "1".into())
     );
 }
+
+#[test]
+fn parts_of_outputs_are_read_by_the_name_of_the_state() {
+    check(
+        "TYPE\nValve : STRUCT\nx : INT;\nEND_STRUCT;\n\
+         Drive : STRUCT\nrun : BOOL;\nlist : ARRAY[1..3] OF INT;\nvalve : Valve;\nEND_STRUCT;\nEND_TYPE\n\
+         FUNCTION_BLOCK [$Group]\n\
+         VAR_INPUT start : BOOL; END_VAR\n\
+         VAR_OUTPUT drive : Drive; many : ARRAY[0..1] OF Drive; flat : ARRAY[0..4] OF INT; ok : BOOL; END_VAR\n\
+         +--[ ]( start )--( )( drive.run )--( )( ok )--+\n\
+         +--[ADD]( drive.list[2], drive.list[2], 1 )--[MOV]( many[1].list[3], 7 )--+\n\
+         +--[MOV]( flat[3], 9 )--[MOV]( drive.valve.x, 4 )--+\n\
+         END_FUNCTION_BLOCK\n\
+         VAR_INPUT go : BOOL; END_VAR\n\
+         VAR g : ARRAY[1..3] OF $Group; one : $Group; k : INT := 3; a, b, c, d, e : INT; y, z : BOOL; END_VAR\n\
+         +--[$Group]( g[2], start := go )--[$Group]( one, start := go )--+\n\
+         +--[MOV]( a, one.drive.list[2] )--[MOV]( b, g[2].many[1].list[k] )--[MOV]( c, one.flat[k] )--+\n\
+         +--[MOV]( d, g[k - 1].drive.valve.x )--[ADD]( e, one.drive.valve.x, g[2].flat[3] )--+\n\
+         +--\\--[ ]( g[k - 1].drive.run )--( )( y )--\\--+\n\
+         |  /--[ ]( g[2].ok )-------------( )( z )--/  |\n",
+        "go _-_",
+        "a b c d e y z",
+        expect![[r#"
+            a  1 2 3
+            b  7 7 7
+            c  9 9 9
+            d  4 4 4
+            e  13 13 13
+            y  _-_
+            z  _-_
+        "#]],
+    );
+}
