@@ -5,7 +5,7 @@ import type { TextDocument } from 'vscode';
 export const CLICK = 'ladder-click';
 
 /** Endings that no other files have. */
-const ENDINGS = ['iot', 'l5k', 'l5x', 'rung', 's7dcl', 'slc', 'tcpou'];
+const ENDINGS = ['iot', 'l5k', 'l5x', 'rung', 's7dcl', 'scl', 'slc', 'tcpou'];
 const ENDING = new RegExp(`\\.(?:${ENDINGS.join('|')})$`, 'i');
 
 /** A pattern for files of an ending, in capitals or not. */

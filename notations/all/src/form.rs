@@ -5,7 +5,7 @@ use std::fmt;
 use std::path::Path;
 
 /// What a program is written in.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Form {
     /// This project's own text.
     Ladder,

@@ -47,6 +47,8 @@ pub const NOTATIONS: &[&dyn Notation] = &[
     &ladder_notation_simatic::Simatic,
     #[cfg(feature = "simatic")]
     &ladder_notation_simatic::SimaticMl,
+    #[cfg(feature = "simatic")]
+    &ladder_notation_simatic::SimaticScl,
     #[cfg(feature = "twincat")]
     &ladder_notation_twincat::TwinCat,
     #[cfg(feature = "c")]

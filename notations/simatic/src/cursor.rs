@@ -90,6 +90,8 @@ impl<'t> Cursor<'t> {
                 rest.find("*)").map_or(rest.len(), |end| end + 2)
             } else if rest.starts_with("(/*") {
                 rest.find("*/)").map_or(rest.len(), |end| end + 3)
+            } else if rest.starts_with("/*") {
+                rest.find("*/").map_or(rest.len(), |end| end + 2)
             } else {
                 return;
             };

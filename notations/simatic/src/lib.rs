@@ -1,7 +1,7 @@
 //! Blocks of SIMATIC controllers as ladder text, and back: source documents (`.s7dcl` with `.s7res`) and SimaticML (`.xml`).
 //!
 //! ```text
-//! .s7dcl --read--> Unit: declarations, and networks as wires between points
+//! .s7dcl, .scl --read--> Unit: declarations, and networks as wires between points, or as text
 //! .xml ---xml--->    |
 //!                    '--sketch--> sketch of a ladder program, report, findings
 //! program ------write--> Unit: the program as a function block, and what it uses
@@ -23,7 +23,7 @@ mod xml;
 
 use ladder_analysis::Analysis;
 use ladder_notation::{Notation, ReadError, Reading, Source, Target, WriteError, Writing, text_of};
-use model::Unit;
+use model::{Kind, Unit};
 use read::resource::Texts;
 use scope::Library;
 use write::Made;
@@ -38,6 +38,10 @@ pub struct Simatic;
 /// SimaticML.
 #[derive(Debug)]
 pub struct SimaticMl;
+
+/// Sources in SCL.
+#[derive(Debug)]
+pub struct SimaticScl;
 
 /// The first lines of a file.
 fn head(bytes: &[u8]) -> String {
@@ -216,5 +220,67 @@ impl Notation for SimaticMl {
 
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
         written(analysis, write::simaticml::writing)
+    }
+}
+
+impl Notation for SimaticScl {
+    fn name(&self) -> &'static str {
+        "scl"
+    }
+
+    fn title(&self) -> &'static str {
+        "SIMATIC source in SCL"
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &["scl"]
+    }
+
+    fn owns_extension(&self) -> bool {
+        true
+    }
+
+    fn recognises(&self, _bytes: &[u8]) -> bool {
+        false
+    }
+
+    fn is_written(&self) -> bool {
+        false
+    }
+
+    fn has_companion(&self, _program: &str, file: &str) -> bool {
+        has_end(file, ".scl") || has_end(file, ".xml")
+    }
+
+    fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
+        let mut units = read::source(bounded(source)?)?;
+        // What runs is the organization block, else what comes last: it uses what is before it.
+        let main = (units.iter().position(|unit| unit.kind == Kind::Organization))
+            .or_else(|| units.iter().rposition(|unit| unit.kind.is_code()))
+            .unwrap_or(units.len() - 1);
+        let main = units.remove(main);
+        let mut next = Vec::new();
+        for file in source
+            .companions
+            .iter()
+            .filter(|file| has_end(&file.name, ".scl"))
+        {
+            // One that cannot be read is reported where it is read itself.
+            let others = bounded(&Source::alone("", &file.bytes)).and_then(read::source);
+            next.extend(
+                others
+                    .unwrap_or_default()
+                    .into_iter()
+                    .map(|unit| (unit.name.clone(), Ok(unit))),
+            );
+        }
+        next.extend(units.into_iter().map(|unit| (unit.name.clone(), Ok(unit))));
+        Ok(sketched(source, &main, &next))
+    }
+
+    fn write(&self, _analysis: &Analysis) -> Result<Writing, WriteError> {
+        Err(WriteError::new(
+            "sources in SCL are not written: write a source document, `--to simatic`",
+        ))
     }
 }

@@ -46,6 +46,11 @@ impl Kind {
         }
     }
 
+    /// Whether it runs.
+    pub(crate) const fn is_code(self) -> bool {
+        matches!(self, Kind::FunctionBlock | Kind::Function | Kind::Organization)
+    }
+
     /// Those that a source document begins with.
     pub(crate) const ALL: [Kind; 5] = [
         Kind::FunctionBlock,

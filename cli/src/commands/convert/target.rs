@@ -105,10 +105,12 @@ fn folders_below<'p>(inputs: &[PathBuf], file: &'p Path) -> &'p Path {
 }
 
 /// What was found in a folder next to a program, and belongs to it, is read with that. Two that belong to each other are both
-/// programs.
+/// programs, and so is one that is in another notation.
 fn without_companions(jobs: &mut Vec<Job>, named: &HashSet<&Path>) {
     let belongs = |job: &Job, program: &Job| match program.from {
-        Form::Foreign(notation) => is_companion(notation, &program.input, &job.input),
+        Form::Foreign(notation) => {
+            job.from == program.from && is_companion(notation, &program.input, &job.input)
+        }
         Form::Ladder => false,
     };
     let is_whole = |job: &Job| {

@@ -150,7 +150,19 @@ pub(super) fn other<'t>(cursor: &mut Cursor<'t>, before: Cursor<'t>, unit: &mut 
     if cursor.eat_word("BEGIN") || cursor.eat_word("NON_RETAIN") {
         return Ok(());
     }
-    if cursor.eat_word("VERSION") {
+    if cursor.eat_word("TITLE") {
+        cursor.expect("=")?;
+        let title = cursor.rest().lines().next().unwrap_or_default();
+        cursor.at += title.len();
+        unit.told.extend(
+            Some(title.trim().trim_matches(['\'', '"']).to_owned()).filter(|title| !title.is_empty()),
+        );
+        return Ok(());
+    }
+    if ["VERSION", "AUTHOR", "FAMILY", "NAME"]
+        .iter()
+        .any(|word| cursor.eat_word(word))
+    {
         cursor.expect(":")?;
         let rest = cursor.rest().trim_start();
         let length = rest.find(char::is_whitespace).unwrap_or(rest.len());

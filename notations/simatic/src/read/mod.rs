@@ -1,4 +1,4 @@
-//! SIMATIC source documents: `.s7dcl` with the texts of its `.s7res`.
+//! SIMATIC source documents, `.s7dcl` with the texts of its `.s7res`, and sources in SCL, `.scl`.
 
 mod declarations;
 mod networks;
@@ -30,13 +30,38 @@ pub(crate) fn recognises(head: &str) -> bool {
 pub(crate) fn unit(text: &str, texts: &Texts) -> Result<Unit> {
     let lines = Lines::of(text);
     let mut cursor = Cursor::new(text, &lines);
-    let pragma = pragma::pragma(&mut cursor)?;
+    let mut unit = block(&mut cursor, texts)?;
+    if !cursor.is_done() {
+        let why = "a file has one block: the rest of it is not read";
+        let place = cursor.place();
+        unit.report.refused(place, "what stands after the end", why);
+    }
+    Ok(unit)
+}
+
+/// Reads a source in SCL: several blocks.
+///
+/// # Errors
+///
+/// If one of them is not a block, or its frame is broken.
+pub(crate) fn source(text: &str) -> Result<Vec<Unit>> {
+    let lines = Lines::of(text);
+    let mut cursor = Cursor::new(text, &lines);
+    let mut units = Vec::new();
+    while units.is_empty() || !cursor.is_done() {
+        units.push(block(&mut cursor, &Texts::default())?);
+    }
+    Ok(units)
+}
+
+fn block(cursor: &mut Cursor<'_>, texts: &Texts) -> Result<Unit> {
+    let pragma = pragma::pragma(cursor)?;
     cursor.blanks();
     let place = cursor.place();
     let kinds = Kind::ALL;
     let Some(kind) = kinds.into_iter().find(|kind| cursor.eat_word(kind.keyword())) else {
         return cursor.error(
-            "a SIMATIC source document begins with FUNCTION_BLOCK, FUNCTION, ORGANIZATION_BLOCK, DATA_BLOCK or TYPE",
+            "a block of SIMATIC begins with FUNCTION_BLOCK, FUNCTION, ORGANIZATION_BLOCK, DATA_BLOCK or TYPE",
         );
     };
     let mut unit = Unit {
@@ -48,14 +73,9 @@ pub(crate) fn unit(text: &str, texts: &Texts) -> Result<Unit> {
     };
     // A data block of a type has it here.
     if matches!(kind, Kind::Function | Kind::Data) && cursor.eat(":") {
-        unit.returns = Some(type_of(&mut cursor, texts, 0)?).filter(|ty| !declarations::is_void(ty));
+        unit.returns = Some(type_of(cursor, texts, 0)?).filter(|ty| !declarations::is_void(ty));
     }
-    body(&mut cursor, &mut unit, texts)?;
-    if !cursor.is_done() {
-        let why = "a file has one block: the rest of it is not read";
-        let place = cursor.place();
-        unit.report.refused(place, "what stands after the end", why);
-    }
+    body(cursor, &mut unit, texts)?;
     Ok(unit)
 }
 
@@ -78,7 +98,13 @@ fn body(cursor: &mut Cursor<'_>, unit: &mut Unit, texts: &Texts) -> Result<()> {
             unit.networks.push(network);
         } else if let Some(section) = declarations::section(cursor) {
             declarations::variables(cursor, section, texts, &mut unit.variables)?;
-        } else if unit.kind == Kind::Type && cursor.peek_word().eq_ignore_ascii_case("STRUCT") {
+        } else if unit.kind.is_code() && cursor.eat_word("BEGIN") {
+            if let Some(network) = networks::statements(cursor, &end) {
+                unit.networks.push(network);
+            }
+        } else if matches!(unit.kind, Kind::Type | Kind::Data)
+            && cursor.peek_word().eq_ignore_ascii_case("STRUCT")
+        {
             let ty = type_of(cursor, texts, 0)?;
             cursor.eat(";");
             if let crate::model::Type::Structure(members) = ty {

@@ -20,11 +20,7 @@ pub(super) fn network(cursor: &mut Cursor<'_>, pragma: &Pragma, texts: &Texts) -
         told: texts.told(pragma, ["S7_NetworkTitle", "S7_NetworkComment"]),
         ..Network::default()
     };
-    let (text, starts) = unindented(inside.rest());
-    network.text = text;
-    network.places = (starts.into_iter())
-        .map(|(at, start)| (at, cursor.lines.place(cursor.text, inside.at + start)))
-        .collect();
+    network.set_text(&inside);
     let language = pragma.get("S7_Language").unwrap_or("LAD");
     if !language.eq_ignore_ascii_case("LAD") {
         network.body = Body::in_language(language);
@@ -47,6 +43,25 @@ pub(super) fn network(cursor: &mut Cursor<'_>, pragma: &Pragma, texts: &Texts) -
         }
     }
     Ok(network)
+}
+
+/// The statements of a block that has no networks, up to its end. None: there are networks, or nothing.
+pub(super) fn statements(cursor: &mut Cursor<'_>, end: &str) -> Option<Network> {
+    let is_network = cursor.is("{")
+        || ["NETWORK", end]
+            .iter()
+            .any(|word| cursor.peek_word().eq_ignore_ascii_case(word));
+    let last = cursor.find_word(end).filter(|_| !is_network)?;
+    let mut inside = cursor.clone();
+    inside.end = last;
+    let mut network = Network {
+        place: cursor.place(),
+        body: Body::in_language("SCL"),
+        ..Network::default()
+    };
+    network.set_text(&inside);
+    cursor.at = last;
+    Some(network)
 }
 
 /// A text without blank lines around it, and without the blanks that all of its lines begin with; and where each of its lines
@@ -76,6 +91,16 @@ fn unindented(text: &str) -> (String, Vec<(usize, usize)>) {
     }
     out.pop();
     (out, starts)
+}
+
+impl Network {
+    /// The text is what a cursor has before it.
+    fn set_text(&mut self, inside: &Cursor<'_>) {
+        let (text, starts) = unindented(inside.rest());
+        self.text = text;
+        let place = |start: usize| inside.lines.place(inside.text, inside.at + start);
+        self.places = starts.into_iter().map(|(at, start)| (at, place(start))).collect();
+    }
 }
 
 struct Reader {

@@ -5,6 +5,7 @@ mod broken;
 mod corpus;
 mod project;
 mod reading;
+mod source;
 mod structured;
 mod unread;
 mod writing;
