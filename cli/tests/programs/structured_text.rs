@@ -4,9 +4,6 @@ use crate::harness::Folder;
 use std::fs;
 use std::path::Path;
 
-/// A timer of Logix that is called as a function block has no counterpart yet.
-const UNREAD: &[&str] = &["lx_tonr"];
-
 #[test]
 fn traces_are_equal() {
     let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/corpus/structured-text");
@@ -33,7 +30,7 @@ fn traces_are_equal() {
             .collect();
         let run = folder.ladder(&arguments);
         let is_equal = run.stdout == folder.read("expected.csv");
-        if !is_equal && !UNREAD.contains(&name) {
+        if !is_equal {
             wrong.push(format!("{name}: {run}"));
         }
     }
