@@ -70,6 +70,8 @@ pub(crate) struct Stage<'s> {
     pub(crate) blocks: u64,
     /// Of each value that is compared, of faults and of the end: a difference in it counts for nothing.
     pub(crate) doubtful: Vec<bool>,
+    /// A scan of a run did not come to its end: the watchdog, which the model does not have, stopped it.
+    pub(crate) was_stopped: bool,
 }
 
 /// A tag that goes in: where it does, and what it holds if nothing is given.
@@ -156,6 +158,7 @@ impl Stage<'_> {
             }
             let before = simulation.work();
             if simulation.status() != Status::Ready || !simulation.scan() {
+                self.was_stopped = true;
                 return None;
             }
             self.blocks += simulation.work().saturating_sub(before);

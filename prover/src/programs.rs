@@ -122,6 +122,7 @@ pub fn compare_programs_assuming(
         assumed,
         blocks: 0,
         doubtful: doubtful(&both.model, &both.differs),
+        was_stopped: false,
     };
     let whole = Search {
         stage,
@@ -140,6 +141,9 @@ pub fn compare_programs_assuming(
 pub fn outputs_of_one(old: &Simulation, new: &Simulation) -> Vec<(Which, String)> {
     shown_tags::outputs_of_one(old, new)
 }
+
+/// Why a run that was found tells nothing.
+const STOPPED: &str = "a scan does not come to its end: the watchdog stops it";
 
 struct Search<'s> {
     stage: Stage<'s>,
@@ -218,7 +222,8 @@ impl Search<'_> {
         if let Some(found) = self.stage.play(run, &model.world.inputs, self.limits.readable) {
             return Ok(Some(found));
         }
-        let open = open(model, wanted).ok_or(NotReproduced)?;
+        let stopped = self.stage.was_stopped.then(|| STOPPED.to_owned());
+        let open = open(model, wanted).or(stopped).ok_or(NotReproduced)?;
         self.open.get_or_insert(open);
         Ok(None)
     }

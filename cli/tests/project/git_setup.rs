@@ -104,6 +104,7 @@ fn nothing_is_written_that_nobody_said_yes_to() {
           + *.[lL]5[kK] diff=ladder-text
           + *.[iI][oO][tT] diff=ladder-text
           + *.[sS]7[dD][cC][lL] diff=ladder-text
+          + *.[sS][cC][lL] diff=ladder-text
           + *.[tT][cC][pP][oO][uU] diff=ladder-text
           + *.[sS][tT] diff=ladder-text
           + # ladder: end

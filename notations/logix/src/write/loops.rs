@@ -52,8 +52,8 @@ impl Writer<'_> {
                 let Some(count) = self.is_loop(name, turns, next) else {
                     continue;
                 };
-                self.facts.loops.insert(block.location.range.start(), next);
-                self.facts.skipped.extend(next..next + count);
+                self.facts.loops.begins.insert(block.location.range.start(), next);
+                self.facts.loops.networks.extend(next..next + count);
                 next += count;
                 self.facts
                     .absorbed_names
@@ -111,7 +111,12 @@ impl Writer<'_> {
 
     /// `FAL`, `FSC` or `FOR` with what its loop does.
     pub(super) fn looped(&mut self, name: &str, block: &Block, texts: &[&str]) -> Result<Piece> {
-        let first = self.facts.loops.get(&block.location.range.start()).copied();
+        let first = self
+            .facts
+            .loops
+            .begins
+            .get(&block.location.range.start())
+            .copied();
         let first = first.ok_or("it has no counterpart without the loop that the reader writes after it")?;
         let program = self.input.program;
         let body = &program.networks[first + 1];

@@ -79,13 +79,19 @@ struct Facts {
     cleared: HashSet<Name>,
     /// The bits with which routines end the loop that calls them.
     leaves: HashSet<TagId>,
-    /// For each instruction with a loop the first network of that, by where it is.
-    loops: HashMap<TextSize, usize>,
-    /// The networks of loops.
-    skipped: HashSet<usize>,
+    loops: Loops,
     known: HashMap<usize, Known>,
     /// For each user-defined block its definition in the text.
     body_of: HashMap<usize, usize>,
+}
+
+/// The loops that are written as one instruction.
+#[derive(Default)]
+struct Loops {
+    /// For each instruction with a loop the first network of that, by where it is.
+    begins: HashMap<TextSize, usize>,
+    /// All their networks.
+    networks: HashSet<usize>,
 }
 
 /// The program, or the definition that is being written.

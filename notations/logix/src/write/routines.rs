@@ -79,7 +79,7 @@ impl Writer<'_> {
                         self.report.refused(place, "network", why);
                         continue;
                     };
-                    if self.facts.skipped.contains(&index) {
+                    if self.facts.loops.networks.contains(&index) {
                         self.translated(network);
                         continue;
                     }

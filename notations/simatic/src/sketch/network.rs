@@ -36,7 +36,8 @@ impl Sketcher<'_> {
                 Err(why) => vec![self.unread_network(at, network, (language, &why))],
             },
             Body::Text(language, why) => {
-                self.called_in(translator.scope, &network.text);
+                let quoted = network.text.split('"').skip(1).step_by(2);
+                self.called_in(translator.scope, quoted);
                 vec![self.unread_network(at, network, (language, why))]
             }
             Body::Ladder(net) => self.ladder(translator, at, network, net),

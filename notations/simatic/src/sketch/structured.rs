@@ -9,7 +9,7 @@ use ladder_analysis::values::types::{DEFAULT_STRING, Scalar};
 use ladder_format::program::{Item, Path};
 use ladder_notation::Lines;
 use ladder_notation_st::read::{self as st, Dialect, Parameter, ParameterRole, Shape, Structure};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 use std::rc::Rc;
 
 /// Types are made of others no deeper.
@@ -77,8 +77,8 @@ impl Sketcher<'_> {
                 }
             }
         }
-        let quoted: BTreeSet<&str> = text.split('"').skip(1).step_by(2).collect();
-        for name in quoted {
+        let quoted = st::quoted_names(text);
+        for &name in &quoted {
             let full = format!("\"{name}\"");
             if let Some((own, _)) = SYSTEM.iter().find(|(_, system)| *system == name) {
                 seen.tag(
@@ -117,7 +117,7 @@ impl Sketcher<'_> {
                 seen.tag(&name, known.path(), ty, false);
             }
         }
-        self.called_in(scope, text);
+        self.called_in(scope, quoted);
         seen
     }
 }

@@ -64,9 +64,9 @@ impl Sketcher<'_> {
         self.unread.block(part, |word| is_taken(library, word))
     }
 
-    /// The blocks of the project that a text calls come along: with another one of them it is another text.
-    pub(super) fn called_in(&mut self, scope: &mut Scope<'_>, text: &str) {
-        for name in text.split('"').skip(1).step_by(2) {
+    /// The blocks of the project that a text names come along: with another one of them it is another text.
+    pub(super) fn called_in<'n>(&mut self, scope: &mut Scope<'_>, names: impl IntoIterator<Item = &'n str>) {
+        for name in names {
             let Some(Ok(unit)) = self.library.get(&name.to_lowercase()) else {
                 continue;
             };

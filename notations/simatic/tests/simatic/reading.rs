@@ -371,8 +371,9 @@ fn broken_frames_are_refused_and_broken_networks_stay() {
     expect![[r#"
         4:1: `END_VAR` stands where `;` is expected
         2:1: the file ends without `END_FUNCTION_BLOCK`
-        2:1: a SIMATIC source document begins with FUNCTION_BLOCK, FUNCTION, ORGANIZATION_BLOCK, DATA_BLOCK or TYPE
-        3:8: the file ends without `END_NETWORK`"#]].assert_eq(
+        2:1: a block of SIMATIC begins with FUNCTION_BLOCK, FUNCTION, ORGANIZATION_BLOCK, DATA_BLOCK or TYPE
+        3:8: the file ends without `END_NETWORK`"#]]
+    .assert_eq(
         &[
             source("FUNCTION_BLOCK x\nVAR\na : Bool\nEND_VAR\n"),
             source("FUNCTION_BLOCK x\n"),

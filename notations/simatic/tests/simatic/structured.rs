@@ -23,7 +23,7 @@ fn check(statements: &str, files: &[(&str, &str)], expected: &Expect) {
 #[test]
 fn names_of_the_project_and_of_the_block() {
     check(
-        "#run := \"run\" AND NOT #run; \"Level\" := 5; \"Data\".lamp := \"Level\" > \"Data\".limit; IF \"AlwaysTRUE\" THEN \"Speed\" := 1.5; END_IF;",
+        "(* a pipe of 5\" *) #run := \"run\" AND NOT #run; \"Level\" := 5; \"Data\".lamp := \"Level\" > \"Data\".limit; IF \"AlwaysTRUE\" THEN \"Speed\" := 1.5; END_IF;",
         &[],
         &expect![[r#"
                 i   : INT;
@@ -37,6 +37,7 @@ fn names_of_the_project_and_of_the_block() {
                 Speed      : REAL;
             END_VAR
 
+            # a pipe of 5" #
             # run := "run" AND NOT run #
             +--[ ]( run_2 )--[/]( run )----------------------------------------( )( run )--+
             +-----------------------------------------------------------[MOV]( Level, 5 )--+

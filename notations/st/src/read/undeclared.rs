@@ -3,13 +3,14 @@
 use super::dialect::Dialect;
 use super::lower::plain_types;
 use super::scope::{ParameterRole, Scope, Type, elementary};
+use super::token::{TokenKind, tokens};
 use super::tree::{
     Call, Direction, Expression, ExpressionKind, LiteralKind, Place, Statement, StatementKind, Step,
 };
 use super::units;
 use ladder_analysis::values::types::Scalar;
 use ladder_format::program::{Operator, Sign};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A chain of assignments tells a type from end to end in so many turns.
 const TURNS: usize = 4;
@@ -36,6 +37,15 @@ pub fn undeclared(text: &str, dialect: Dialect, scope: &Scope) -> Vec<(String, T
     };
     let all = found.iter().filter(|(key, _)| !is_in_state(key));
     all.map(|(_, tag)| tag.clone()).collect()
+}
+
+/// The names of the project in a text in SCL, without their quotes: `"Data"`.
+pub fn quoted_names(text: &str) -> BTreeSet<&str> {
+    let tokens = tokens(text, Dialect::Scl).tokens.into_iter();
+    let names = tokens.filter(|token| token.kind == TokenKind::Name);
+    names
+        .filter_map(|token| text[token.span].strip_prefix('"')?.strip_suffix('"'))
+        .collect()
 }
 
 struct Asked<'s> {
