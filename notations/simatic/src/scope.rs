@@ -1,6 +1,6 @@
 //! What the names of a block are here.
 
-use crate::model::{Kind, Type, Unit};
+use crate::model::{Kind, Role, Type, Unit};
 use crate::standard::{elementary, state_type};
 use ladder_format::program::Path;
 use ladder_notation::Names;
@@ -14,6 +14,7 @@ pub(crate) type Library<'l> = HashMap<String, Result<&'l Unit, String>>;
 pub(crate) struct Known {
     pub(crate) spelled: String,
     pub(crate) ty: Type,
+    pub(crate) is_constant: bool,
 }
 
 impl Known {
@@ -46,6 +47,7 @@ impl<'l> Scope<'l> {
             let known = Known {
                 spelled: scope.names.fresh(&variable.name),
                 ty: variable.ty.clone(),
+                is_constant: variable.role == Role::Constant,
             };
             scope.own.entry(variable.name.to_lowercase()).or_insert(known);
         }
@@ -53,6 +55,7 @@ impl<'l> Scope<'l> {
             let known = Known {
                 spelled: scope.names.fresh(&unit.name),
                 ty: returns.clone(),
+                is_constant: false,
             };
             for name in [unit.name.to_lowercase(), "ret_val".to_owned()] {
                 scope.own.entry(name).or_insert_with(|| known.clone());
@@ -85,6 +88,7 @@ impl<'l> Scope<'l> {
             let known = Known {
                 spelled: names.fresh(path),
                 ty,
+                is_constant: false,
             };
             (path.to_owned(), known)
         });

@@ -62,23 +62,19 @@ impl Sketcher<'_> {
             library: self.library,
             known: HashMap::new(),
         };
-        for variable in &unit.variables {
-            if let Some(known) = scope.own(&variable.name) {
+        let [own, of_project] = st::names_in_scl(text);
+        for name in own {
+            if let Some(known) = scope.own(name) {
                 let ty = types.ty(&known.ty, &known.spelled, 0);
-                seen.tag(&variable.name, known.path(), ty, variable.role == Role::Constant);
+                seen.tag(name, known.path(), ty, known.is_constant);
             }
         }
-        if unit.kind == Kind::Function {
-            for name in [unit.name.as_str(), "ret_val"] {
-                if let Some(known) = scope.own(name) {
-                    let ty = types.ty(&known.ty, &known.spelled, 0);
-                    seen.tag(name, known.path(), ty.clone(), false);
-                    seen.tag(&format!("\"{name}\""), known.path(), ty, false);
-                }
-            }
+        // What a function returns has its name, with quotes, too.
+        if let (Kind::Function, Some(known)) = (unit.kind, scope.own("ret_val")) {
+            let ty = types.ty(&known.ty, &known.spelled, 0);
+            seen.tag(&format!("\"{}\"", unit.name), known.path(), ty, false);
         }
-        let quoted = st::quoted_names(text);
-        for &name in &quoted {
+        for &name in &of_project {
             let full = format!("\"{name}\"");
             if let Some((own, _)) = SYSTEM.iter().find(|(_, system)| *system == name) {
                 seen.tag(
@@ -117,7 +113,7 @@ impl Sketcher<'_> {
                 seen.tag(&name, known.path(), ty, false);
             }
         }
-        self.called_in(scope, quoted);
+        self.called_in(scope, of_project);
         seen
     }
 }

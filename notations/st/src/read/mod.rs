@@ -29,7 +29,7 @@ use ladder_notation::{Lines, Names, UnreadParts};
 pub use lower::{Instructions, Restarted};
 pub(crate) use program::read;
 pub use scope::{Edge, Enumeration, Known, Parameter, ParameterRole, Scope, Shape, Structure, Type};
-pub use undeclared::{quoted_names, undeclared};
+pub use undeclared::{names_in_scl, undeclared};
 
 /// A body that is in a file of another notation.
 #[derive(Clone, Copy)]

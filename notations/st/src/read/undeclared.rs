@@ -39,13 +39,18 @@ pub fn undeclared(text: &str, dialect: Dialect, scope: &Scope) -> Vec<(String, T
     all.map(|(_, tag)| tag.clone()).collect()
 }
 
-/// The names of the project in a text in SCL, without their quotes: `"Data"`.
-pub fn quoted_names(text: &str) -> BTreeSet<&str> {
-    let tokens = tokens(text, Dialect::Scl).tokens.into_iter();
-    let names = tokens.filter(|token| token.kind == TokenKind::Name);
+/// The names in a text in SCL, without their signs: those that a block may have, `run` and `#run`, and those of the project,
+/// `"run"`.
+pub fn names_in_scl(text: &str) -> [BTreeSet<&str>; 2] {
+    let mut names = [BTreeSet::new(), BTreeSet::new()];
+    for token in tokens(text, Dialect::Scl).tokens {
+        if let TokenKind::Word | TokenKind::Name = token.kind {
+            let name = &text[token.span];
+            let is_of_project = name.starts_with('"');
+            names[usize::from(is_of_project)].insert(name.trim_start_matches('#').trim_matches('"'));
+        }
+    }
     names
-        .filter_map(|token| text[token.span].strip_prefix('"')?.strip_suffix('"'))
-        .collect()
 }
 
 struct Asked<'s> {
