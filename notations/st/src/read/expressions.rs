@@ -142,8 +142,9 @@ impl Cursor<'_> {
     /// A tag, or a part of one.
     pub(super) fn place(&mut self) -> Parsed<Place> {
         let start = self.span().start;
-        // A name of the project keeps its quotes in SCL: `#run` and `"run"` are two tags.
-        let root = if self.kind() == TokenKind::Address || self.word().starts_with('"') {
+        // A name of the project keeps its quotes in SCL: `#run` and `"run"` are two tags. Elsewhere it is a text.
+        let is_of_project = self.kind() == TokenKind::Name && self.word().starts_with('"');
+        let root = if self.kind() == TokenKind::Address || is_of_project {
             let whole = self.word().to_owned();
             self.bump();
             whole

@@ -713,6 +713,15 @@ fn mistakes_are_reported_at_their_places() {
         59..60: a statement is expected here, not `)`
     "#]],
     );
+    // In quotes a name of SCL, a text elsewhere.
+    check(
+        "FOR \"a\" := 1 TO 2 DO i := j; END_FOR;",
+        Dialect::Codesys,
+        &expect![[r#"
+            4..7: a name is expected here, not `"a"`
+            36..37: `:=` is expected here, not `;`
+        "#]],
+    );
 }
 
 #[test]
