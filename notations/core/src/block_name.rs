@@ -7,7 +7,7 @@ use std::collections::HashSet;
 const LONGEST: usize = 100;
 
 /// The nearest name that a block can have, without its `$`: letters, digits and single `_` between them stay, a run of anything else
-/// becomes one `_`. `first` stands in front of a name that doesn't begin with a letter.
+/// becomes one `_`. `first` is put before a name that doesn't begin with a letter.
 pub fn block_name(name: &str, first: &str) -> String {
     let mut near = String::with_capacity(name.len());
     for c in name.chars() {

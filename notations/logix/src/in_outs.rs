@@ -13,7 +13,7 @@ use std::collections::{HashMap, HashSet};
 /// Parts of Add-On Instructions call others no deeper.
 const DEEPEST: usize = 16;
 
-/// An Add-On Instruction is no more blocks.
+/// An Add-On Instruction becomes no more blocks.
 const MOST_SIZES: usize = 64;
 
 /// The sizes of the parameters that are arrays, by their numbers.

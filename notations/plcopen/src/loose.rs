@@ -1,4 +1,4 @@
-//! What stands in a drawing and connects nothing: editors draw a box for a variable at every pin of a block, and the pin EN, also where
+//! What is in a drawing and connects nothing: editors draw a box for a variable at every pin of a block, and the pin EN, also where
 //! nobody fills them in.
 
 use crate::graph::{Graph, Kind, Modifier, Node};

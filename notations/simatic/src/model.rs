@@ -51,6 +51,11 @@ impl Kind {
         matches!(self, Kind::FunctionBlock | Kind::Function | Kind::Organization)
     }
 
+    /// Whether it is a tag of the project, which blocks name as it is.
+    pub(crate) const fn is_tag(self) -> bool {
+        matches!(self, Kind::Data | Kind::Tag)
+    }
+
     /// Those that a source document begins with.
     pub(crate) const ALL: [Kind; 5] = [
         Kind::FunctionBlock,

@@ -1,6 +1,6 @@
 //! Operands: `#run`, `"Data".motor[3].speed`, `%I0.3`, `T#5s`.
 
-use crate::model::{Argument, Kind, Type, Value};
+use crate::model::{Argument, Type, Value};
 use crate::scope::{Scope, member, plain};
 use crate::standard::{SYSTEM, elementary, trigger};
 use ladder_format::program::{Expression, Literal, Path};
@@ -123,10 +123,7 @@ fn path(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
             Some(known) => (known.path(), Some(known.ty.clone())),
             None => return Err(format!("the block declares no `{root}`")),
         }
-    } else if let Some(unit) = scope
-        .unit(&root)
-        .filter(|unit| matches!(unit.kind, Kind::Data | Kind::Tag))
-    {
+    } else if let Some(unit) = scope.unit(&root).filter(|unit| unit.kind.is_tag()) {
         let ty = match &unit.returns {
             Some(of) => of.clone(),
             None => Type::Named(unit.name.clone()),

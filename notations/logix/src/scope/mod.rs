@@ -345,7 +345,7 @@ impl Tags {
         Some(self.symbols[symbol].ty.clone())
     }
 
-    /// The scope that declares a tag, and its name in capitals; of an alias those of what it stands for.
+    /// The scope that declares a tag, and its name in capitals; of an alias those of the tag that it names.
     pub(crate) fn declared_as(&self, scope: usize, name: &str) -> Option<(usize, String)> {
         let (mut scope, mut key) = (scope, name.to_ascii_uppercase());
         for _ in 0..16 {

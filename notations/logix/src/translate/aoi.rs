@@ -98,7 +98,7 @@ impl Translator<'_> {
         Ok(Circuit::Series(before))
     }
 
-    /// What is handed over for an in-out. The first element of an array stands for the whole.
+    /// What is handed over for an in-out. The first element of an array means the whole.
     fn in_out(&mut self, text: &str, ty: &Ty) -> Result<Place> {
         if let (Ty::Array(..), Some(whole)) = (ty, text.strip_suffix("[0]")) {
             return self.target(whole, Role::Array);

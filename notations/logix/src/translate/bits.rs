@@ -28,7 +28,7 @@ impl Translator<'_> {
         self.op(own, [place.path])
     }
 
-    /// Whether a bit whose number is computed is on, as a formula. None: it is no such bit.
+    /// Whether a bit whose number is computed is on, as a formula. None: it is not such a bit.
     pub(super) fn is_computed_bit_on(&mut self, text: &str) -> Result<Option<Expression>> {
         let computed = self.computed_bit(text)?;
         Ok(computed.map(|(word, index)| {

@@ -381,7 +381,7 @@ impl Translator<'_> {
         self.put(Op::Calc, &to.path, formula(&from, bits))
     }
 
-    /// The length of a text as what is written: the text is cut. None: the place is no such length.
+    /// The length of a text as what is written: the text is cut. None: the place is not such a length.
     fn shorten(&mut self, to: &str, length: &Expr) -> Result<Option<Circuit<Element>>> {
         let Some(text) = to.strip_suffix(".LEN") else {
             return Ok(None);

@@ -107,8 +107,7 @@ impl Sketcher<'_> {
                 }
             };
             let mut declaration = Declaration::new(known.spelled.clone(), ty);
-            let is_declared = |unit: &&Unit| matches!(unit.kind, Kind::Data | Kind::Tag);
-            let unit = scope.unit(path).filter(is_declared);
+            let unit = scope.unit(path).filter(|unit| unit.kind.is_tag());
             if unit.is_none() {
                 let why =
                     "another file of the project declares it: its type is the one that its place asks for";
