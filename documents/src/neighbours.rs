@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use ladder_analysis::{
     Analysis, AnalyzeOptions, Exported, Exports, Linked, NotWhole, Others, RuleSettings, analyze, link_files,
 };
-use ladder_workspace::{Disk, FileError, SETTINGS_FILE, Settings, Simulate};
+use ladder_workspace::{Disk, FileError, ForeignPrograms, SETTINGS_FILE, Settings, Simulate};
 
 use crate::folder::{First, Folder, Open, Shown, same};
 use crate::on_disk::{FilesOnDisk, OnDisk, name_in};
@@ -24,6 +24,7 @@ pub struct Neighbours {
     /// Apart from the rest, which may be locked while files are read.
     shown: Shown,
     disk: Arc<dyn Disk>,
+    foreign: ForeignPrograms,
     state: Mutex<State>,
     /// Held by who reads the large files of a workspace, while the others go on.
     loading: Mutex<()>,
@@ -81,6 +82,7 @@ impl Neighbours {
         };
         Neighbours {
             shown,
+            foreign: ForeignPrograms::on(disk.clone()),
             disk,
             state: Mutex::new(state),
             loading: Mutex::default(),
@@ -91,6 +93,11 @@ impl Neighbours {
     /// Where the files are.
     pub fn disk(&self) -> &Arc<dyn Disk> {
         &self.disk
+    }
+
+    /// The programs of other systems there.
+    pub fn foreign(&self) -> &ForeignPrograms {
+        &self.foreign
     }
 
     /// What a file is called in messages, and what it sees of the others.

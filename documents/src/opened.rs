@@ -7,7 +7,7 @@ use ladder_analysis::{Analysis, Diagnostic};
 use ladder_ide::markdown;
 use ladder_notations::{Foreign, Notation, Outcome, ReadError, Source};
 use ladder_syntax::{LineIndex, Parse, TextRange, TextSize, line_around};
-use ladder_workspace::Disk;
+use ladder_workspace::ForeignPrograms;
 
 /// A hover shows no more lines of a drawing.
 const MOST_LINES: usize = 40;
@@ -27,13 +27,13 @@ impl Opened {
         notation: &'static dyn Notation,
         name: &str,
         text: &str,
-        file: Option<(&dyn Disk, &Path)>,
+        file: Option<(&ForeignPrograms, &Path)>,
         analyse: impl FnOnce(&Arc<Parse>) -> Analysis,
     ) -> Result<Opened, ReadError> {
         let bytes = text.as_bytes();
         let source = match file {
-            Some((disk, file)) => disk
-                .foreign_source(notation, file, bytes)
+            Some((programs, file)) => programs
+                .source(notation, file, bytes)
                 .map_err(|error| ReadError::whole(error.to_string()))?,
             None => Source::alone(name, bytes),
         };

@@ -301,7 +301,7 @@ impl Revision {
         self.fits().then(|| {
             self.opened.get_or_init(|| {
                 let file = self.place.as_ref();
-                let file = file.map(|place| (&**place.neighbours.disk(), &*place.path));
+                let file = file.map(|place| (place.neighbours.foreign(), &*place.path));
                 Opened::read(notation, &self.stem(), &self.text(), file, |parse| {
                     match &self.place {
                         Some(place) => {

@@ -31,6 +31,8 @@ pub enum Problem {
     NoneOfThese,
     /// Larger than [`MAX_FILE_BYTES`].
     TooLarge,
+    /// The files that may belong to a program, in this folder, are larger than [`MAX_FILE_BYTES`] together.
+    ProjectTooLarge(PathBuf),
     /// Bytes that are not UTF-8.
     NotUtf8 {
         /// Where the first such byte is.
@@ -138,6 +140,12 @@ impl fmt::Display for Problem {
                 f,
                 "the file is larger than {} MiB, the most that is read",
                 MAX_FILE_BYTES >> 20
+            ),
+            Problem::ProjectTooLarge(folder) => write!(
+                f,
+                "what may belong to this program is larger than {} MiB, the most that is read, in {}; an empty ladder.toml in the folder of its project keeps the rest out",
+                MAX_FILE_BYTES >> 20,
+                shown::path(folder)
             ),
             Problem::NotUtf8 { utf16: true, .. } => {
                 f.write_str("the file is not UTF-8 but UTF-16; save it as UTF-8 in your editor")

@@ -1,115 +1,203 @@
-//! A program of another system as a notation reads it: with the files next to it that belong to it.
+//! Programs of other systems as their notations read them: with the files that belong to them.
+//!
+//! What belongs to a program lies in its folder, or anywhere in its project ([`Reach`]). The folder of a project is the nearest
+//! one above the program with a settings file of this project (LANGUAGE §4) or a project file of the other system; else the
+//! folder that a person opened or had searched; else the program's own.
 
+use crate::disk::{Disk, SystemDisk};
 use crate::error::{FileError, Problem};
-use crate::{named, regular, text};
-use ladder_notation::{Companion, Notation, Source};
+use crate::root::Root;
+use crate::stamp::Stamp;
+use ladder_notation::{Bytes, Companion, Notation, Reach, Source};
 use ladder_syntax::MAX_FILE_BYTES;
-use std::fs::{self, File};
-use std::path::Path;
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::ffi::OsStr;
+use std::path::{Component, Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// This many names of a folder are checked: of a program in a larger folder, some files may be missed.
 const MOST_NAMES: usize = 10_000;
 
-/// This many files belong to one program.
-pub(crate) const MOST_FILES: usize = 100;
+/// This many files next to a program belong to it.
+const MOST_FILES: usize = 100;
 
-/// A program of another system, whose content is at hand, with the files in its folder that belong to it. Every command
-/// and request that takes such a program has it from here.
-///
-/// # Errors
-/// A file that belongs to it is not a regular file, lies outside, or cannot be read; or together they are larger than
-/// [`MAX_FILE_BYTES`].
-pub fn foreign_source<'s>(
-    notation: &dyn Notation,
-    program: &'s Path,
-    bytes: &'s [u8],
-) -> Result<Source<'s>, FileError> {
-    source(notation, program, bytes, |inner, wanted| {
-        read_companions(program, inner, wanted)
-    })
+/// This many files of a project belong to a program, the nearest ones.
+const MOST_FILES_OF_PROJECTS: usize = 5_000;
+
+/// The programs of other systems on a disk. Files that belong to several are read once, until they change.
+#[derive(Debug)]
+pub struct ForeignPrograms {
+    disk: Arc<dyn Disk>,
+    opened: Mutex<Vec<PathBuf>>,
+    known: Mutex<HashMap<PathBuf, (Stamp, Bytes)>>,
 }
 
-/// The same, with the files that belong to it as they are read.
-pub(crate) fn source<'s>(
-    notation: &dyn Notation,
-    program: &'s Path,
-    bytes: &'s [u8],
-    read: impl FnOnce(Option<&str>, &dyn Fn(&str) -> bool) -> Result<Vec<Companion>, FileError>,
-) -> Result<Source<'s>, FileError> {
-    let name = program
-        .file_stem()
-        .map(|stem| stem.to_string_lossy())
-        .unwrap_or_default();
-    let wanted = |file: &str| notation.has_companion(&name, file);
-    let companions = read(notation.companion_folder(), &wanted)?;
-    Ok(Source {
-        name,
-        bytes,
-        companions,
-    })
+impl Default for ForeignPrograms {
+    fn default() -> ForeignPrograms {
+        ForeignPrograms::on(Arc::new(SystemDisk))
+    }
 }
 
-/// Whether a file belongs to a program, as [`Notation::has_companion`] says for those in its folder and in the folder next
-/// to it.
-pub fn is_companion(notation: &dyn Notation, program: &Path, file: &Path) -> bool {
-    let (Some(folder), Some(stem)) = (program.parent(), program.file_stem()) else {
-        return false;
-    };
-    let Ok(below) = file.strip_prefix(folder) else {
-        return false;
-    };
-    let parts: Vec<_> = below.iter().map(|part| part.to_string_lossy()).collect();
-    let name = match &parts[..] {
-        [name] => name.to_string(),
-        [inner, name] if notation.companion_folder() == Some(inner.as_ref()) => format!("{inner}/{name}"),
-        _ => return false,
-    };
-    program != file && notation.has_companion(&stem.to_string_lossy(), &name)
+impl ForeignPrograms {
+    /// Those of a disk.
+    pub fn on(disk: Arc<dyn Disk>) -> ForeignPrograms {
+        ForeignPrograms {
+            disk,
+            opened: Mutex::default(),
+            known: Mutex::default(),
+        }
+    }
+
+    /// Says which folders a person has opened, or has searched: each is a project, if nothing in or above it says otherwise.
+    pub fn open(&self, folders: &[PathBuf]) {
+        *lock(&self.opened) = folders.iter().map(|folder| absolute(folder)).collect();
+    }
+
+    /// A program, whose content is at hand, with the files that belong to it. Every command and request that takes such a
+    /// program has it from here.
+    ///
+    /// # Errors
+    /// A file that belongs to it is not a regular file, lies outside, or cannot be read; or together they are larger than
+    /// [`MAX_FILE_BYTES`].
+    pub fn source<'s>(
+        &self,
+        notation: &dyn Notation,
+        program: &'s Path,
+        bytes: &'s [u8],
+    ) -> Result<Source<'s>, FileError> {
+        let whole = absolute(program);
+        let folder = whole.parent().unwrap_or(Path::new(""));
+        let (project, files) = match notation.reach() {
+            Reach::Folder => (folder.to_owned(), self.files_in(folder)),
+            Reach::FolderAnd(inner) => {
+                let mut files = self.files_in(folder);
+                files.extend(self.files_in(&folder.join(inner)));
+                (folder.to_owned(), files)
+            }
+            Reach::Project(mark) => {
+                let project = self.project_of(&whole, mark);
+                let files = self.disk.files_below(&project, MOST_NAMES);
+                (project, files)
+            }
+        };
+        let mut size = 0;
+        let read = |(name, path): (String, PathBuf)| {
+            let bytes = self.content(&project, &path)?;
+            size += bytes.len();
+            if size > MAX_FILE_BYTES {
+                return Err(FileError::new(program, Problem::ProjectTooLarge(project.clone())));
+            }
+            Ok(Companion { name, bytes })
+        };
+        let belonging = belonging(notation, &whole, files).into_iter();
+        Ok(Source {
+            name: stem(program),
+            bytes,
+            companions: belonging.map(read).collect::<Result<_, _>>()?,
+        })
+    }
+
+    /// Whether a file belongs to a program.
+    pub fn is_companion(&self, notation: &dyn Notation, program: &Path, file: &Path) -> bool {
+        let (program, file) = (absolute(program), absolute(file));
+        let is_in_project = match notation.reach() {
+            Reach::Project(mark) => file.starts_with(self.project_of(&program, mark)),
+            Reach::Folder | Reach::FolderAnd(_) => true,
+        };
+        is_in_project && !belonging(notation, &program, vec![file]).is_empty()
+    }
+
+    /// What lies in a folder. One that cannot be read, as that of a program from standard input, has nothing.
+    fn files_in(&self, folder: &Path) -> Vec<PathBuf> {
+        let names = self.disk.names_in(folder, MOST_NAMES).into_iter();
+        names.map(|name| folder.join(name)).collect()
+    }
+
+    /// The content of a file that was found below a folder. Links do not lead out of that or the workspace.
+    fn content(&self, project: &Path, path: &Path) -> Result<Bytes, FileError> {
+        let stamp = self.disk.stamp(path);
+        if let Some((known, content)) = lock(&self.known).get(path)
+            && *known == stamp
+        {
+            return Ok(content.clone());
+        }
+        let content = Bytes::from(self.disk.read_below(project, path)?);
+        lock(&self.known).insert(path.to_owned(), (stamp, content.clone()));
+        Ok(content)
+    }
+
+    /// The folder of the project that a program belongs to.
+    fn project_of(&self, program: &Path, mark: Option<&str>) -> PathBuf {
+        let own = program.parent().unwrap_or(Path::new(""));
+        let settings = match self.disk.root_of(program) {
+            Ok(Root::Settings(folder)) => Some(folder),
+            _ => None,
+        };
+        let opened = lock(&self.opened);
+        let is_project = |folder: &&Path| {
+            let is_marked = || {
+                let names = self.disk.names_in(folder, MOST_NAMES).into_iter();
+                mark.is_some_and(|mark| names.into_iter().any(|name| name.ends_with(mark)))
+            };
+            match &settings {
+                Some(settings) if settings == folder => true,
+                Some(_) => is_marked(),
+                None => opened.iter().any(|opened| opened == folder) || is_marked(),
+            }
+        };
+        own.ancestors().find(is_project).unwrap_or(own).to_owned()
+    }
 }
 
-/// The files that belong to a program, as `wanted` knows them by their names, sorted: those in its folder, and in the folder
-/// `inner` of that. Links do not lead out of the folder or the workspace.
-pub(crate) fn read_companions(
-    program: &Path,
-    inner: Option<&str>,
-    wanted: &dyn Fn(&str) -> bool,
-) -> Result<Vec<Companion>, FileError> {
+/// Which files belong to a program, of those in its project, by their names as they are seen from its folder, the nearest first.
+pub fn belonging(notation: &dyn Notation, program: &Path, files: Vec<PathBuf>) -> Vec<(String, PathBuf)> {
     let folder = program.parent().unwrap_or(Path::new(""));
-    let is_other = |name: &String| program.file_name().is_none_or(|own| own != name.as_str());
-    let mut names: Vec<String> = listed(folder).filter(is_other).collect();
-    if let Some(inner) = inner {
-        names.extend(listed(&folder.join(inner)).map(|name| format!("{inner}/{name}")));
-    }
-    names.retain(|name| wanted(name));
-    names.sort_unstable();
-    names.truncate(MOST_FILES);
-    let mut found = Vec::with_capacity(names.len());
-    let mut size = 0;
-    for name in names {
-        let path = folder.join(&name);
-        let is_link =
-            path.is_symlink() || (name.contains('/') && path.parent().is_some_and(Path::is_symlink));
-        if is_link && !named::stays_inside(folder, &path) {
-            return Err(FileError::new(&path, Problem::Outside));
-        }
-        let bytes = text::bytes_from(regular::open_plain(&path, File::options().read(true))?, &path)?;
-        size += bytes.len();
-        if size > MAX_FILE_BYTES {
-            return Err(FileError::new(&path, Problem::TooLarge));
-        }
-        found.push(Companion { name, bytes });
-    }
-    Ok(found)
+    let stem = stem(program);
+    let (inner, most) = match notation.reach() {
+        Reach::Folder => (Some(None), MOST_FILES),
+        Reach::FolderAnd(inner) => (Some(Some(inner)), MOST_FILES),
+        Reach::Project(_) => (None, MOST_FILES_OF_PROJECTS),
+    };
+    let is_near = |name: &str| match (inner, name.rsplit_once('/')) {
+        (None, _) | (_, None) => true,
+        (Some(inner), Some((folder, _))) => inner == Some(folder),
+    };
+    let files = files.into_iter().filter(|path| path != program);
+    let mut named: Vec<(String, PathBuf)> = files
+        .map(|path| (seen_from(folder, &path), path))
+        .filter(|(name, _)| is_near(name) && notation.has_companion(&stem, name))
+        .collect();
+    named.sort_by_cached_key(|(name, _)| (name.matches('/').count(), name.clone()));
+    named.truncate(most);
+    named
 }
 
-/// The names in a folder. One that cannot be read, as that of a program from standard input, has none.
-fn listed(folder: &Path) -> impl Iterator<Item = String> {
-    let folder = if folder == Path::new("") {
-        Path::new(".")
-    } else {
-        folder
-    };
-    let entries = fs::read_dir(folder).into_iter().flatten();
-    let names = entries.take(MOST_NAMES).flatten();
-    names.filter_map(|entry| entry.file_name().into_string().ok())
+fn stem(program: &Path) -> Cow<'_, str> {
+    program
+        .file_stem()
+        .map(OsStr::to_string_lossy)
+        .unwrap_or_default()
+}
+
+fn lock<T>(shared: &Mutex<T>) -> MutexGuard<'_, T> {
+    shared.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A path from the top on. Without a current folder it stays what it is.
+fn absolute(path: &Path) -> PathBuf {
+    std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
+}
+
+/// A file's name as it is seen from a folder, with `/` on every system.
+fn seen_from(folder: &Path, file: &Path) -> String {
+    let above = folder.ancestors().find(|above| file.starts_with(above));
+    let above = above.unwrap_or(Path::new(""));
+    let up = folder
+        .strip_prefix(above)
+        .map_or(0, |below| below.components().count());
+    let below = file.strip_prefix(above).unwrap_or(file).components();
+    let below = below.map(Component::as_os_str).map(|part| part.to_string_lossy());
+    let parts: Vec<_> = std::iter::repeat_n("..".into(), up).chain(below).collect();
+    parts.join("/")
 }

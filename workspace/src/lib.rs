@@ -13,7 +13,7 @@
 //! - [`is_excluded`] says of a file that was named whether a search would pass over it.
 //! - [`read`] and [`decode`] are the one gate for text: nothing that is not UTF-8, and nothing larger than
 //!   [`MAX_FILE_BYTES`], goes past it.
-//! - [`foreign_source`] is a program of another system with the files next to it that belong to it.
+//! - [`ForeignPrograms`] has programs of other systems with the files that belong to them.
 //! - [`Named`] is a file that a workspace names, in its settings or scenarios: it lies inside of that, whatever links lead
 //!   to it, and is a regular file.
 //! - [`write()`] puts a new text in a file's place in one step: a reader, or a power cut, sees the old text or the
@@ -49,7 +49,7 @@ mod write;
 pub use disk::{Disk, Keeper, MemoryDisk, SystemDisk};
 pub use error::{FileError, Problem, Special};
 pub use excluded::is_excluded;
-pub use foreign::{foreign_source, is_companion};
+pub use foreign::{ForeignPrograms, belonging};
 pub use ladder_syntax::MAX_FILE_BYTES;
 pub use library::folder_errors;
 pub use named::{Named, read_own};

@@ -10,10 +10,13 @@ use ladder_analysis::program::{Location, Program};
 use ladder_analysis::{Analysis, Diagnostic, Linked, NotWhole, library};
 use ladder_notations::{Foreign, Mark, ReadError, conversion_of_cplc_draft};
 use ladder_syntax::{LineColumn, LineIndex, TextRange, TextSize};
-use ladder_workspace::{Workspace, shown};
+use ladder_workspace::{ForeignPrograms, Workspace, shown};
 use std::borrow::Cow;
 use std::path::Path;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, LazyLock, OnceLock};
+
+/// The programs of other systems that this run of a command reads.
+pub(crate) static FOREIGN: LazyLock<ForeignPrograms> = LazyLock::new(ForeignPrograms::default);
 
 /// A text that was checked.
 pub(crate) struct Source {
@@ -68,7 +71,7 @@ impl Source {
             let text = ladder_workspace::decode(file, bytes).map_err(Failure::from)?;
             return Ok(Source::new(name, text));
         };
-        let source = ladder_workspace::foreign_source(notation, file, &bytes).map_err(Failure::from)?;
+        let source = FOREIGN.source(notation, file, &bytes).map_err(Failure::from)?;
         let foreign = Foreign::read(notation, &source).map_err(|error| NotRead::broken(file, &error))?;
         let mut source = Source::new(name, foreign.ladder().to_owned());
         source.index = LineIndex::new(foreign.text());

@@ -16,6 +16,7 @@ mod fixed_drawings;
 mod fmt;
 mod foreign;
 mod foreign_at_hand;
+mod foreign_folders;
 mod harness;
 mod help;
 mod logix;

@@ -10,8 +10,9 @@ mod form;
 pub use conversion::{CONVERSION, conversion_of_cplc_draft};
 pub use form::Form;
 pub use ladder_notation::{
-    Companion, Converted, Entry, Finding, Foreign, LineColumn, Lines, Mark, Notation, Outcome, ReadError,
-    Remark, Report, Source, Tally, WriteError, Writing, convert, has_extension, remarks, write_checked,
+    Companion, Converted, Entry, Finding, Foreign, LineColumn, Lines, Mark, Notation, Outcome, Reach,
+    ReadError, Remark, Report, Source, Tally, WriteError, Writing, convert, has_extension, remarks,
+    write_checked,
 };
 
 use ladder_notation::in_utf8;

@@ -95,7 +95,7 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
         bytes: source(&name, header, &interface, &compiled, &body).into_bytes(),
         companions: vec![Companion {
             name: format!("{header}.h"),
-            bytes: header::header(&name, &interface, &constants, &compiled).into_bytes(),
+            bytes: header::header(&name, &interface, &constants, &compiled).into(),
         }],
         report,
     })

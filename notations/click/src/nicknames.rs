@@ -224,7 +224,7 @@ impl Nicknames {
 pub(super) fn companion(nicknames: &[Nickname]) -> Option<Companion> {
     (!nicknames.is_empty()).then(|| Companion {
         name: "nicknames.csv".to_owned(),
-        bytes: write(nicknames).into_bytes(),
+        bytes: write(nicknames).into(),
     })
 }
 
@@ -284,7 +284,7 @@ mod tests {
         let mut source = Source::alone("main", b"");
         source.companions.push(Companion {
             name: "nicknames.csv".to_owned(),
-            bytes: text.as_bytes().to_vec(),
+            bytes: text.to_owned().into(),
         });
         expected.assert_eq(&match next_to(&source) {
             Err(error) => format!("{error}\n"),

@@ -4,7 +4,9 @@ use super::checks::{self, Words};
 use super::python_name::python_name;
 use super::{dsl, grid, model, nicknames, order, read_back, sketch};
 use ladder_analysis::{Analysis, Severity};
-use ladder_notation::{Finding, Notation, Outcome, ReadError, Reading, Source, Target, WriteError, Writing};
+use ladder_notation::{
+    Finding, Notation, Outcome, Reach, ReadError, Reading, Source, Target, WriteError, Writing,
+};
 
 /// The Python DSL.
 #[derive(Debug)]
@@ -94,8 +96,8 @@ impl Notation for ClickGrid {
         nicknames::is_file_of(program, file) || grid::is_subroutine_of(program, file)
     }
 
-    fn companion_folder(&self) -> Option<&'static str> {
-        Some(grid::SUBROUTINES)
+    fn reach(&self) -> Reach {
+        Reach::FolderAnd(grid::SUBROUTINES)
     }
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {

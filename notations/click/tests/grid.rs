@@ -31,7 +31,7 @@ fn converted(file: &Path) -> Result<Converted, String> {
         .filter(|(other, _)| notation().has_companion(&name, other))
         .map(|(name, path)| Companion {
             name,
-            bytes: std::fs::read(path).expect("the file can be read"),
+            bytes: std::fs::read(path).expect("the file can be read").into(),
         })
         .collect();
     companions.sort_by(|one, other| one.name.cmp(&other.name));
@@ -123,7 +123,7 @@ fn write(ladder: &str) -> Result<Vec<(String, String)>, String> {
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).map_err(|error| error.to_string());
     let mut files = vec![(String::new(), text(writing.bytes)?)];
     for companion in writing.companions {
-        files.push((companion.name, text(companion.bytes)?));
+        files.push((companion.name, text(companion.bytes.to_vec())?));
     }
     Ok(files)
 }
@@ -134,7 +134,7 @@ fn read_files(name: &str, files: &[(String, String)]) -> Result<Converted, Strin
         .iter()
         .map(|(name, text)| Companion {
             name: name.clone(),
-            bytes: text.clone().into_bytes(),
+            bytes: text.clone().into(),
         })
         .collect();
     let source = Source {

@@ -90,8 +90,8 @@ pub fn convert(
     let files = files.into_iter().map(|file| Companion {
         name: file_name(&file.name, &mut names),
         bytes: match file.content {
-            Content::Program(program) => program.write(options).text.into_bytes(),
-            Content::Text(text) => text.into_bytes(),
+            Content::Program(program) => program.write(options).text.into(),
+            Content::Text(text) => text.into(),
         },
     });
     Ok(Converted {

@@ -61,16 +61,16 @@ pub trait Notation: Sync {
         false
     }
 
-    /// Whether a file next to a program belongs to it: `program` is the stem of the program's name, `file` the whole name
-    /// of the other, or of one in the [folder](Notation::companion_folder): `subroutines/Rinse.csv`. The caller that reads
-    /// the program from a folder hands such files in as [`Source::companions`].
+    /// Whether a file in [reach](Notation::reach) of a program belongs to it: `program` is the stem of the program's name,
+    /// `file` the name of the other as it is seen from the folder of the program: `subroutines/Rinse.csv`. The caller that
+    /// reads the program from a folder hands such files in as [`Source::companions`].
     fn has_companion(&self, _program: &str, _file: &str) -> bool {
         false
     }
 
-    /// The folder next to a program that holds files of it.
-    fn companion_folder(&self) -> Option<&'static str> {
-        None
+    /// Where the files lie that may belong to a program.
+    fn reach(&self) -> Reach {
+        Reach::Folder
     }
 
     /// Reads a program.
@@ -86,6 +86,17 @@ pub trait Notation: Sync {
     ///
     /// If nothing of it can be expressed in this notation. A part that cannot be is an entry of the report.
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError>;
+}
+
+/// Where the files lie that belong to a program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reach {
+    /// In its folder.
+    Folder,
+    /// In its folder, and in the one of this name next to it.
+    FolderAnd(&'static str),
+    /// Anywhere in its project. The folder of that has a file whose name ends so, if the system has such a file.
+    Project(Option<&'static str>),
 }
 
 impl PartialEq for dyn Notation {

@@ -1,7 +1,11 @@
 //! A file in some notation, with the files next to it that belong to it.
 
 use super::{LineColumn, Lines, ReadError};
+use std::any::Any;
 use std::borrow::Cow;
+use std::fmt;
+use std::ops::Deref;
+use std::sync::{Arc, OnceLock};
 
 /// A larger file is not read.
 const MOST_BYTES: usize = 4 << 20;
@@ -16,17 +20,80 @@ pub struct Source<'s> {
     pub name: Cow<'s, str>,
     /// Its content.
     pub bytes: &'s [u8],
-    /// The files next to it that [`Notation::has_companion`](super::Notation::has_companion) asked for, by name.
+    /// The other files that [`Notation::has_companion`](super::Notation::has_companion) asked for, the nearest first: of two
+    /// that declare one name the first counts.
     pub companions: Vec<Companion>,
 }
 
-/// A file next to a program that belongs to it.
+/// A file that belongs to a program in another.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Companion {
-    /// Its whole name, without the folder of the program; after a `/` if it is in a folder of its own.
+    /// Its name as it is seen from the folder of the program, with `/`: `motor.s7res`, `../types/Motor.s7dcl`.
     pub name: String,
     /// Its content.
-    pub bytes: Vec<u8>,
+    pub bytes: Bytes,
+}
+
+/// The content of a file that many programs may be read with. Copies are one, and what was made of it once is kept with it.
+#[derive(Clone, Default)]
+pub struct Bytes(Arc<Held>);
+
+#[derive(Default)]
+struct Held {
+    bytes: Vec<u8>,
+    made: OnceLock<Box<dyn Any + Send + Sync>>,
+}
+
+impl Bytes {
+    /// What a reader makes of the content, made at the first call. A file is of one notation, and asked for one type; of
+    /// another type it is made each time.
+    pub fn made<T: Any + Send + Sync + Clone>(&self, make: impl Fn(&[u8]) -> T) -> T {
+        let made = self.0.made.get_or_init(|| Box::new(make(self)));
+        made.downcast_ref::<T>().cloned().unwrap_or_else(|| make(self))
+    }
+}
+
+impl From<Vec<u8>> for Bytes {
+    fn from(bytes: Vec<u8>) -> Bytes {
+        Bytes(Arc::new(Held {
+            bytes,
+            made: OnceLock::new(),
+        }))
+    }
+}
+
+impl From<String> for Bytes {
+    fn from(text: String) -> Bytes {
+        text.into_bytes().into()
+    }
+}
+
+impl Deref for Bytes {
+    type Target = [u8];
+
+    fn deref(&self) -> &[u8] {
+        &self.0.bytes
+    }
+}
+
+impl AsRef<[u8]> for Bytes {
+    fn as_ref(&self) -> &[u8] {
+        self
+    }
+}
+
+impl PartialEq for Bytes {
+    fn eq(&self, other: &Bytes) -> bool {
+        **self == **other
+    }
+}
+
+impl Eq for Bytes {}
+
+impl fmt::Debug for Bytes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        (**self).fmt(f)
+    }
 }
 
 impl<'s> Source<'s> {

@@ -3,16 +3,17 @@
 //!
 //! ```text
 //! text --header--> a unit with its variables
-//!      --rungs---> its body as a graph --> the model of `ladder-notation-plcopen`, and its way to ladder text
+//!      --rungs---> its body as a graph --project--> with what it uses of its project, the model of
+//!                  `ladder-notation-plcopen`, and its way to ladder text
 //! ```
 #![forbid(unsafe_code)]
 
 mod header;
+mod project;
 mod rungs;
 
 use ladder_analysis::Analysis;
-use ladder_notation::{Notation, ReadError, Reading, Source, WriteError, Writing};
-use ladder_notation_plcopen::model::{Body, Project};
+use ladder_notation::{Notation, Reach, ReadError, Reading, Source, WriteError, Writing};
 
 /// See the module.
 #[derive(Debug)]
@@ -39,13 +40,16 @@ impl Notation for OpenPlc {
         header::recognises(bytes)
     }
 
+    fn has_companion(&self, _program: &str, file: &str) -> bool {
+        project::is_file(file)
+    }
+
+    fn reach(&self) -> Reach {
+        Reach::Project(Some(project::PROJECT))
+    }
+
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
-        let text = source.text()?;
-        let mut project = Project::default();
-        let (mut unit, json) = header::read(text, &mut project.report)?;
-        unit.body = Body::Graph(rungs::read(text, json, &mut project.report)?);
-        project.units.push(unit);
-        Ok(ladder_notation_plcopen::reading(project))
+        project::project(source).map(ladder_notation_plcopen::reading)
     }
 
     fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {

@@ -4,7 +4,7 @@ use ladder_notation::LineColumn;
 use std::collections::HashSet;
 
 /// The elements of a body, in the order of the file.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Graph {
     /// See above.
     pub nodes: Vec<Node>,
@@ -13,7 +13,7 @@ pub struct Graph {
 }
 
 /// An element.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Node {
     /// Where it is in the file.
     pub place: LineColumn,
@@ -43,7 +43,7 @@ pub struct Pin {
 }
 
 /// Where power or a value leaves.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Output {
     /// `Q`, `ENO`; empty where there is only one.
     pub name: String,

@@ -25,6 +25,7 @@ pub mod graph;
 mod loops;
 mod loose;
 pub mod model;
+pub mod neighbours;
 mod order;
 mod own;
 mod read;

@@ -5,7 +5,7 @@ use ladder_format::program::Qualifier;
 use ladder_notation::{LineColumn, Report};
 
 /// A whole project.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Project {
     /// The comment above everything else.
     pub comments: Vec<String>,
@@ -36,7 +36,7 @@ pub enum Evaluation {
 }
 
 /// A type with its name.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct TypeDeclaration {
     /// Where.
     pub place: LineColumn,
@@ -51,7 +51,7 @@ pub struct TypeDeclaration {
 }
 
 /// A program, function or function block.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Unit {
     /// Where.
     pub place: LineColumn,
@@ -75,7 +75,7 @@ pub struct Unit {
 pub(crate) const WORKSHEET: &str = "worksheet";
 
 /// An action, a transition, or a further body.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Part {
     /// Where.
     pub place: LineColumn,
@@ -191,7 +191,7 @@ pub enum Initial {
 }
 
 /// What a unit does.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub enum Body {
     /// LD or FBD.
     Graph(Graph),
@@ -206,7 +206,7 @@ pub enum Body {
 }
 
 /// A task.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Task {
     /// Where.
     pub place: LineColumn,

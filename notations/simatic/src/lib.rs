@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! .s7dcl, .scl --read--> Unit: declarations, and networks as wires between points, or as text
-//! .xml ---xml--->    |
+//! .xml ---xml--->    |        (what it uses of other files: project)
 //!                    '--sketch--> sketch of a ladder program, report, findings
 //! program ------write--> Unit: the program as a function block, and what it uses
 //!                          |
@@ -14,6 +14,7 @@
 mod cursor;
 mod model;
 mod operand;
+mod project;
 mod read;
 mod scope;
 mod sketch;
@@ -22,9 +23,8 @@ mod write;
 mod xml;
 
 use ladder_analysis::Analysis;
-use ladder_notation::{Notation, ReadError, Reading, Source, Target, WriteError, Writing, text_of};
+use ladder_notation::{Notation, Reach, ReadError, Reading, Source, Target, WriteError, Writing};
 use model::{Kind, Unit};
-use read::resource::Texts;
 use scope::Library;
 use write::Made;
 
@@ -60,62 +60,17 @@ fn bounded<'s>(source: &Source<'s>) -> Result<&'s str, ReadError> {
     Ok(text)
 }
 
-/// What the name of a file next to another ends with.
-fn has_end(file: &str, end: &str) -> bool {
-    let at = file.len().checked_sub(end.len());
-    at.and_then(|at| file.get(at..))
-        .is_some_and(|own| own.eq_ignore_ascii_case(end))
-}
-
-/// The blocks that stand next to one, in files whose names end so.
-fn companions(
-    source: &Source<'_>,
-    end: &str,
-    read: impl Fn(&str, &Source<'_>) -> Option<Result<Unit, ReadError>>,
-) -> Vec<(String, Result<Unit, String>)> {
-    let files = source.companions.iter().filter(|file| has_end(&file.name, end));
-    files
-        .filter_map(|file| {
-            let stem = file.name[..file.name.len() - end.len()].to_owned();
-            let unit = read(&stem, &Source::alone("", &file.bytes))?;
-            Some(match unit {
-                Ok(unit) => (unit.name.clone(), Ok(unit)),
-                Err(error) => (stem, Err(error.to_string())),
-            })
-        })
-        .collect()
-}
-
-/// The texts of the document with this stem.
-fn texts(source: &Source<'_>, stem: &str) -> Result<Texts, ReadError> {
-    let name = format!("{stem}.s7res");
-    let file = source
-        .companions
-        .iter()
-        .find(|file| file.name.eq_ignore_ascii_case(&name));
-    file.map_or_else(
-        || Ok(Texts::default()),
-        |file| Ok(Texts::of(text_of(&file.bytes)?)),
-    )
-}
-
-/// The sketch of a block, next to others and to tables of tags.
-fn sketched(source: &Source<'_>, unit: &Unit, next: &[(String, Result<Unit, String>)]) -> Reading {
-    let tables = source
-        .companions
-        .iter()
-        .filter(|file| has_end(&file.name, ".xml") && xml::holds_tags(&head(&file.bytes)));
-    // One that cannot be read declares nothing.
-    let tags = tables.filter_map(|file| xml::tags(bounded(&Source::alone("", &file.bytes)).ok()?).ok());
-    let tags: Vec<Unit> = tags.flatten().collect();
+/// The sketch of a block, which uses what comes with it in its file, and what other files of its project declare.
+fn sketched(source: &Source<'_>, unit: &Unit, next: &[Unit]) -> Reading {
+    let declared = project::declared(source);
     let mut library: Library<'_> = Library::new();
-    for tag in &tags {
-        library.insert(tag.name.to_lowercase(), Ok(tag));
+    for unit in std::iter::once(unit).chain(next) {
+        library.insert(unit.name.to_lowercase(), Ok(unit));
     }
-    for (name, other) in next {
-        library.insert(name.to_lowercase(), other.as_ref().map_err(Clone::clone));
+    for (name, other) in declared.iter().flat_map(|file| &file.1) {
+        let other = || other.as_ref().map_err(Clone::clone);
+        library.entry(name.to_lowercase()).or_insert_with(other);
     }
-    library.insert(unit.name.to_lowercase(), Ok(unit));
     sketch::reading(unit, &library)
 }
 
@@ -155,16 +110,17 @@ impl Notation for Simatic {
     }
 
     fn has_companion(&self, _program: &str, file: &str) -> bool {
-        has_end(file, ".s7dcl") || has_end(file, ".s7res")
+        project::is_file(file)
+    }
+
+    fn reach(&self) -> Reach {
+        Reach::Project(None)
     }
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
         let text = bounded(source)?;
-        let unit = read::unit(text, &texts(source, &source.name)?)?;
-        let next = companions(source, ".s7dcl", |stem, file| {
-            Some(bounded(file).and_then(|text| read::unit(text, &texts(source, stem)?)))
-        });
-        Ok(sketched(source, &unit, &next))
+        let unit = read::unit(text, &project::texts(source, &source.name)?)?;
+        Ok(sketched(source, &unit, &[]))
     }
 
     fn writes_other_files(&self) -> bool {
@@ -198,16 +154,16 @@ impl Notation for SimaticMl {
     }
 
     fn has_companion(&self, _program: &str, file: &str) -> bool {
-        has_end(file, ".xml")
+        project::is_file(file)
+    }
+
+    fn reach(&self) -> Reach {
+        Reach::Project(None)
     }
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
         let unit = xml::unit(bounded(source)?)?;
-        let next = companions(source, ".xml", |_, file| {
-            self.recognises(file.bytes)
-                .then(|| bounded(file).and_then(xml::unit))
-        });
-        Ok(sketched(source, &unit, &next))
+        Ok(sketched(source, &unit, &[]))
     }
 
     fn writes_other_files(&self) -> bool {
@@ -249,7 +205,11 @@ impl Notation for SimaticScl {
     }
 
     fn has_companion(&self, _program: &str, file: &str) -> bool {
-        has_end(file, ".scl") || has_end(file, ".xml")
+        project::is_file(file)
+    }
+
+    fn reach(&self) -> Reach {
+        Reach::Project(None)
     }
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
@@ -259,23 +219,7 @@ impl Notation for SimaticScl {
             .or_else(|| units.iter().rposition(|unit| unit.kind.is_code()))
             .unwrap_or(units.len() - 1);
         let main = units.remove(main);
-        let mut next = Vec::new();
-        for file in source
-            .companions
-            .iter()
-            .filter(|file| has_end(&file.name, ".scl"))
-        {
-            // One that cannot be read is reported where it is read itself.
-            let others = bounded(&Source::alone("", &file.bytes)).and_then(read::source);
-            next.extend(
-                others
-                    .unwrap_or_default()
-                    .into_iter()
-                    .map(|unit| (unit.name.clone(), Ok(unit))),
-            );
-        }
-        next.extend(units.into_iter().map(|unit| (unit.name.clone(), Ok(unit))));
-        Ok(sketched(source, &main, &next))
+        Ok(sketched(source, &main, &units))
     }
 
     fn write(&self, _analysis: &Analysis) -> Result<Writing, WriteError> {

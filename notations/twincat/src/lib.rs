@@ -18,7 +18,7 @@ mod unit;
 mod write;
 
 use ladder_analysis::Analysis;
-use ladder_notation::{Notation, ReadError, Reading, Source, WriteError, Writing};
+use ladder_notation::{Notation, Reach, ReadError, Reading, Source, WriteError, Writing};
 
 /// See the module.
 #[derive(Debug)]
@@ -51,6 +51,10 @@ impl Notation for TwinCat {
 
     fn has_companion(&self, _program: &str, file: &str) -> bool {
         project::is_file(file)
+    }
+
+    fn reach(&self) -> Reach {
+        Reach::Project(Some(".plcproj"))
     }
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {

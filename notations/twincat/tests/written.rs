@@ -48,7 +48,7 @@ fn check(text: &str, expected: Expect) {
 
 fn file(writing: &Writing, name: &str) -> String {
     let file = writing.companions.iter().find(|file| file.name == name);
-    String::from_utf8(file.expect("there is such a file").bytes.clone()).expect("it is UTF-8")
+    String::from_utf8(file.expect("there is such a file").bytes.to_vec()).expect("it is UTF-8")
 }
 
 #[test]

@@ -83,7 +83,7 @@ pub(crate) fn translate(
             account.notes.extend(next_to);
             companions.extend(writing.companions.into_iter().map(|companion| NextTo {
                 name: companion.name,
-                text: String::from_utf8(companion.bytes).ok(),
+                text: String::from_utf8(companion.bytes.to_vec()).ok(),
             }));
             String::from_utf8(writing.bytes).map_err(|_| {
                 "this program is not a text in UTF-8; `ladder convert -o` writes it".to_owned()

@@ -79,7 +79,7 @@ fn whole_programs_run() {
                 let belongs = by_name(notation)?.has_companion(&name, &file);
                 belongs.then(|| Companion {
                     name: file,
-                    bytes: fs::read(&next_to).unwrap_or_default(),
+                    bytes: fs::read(&next_to).unwrap_or_default().into(),
                 })
             })
             .collect();

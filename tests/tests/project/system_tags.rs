@@ -104,7 +104,7 @@ fn a_block_that_was_changed_stays() {
         .find(|companion| companion.name == "LadderSys.s7dcl");
     let block = block.expect("the block is a file of its own");
     let text = String::from_utf8_lossy(&block.bytes).replace("60000", "59000");
-    block.bytes = text.into_bytes();
+    block.bytes = text.into();
     let source = Source {
         companions,
         ..Source::alone("test", &writing.bytes)

@@ -2,7 +2,6 @@
 
 use super::{Disk, Keeper};
 use crate::error::{FileError, Problem};
-use crate::foreign::MOST_FILES;
 use crate::named::Named;
 use crate::root::{Root, SETTINGS_FILE};
 use crate::search::{Survey, is_program, is_scenario};
@@ -10,7 +9,6 @@ use crate::settings::Files;
 use crate::stamp::Stamp;
 use crate::text;
 use ladder_analysis::Cancel;
-use ladder_notation::Companion;
 use std::collections::BTreeMap;
 use std::io;
 use std::path::{Component, Path, PathBuf};
@@ -204,31 +202,14 @@ impl Disk for MemoryDisk {
         }
     }
 
-    fn companions(
-        &self,
-        program: &Path,
-        inner: Option<&str>,
-        wanted: &dyn Fn(&str) -> bool,
-    ) -> Result<Vec<Companion>, FileError> {
-        let folder = program.parent().unwrap_or(Path::new(""));
-        let own = plain(program);
-        let all = self.lock();
-        let found = all
-            .files
-            .iter()
-            .filter(|(path, _)| **path != own)
-            .filter_map(|(path, file)| {
-                let name = path.strip_prefix(plain(folder)).ok()?.to_string_lossy();
-                let is_near = match name.split_once('/') {
-                    None => true,
-                    Some((first, rest)) => Some(first) == inner && !rest.contains('/'),
-                };
-                (is_near && wanted(&name)).then(|| Companion {
-                    name: name.into_owned(),
-                    bytes: file.bytes.to_vec(),
-                })
-            });
-        Ok(found.take(MOST_FILES).collect())
+    fn files_below(&self, folder: &Path, most: usize) -> Vec<PathBuf> {
+        let mut found = self.below(folder, |_| true);
+        found.truncate(most);
+        found
+    }
+
+    fn read_below(&self, _folder: &Path, file: &Path) -> Result<Vec<u8>, FileError> {
+        Ok(self.bytes(file)?.to_vec())
     }
 
     fn keeper(&self, file: &Named) -> Result<Box<dyn Keeper>, FileError> {

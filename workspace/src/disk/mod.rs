@@ -11,7 +11,6 @@ pub(crate) use system::KeptFile;
 pub use system::SystemDisk;
 
 use crate::error::FileError;
-use crate::foreign;
 use crate::named::Named;
 use crate::root::Root;
 use crate::search::Survey;
@@ -19,7 +18,6 @@ use crate::settings::Files;
 use crate::stamp::Stamp;
 use crate::text;
 use ladder_analysis::Cancel;
-use ladder_notation::{Companion, Notation, Source};
 use std::fmt::Debug;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -93,16 +91,14 @@ pub trait Disk: Debug + Send + Sync {
     /// What lies below a folder. See [`survey`](crate::survey).
     fn survey(&self, folder: &Path, most: usize, cancel: &Cancel) -> Survey;
 
-    /// The files next to a program that belong to it, those in the folder `inner` too.
+    /// The files below a folder, by the rules of `.gitignore`, up to so many files and folders.
+    fn files_below(&self, folder: &Path, most: usize) -> Vec<PathBuf>;
+
+    /// The bytes of a file that was found below a folder.
     ///
     /// # Errors
-    /// One of them cannot be read, or lies outside.
-    fn companions(
-        &self,
-        program: &Path,
-        inner: Option<&str>,
-        wanted: &dyn Fn(&str) -> bool,
-    ) -> Result<Vec<Companion>, FileError>;
+    /// It is not a regular file, leads out of the folder and its workspace, cannot be read or is too large.
+    fn read_below(&self, folder: &Path, file: &Path) -> Result<Vec<u8>, FileError>;
 
     /// What keeps values in a file that a workspace names.
     ///
@@ -131,21 +127,6 @@ pub trait Disk: Debug + Send + Sync {
         let folder = file.parent().unwrap_or(Path::new(""));
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         self.read_text(&Named::in_settings(folder, &name))
-    }
-
-    /// A program of another system with the files that belong to it. See [`foreign_source`](crate::foreign_source).
-    ///
-    /// # Errors
-    /// One of them cannot be read, or lies outside.
-    fn foreign_source<'s>(
-        &self,
-        notation: &dyn Notation,
-        program: &'s Path,
-        bytes: &'s [u8],
-    ) -> Result<Source<'s>, FileError> {
-        foreign::source(notation, program, bytes, |inner, wanted| {
-            self.companions(program, inner, wanted)
-        })
     }
 }
 

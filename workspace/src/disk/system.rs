@@ -9,9 +9,8 @@ use crate::search::{self, Survey};
 use crate::settings::Files;
 use crate::stamp::Stamp;
 use crate::write::write;
-use crate::{foreign, regular, text};
+use crate::{regular, text};
 use ladder_analysis::Cancel;
-use ladder_notation::Companion;
 use ladder_syntax::MAX_FILE_BYTES;
 use std::fs::{self, File};
 use std::io::{self, Read as _};
@@ -95,13 +94,12 @@ impl Disk for SystemDisk {
         search::survey(folder, most, cancel)
     }
 
-    fn companions(
-        &self,
-        program: &Path,
-        inner: Option<&str>,
-        wanted: &dyn Fn(&str) -> bool,
-    ) -> Result<Vec<Companion>, FileError> {
-        foreign::read_companions(program, inner, wanted)
+    fn files_below(&self, folder: &Path, most: usize) -> Vec<PathBuf> {
+        search::files_below(folder, most)
+    }
+
+    fn read_below(&self, folder: &Path, file: &Path) -> Result<Vec<u8>, FileError> {
+        named::read_below(folder, file)
     }
 
     fn keeper(&self, file: &Named) -> Result<Box<dyn Keeper>, FileError> {

@@ -118,6 +118,16 @@ pub fn read_own(path: &Path) -> Result<String, FileError> {
     text::read_from(regular::open_plain(path, File::options().read(true))?, path)
 }
 
+/// The bytes of a file that was found below a folder: a regular one, and no link on the way to it leads out of that, or of
+/// its own workspace.
+pub(crate) fn read_below(folder: &Path, path: &Path) -> Result<Vec<u8>, FileError> {
+    let mut way = path.ancestors().take_while(|inner| *inner != folder);
+    if way.any(Path::is_symlink) && !stays_inside(folder, path) {
+        return Err(FileError::new(path, Problem::Outside));
+    }
+    text::bytes_from(regular::open_plain(path, File::options().read(true))?, path)
+}
+
 /// Whether a file that was found in a folder lies inside of it, or of its own workspace, after links are resolved.
 pub(crate) fn stays_inside(folder: &Path, file: &Path) -> bool {
     let within = |root: &Path| {

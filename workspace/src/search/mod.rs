@@ -147,6 +147,16 @@ fn programs_of_library(folder: &Path) -> Vec<PathBuf> {
         .collect()
 }
 
+/// The files below a folder, by the rules of [`find_programs`], up to so many files and folders.
+pub(crate) fn files_below(folder: &Path, most: usize) -> Vec<PathBuf> {
+    let Ok(walk) = Walker::below(folder, |_| true) else {
+        return Vec::new();
+    };
+    let entries = walk.builder.build().take(most).filter_map(Result::ok);
+    let paths = entries.map(ignore::DirEntry::into_path);
+    paths.filter(|path| is_own_file(folder, path)).collect()
+}
+
 /// What lies below a folder that a person works in.
 #[derive(Debug, Default)]
 pub struct Survey {

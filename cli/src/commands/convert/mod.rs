@@ -3,7 +3,7 @@
 mod report;
 mod target;
 
-use crate::findings::Source;
+use crate::findings::{FOREIGN, Source};
 use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
 use crate::output::{Existing, Output};
@@ -268,6 +268,6 @@ fn finish(mut files: Vec<(Output, &[u8])>) -> Result<(), Failure> {
 }
 
 fn read(notation: &'static dyn Notation, job: &Job) -> Result<Foreign, Failure> {
-    let source = ladder_workspace::foreign_source(notation, &job.input, &job.bytes)?;
+    let source = FOREIGN.source(notation, &job.input, &job.bytes)?;
     Foreign::read(notation, &source).map_err(|error| Failure::broken(&job.input, &error))
 }

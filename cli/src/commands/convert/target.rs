@@ -1,9 +1,10 @@
 //! Which programs are meant, and where each of them goes.
 
+use crate::findings::FOREIGN;
 use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
 use ladder_notations::{NOTATIONS, has_extension};
-use ladder_workspace::{find_files, is_companion, is_program, read_bytes, shown};
+use ladder_workspace::{find_files, is_program, read_bytes, shown};
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
@@ -37,6 +38,8 @@ pub(super) fn jobs(
             .iter()
             .any(|notation| notation.is_read() && ends_like(path, Form::Foreign(*notation))),
     });
+    let searched = inputs.iter().filter(|input| input.is_dir()).cloned();
+    FOREIGN.open(&Vec::from_iter(searched));
     let mut outcome = Outcome::Fine;
     for error in errors {
         Failure::from(error).show();
@@ -109,7 +112,7 @@ fn folders_below<'p>(inputs: &[PathBuf], file: &'p Path) -> &'p Path {
 fn without_companions(jobs: &mut Vec<Job>, named: &HashSet<&Path>) {
     let belongs = |job: &Job, program: &Job| match program.from {
         Form::Foreign(notation) => {
-            job.from == program.from && is_companion(notation, &program.input, &job.input)
+            job.from == program.from && FOREIGN.is_companion(notation, &program.input, &job.input)
         }
         Form::Ladder => false,
     };

@@ -6,9 +6,9 @@ use crate::git::Git;
 use crate::git::objects::{self, Object, Objects};
 use crate::git::revision::parts;
 use crate::outcome::Failure;
-use ladder_notations::{Companion, Foreign, Notation};
-use ladder_workspace::{MAX_FILE_BYTES, SETTINGS_FILE, is_program};
-use std::collections::BTreeMap;
+use ladder_notations::{Companion, Foreign, Notation, Reach};
+use ladder_workspace::{MAX_FILE_BYTES, SETTINGS_FILE, belonging, is_program};
+use std::collections::{BTreeMap, HashMap};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
@@ -189,23 +189,23 @@ fn companions(notation: &dyn Notation, name: &str, objects: &mut Objects) -> Res
     let Some((revision, path)) = parts(name) else {
         return Ok(Vec::new());
     };
-    let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
-    let stem = Path::new(path).file_stem().map(OsStr::to_string_lossy);
-    let stem = stem.unwrap_or_default();
+    // What may lie anywhere in its project is looked for in all of the revision.
+    let folder = match notation.reach() {
+        Reach::Project(_) => "",
+        Reach::Folder | Reach::FolderAnd(_) => path.rsplit_once('/').map_or("", |(folder, _)| folder),
+    };
     let Ok(Object::Folder(id)) = objects.read(&format!("{revision}:{folder}")) else {
         return Ok(Vec::new());
     };
-    let own = path.rsplit('/').next().unwrap_or(path);
-    let is_near = |file: &str| match file.split_once('/') {
-        None => file != own,
-        Some((inner, name)) => notation.companion_folder() == Some(inner) && !name.contains('/'),
-    };
+    let listed = objects::list(&id)?.into_iter();
+    let ids: HashMap<PathBuf, String> = listed
+        .map(|file| (Path::new(folder).join(file.path), file.id))
+        .collect();
+    let files = ids.keys().cloned().collect();
     let mut companions = Vec::new();
     let mut size = 0;
-    let listed = objects::list(&id)?;
-    let wanted = |file: &&objects::Listed| is_near(&file.path) && notation.has_companion(&stem, &file.path);
-    for file in listed.iter().filter(wanted).take(100) {
-        if let Object::File(bytes) = objects.read(&file.id)? {
+    for (own, file) in belonging(notation, Path::new(path), files) {
+        if let Object::File(bytes) = objects.read(&ids[&file])? {
             size += bytes.len();
             if size > MAX_FILE_BYTES {
                 return Err(Failure::new(format!(
@@ -213,8 +213,8 @@ fn companions(notation: &dyn Notation, name: &str, objects: &mut Objects) -> Res
                 )));
             }
             companions.push(Companion {
-                name: file.path.clone(),
-                bytes,
+                name: own,
+                bytes: bytes.into(),
             });
         }
     }

@@ -26,7 +26,7 @@ pub(in super::super) fn write(program: &Program, report: &mut Report) -> (String
     let mut companions: Vec<Companion> = subroutines
         .map(|routine| Companion {
             name: format!("{SUBROUTINES}/{}.csv", routine.name),
-            bytes: grids(routine).into_bytes(),
+            bytes: grids(routine).into(),
         })
         .collect();
     let mut nicknames = program.nicknames.clone();

@@ -91,7 +91,7 @@ impl Declared<'_> {
             place: (self.place)(at),
             name: name.to_owned(),
             ty,
-            initial: initial.map(|text| initial_in(text, 0)),
+            initial: initial.map(initial_of),
             comment: self.comment_above(at),
         };
         if upper[colon + 1..].trim_start().starts_with("STRUCT") {
@@ -320,7 +320,7 @@ fn variables(
         .split_once(':')
         .filter(|(names, _)| !names.trim().is_empty())?;
     let (ty, initial) = match rest.split_once(":=") {
-        Some((ty, initial)) => (ty, Some(initial_in(initial, 0))),
+        Some((ty, initial)) => (ty, Some(initial_of(initial))),
         None => (rest, None),
     };
     let (names, before) = at(names);
@@ -353,6 +353,11 @@ fn at(text: &str) -> (&str, Option<&str>) {
 }
 
 /// A value as it is written: `5`, `[1, 2(0)]`, `(speed := 1.5)`.
+/// What a text says that a variable begins with.
+pub fn initial_of(text: &str) -> Initial {
+    initial_in(text, 0)
+}
+
 fn initial_in(text: &str, depth: usize) -> Initial {
     let text = text.trim();
     let inside = |open, close| text.strip_prefix(open)?.strip_suffix(close);
@@ -392,7 +397,8 @@ fn parts(text: &str) -> impl Iterator<Item = &str> {
     .map(str::trim)
 }
 
-fn type_of(text: &str) -> Type {
+/// The type that a text names.
+pub fn type_of(text: &str) -> Type {
     type_in(text, 0)
 }
 

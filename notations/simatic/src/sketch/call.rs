@@ -40,7 +40,7 @@ impl<'l> Call<'l> {
         }
         if !is_own && scope.unit(plain_name).is_none() {
             return Err(format!(
-                "`{plain_name}` is no instruction that is known here, and no block whose file stands next to this one"
+                "`{plain_name}` is no instruction that is known here, and no block of the project"
             ));
         }
         let instance = operand(scope, name, "")?;
@@ -48,7 +48,7 @@ impl<'l> Call<'l> {
             return Err(format!("`{plain_name}` holds no state of a block"));
         };
         let callee = scope.unit(of).filter(|unit| unit.kind == Kind::FunctionBlock);
-        let callee = callee.ok_or_else(|| format!("the block `{of}` is in no file next to this one"))?;
+        let callee = callee.ok_or_else(|| format!("the block `{of}` is in no file of the project"))?;
         Ok(Call {
             callee,
             instance: Some(instance.value),

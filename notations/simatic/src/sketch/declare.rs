@@ -210,7 +210,7 @@ impl Sketcher<'_> {
                     },
                     Some(Err(why)) => Err(format!("the type `{name}` cannot be read: {why}")),
                     None => Err(format!(
-                        "the type `{name}` is declared in another file, which does not stand next to this one"
+                        "the type `{name}` is declared in no file of the project (the folder that is converted or opened, or one above with a ladder.toml)"
                     )),
                 }
             }

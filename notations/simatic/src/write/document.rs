@@ -15,7 +15,7 @@ pub(crate) fn writing(made: Made) -> Writing {
         let (document, texts) = document(unit);
         let texts = texts.map(|bytes| Companion {
             name: format!("{}.s7res", unit.name),
-            bytes,
+            bytes: bytes.into(),
         });
         (document, texts)
     };
@@ -23,7 +23,10 @@ pub(crate) fn writing(made: Made) -> Writing {
     for unit in &made.others {
         let (bytes, texts) = files(unit);
         let name = format!("{}.s7dcl", unit.name);
-        companions.push(Companion { name, bytes });
+        companions.push(Companion {
+            name,
+            bytes: bytes.into(),
+        });
         companions.extend(texts);
     }
     let (bytes, texts) = files(&made.program);

@@ -24,7 +24,7 @@ fn document(stem: &str) -> Option<String> {
     let path = corpus()?.join(format!("{stem}.s7res"));
     let companions = std::fs::read(path).ok().map(|bytes| Companion {
         name: "block.s7res".into(),
-        bytes,
+        bytes: bytes.into(),
     });
     let converted = read(&text(&format!("{stem}.s7dcl"))?, companions.into_iter().collect());
     assert_eq!(

@@ -9,7 +9,9 @@ use ladder_notation_simatic::SimaticMl;
 fn a_data_block_of_a_type_and_an_empty_one() {
     let ty = Companion {
         name: "UdtS.s7dcl".to_owned(),
-        bytes: b"TYPE\n    UdtS : STRUCT\n        a : Bool;\n    END_STRUCT;\nEND_TYPE\n".to_vec(),
+        bytes: b"TYPE\n    UdtS : STRUCT\n        a : Bool;\n    END_STRUCT;\nEND_TYPE\n"
+            .to_vec()
+            .into(),
     };
     let converted = read_as("Cfg", "DATA_BLOCK Cfg : UdtS\nEND_DATA_BLOCK\n", vec![ty]);
     expect![[r#"
@@ -88,7 +90,7 @@ fn tags_of_a_table() {
 </StructuredText></NetworkSource><ProgrammingLanguage>SCL</ProgrammingLanguage></AttributeList></SW.Blocks.CompileUnit></ObjectList></SW.Blocks.FC></Document>"#;
     let table = Companion {
         name: "Inputs.xml".to_owned(),
-        bytes: table.as_bytes().to_vec(),
+        bytes: table.to_owned().into(),
     };
     let converted = read_with(&SimaticMl, "Fan", text, vec![table]);
     expect![[r#"

@@ -189,9 +189,9 @@ fn what_is_unknown_does_nothing_and_says_so() {
             +--[ ]( a )--[$pid]( '#pid( Setpoint := 5.0, Output => #y )' )--\-----------------[$Other]( '"Other"( x := #n )' )--\--+
             |                                                               /--[ ]( Plant_pumps_3_run )----------( )( %QX0.5 )--/  |
             1:1: approximated: tag Plant.pumps.3.run: another file of the project declares it: its type is the one that its place asks for
-            9:5: approximated: variable pid: it is not declared here: the type `PID_Compact` is declared in another file, which does not stand next to this one
-            12:35: approximated: #pid( Setpoint := 5.0, Output => #y ): the block `PID_Compact` is in no file next to this one: a scan runs past it, and what it may write is not known
-            12:81: approximated: "Other"( x := #n ): `Other` is no instruction that is known here, and no block whose file stands next to this one: a scan runs past it, and what it may write is not known
+            9:5: approximated: variable pid: it is not declared here: the type `PID_Compact` is declared in no file of the project (the folder that is converted or opened, or one above with a ladder.toml)
+            12:35: approximated: #pid( Setpoint := 5.0, Output => #y ): the block `PID_Compact` is in no file of the project: a scan runs past it, and what it may write is not known
+            12:81: approximated: "Other"( x := #n ): `Other` is no instruction that is known here, and no block of the project: a scan runs past it, and what it may write is not known
         "##]],
     );
 }
@@ -239,7 +239,7 @@ fn a_set_coil_does_not_change_what_comes_after() {
 fn blocks_types_and_data_of_files_next_to_it() {
     let file = |name: &str, text: &str| Companion {
         name: name.to_owned(),
-        bytes: text.as_bytes().to_vec(),
+        bytes: text.to_owned().into(),
     };
     let companions = vec![
         file(

@@ -11,7 +11,7 @@ fn check(statements: &str, files: &[(&str, &str)], expected: &Expect) {
     );
     let companions = files.iter().map(|(name, text)| Companion {
         name: format!("{name}.s7dcl"),
-        bytes: text.as_bytes().to_vec(),
+        bytes: (*text).to_owned().into(),
     });
     let converted = read(&text, companions.collect());
     let text = format!("\n{}", converted.written.text);

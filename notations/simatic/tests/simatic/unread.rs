@@ -133,7 +133,7 @@ fn other_organisation_blocks_run_at_any_time() {
     };
     let file = |name: &str, coil: &str| Companion {
         name: format!("{name}.s7dcl"),
-        bytes: block(name, coil).into_bytes(),
+        bytes: block(name, coil).into(),
     };
     let companions = vec![
         file("Cyclic", "\"Lamp\""),

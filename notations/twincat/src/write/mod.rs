@@ -45,7 +45,7 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
             report.refused(place, "network", why);
         }
         // The program is the last one.
-        let bytes = units.pop().map(|file| file.bytes).unwrap_or_default();
+        let bytes = units.pop().map(|file| file.bytes.to_vec()).unwrap_or_default();
         let program = project.units.last().map_or("", |unit| &unit.name);
         let types = project.types.iter();
         units.extend(types.map(|ty| file(&ty.name, "DUT", &text::data_type(ty), "")));
@@ -106,7 +106,7 @@ fn file(name: &str, what: &str, declaration: &str, body: &str) -> Companion {
     );
     Companion {
         name: format!("{name}.Tc{what}"),
-        bytes: text.into_bytes(),
+        bytes: text.into(),
     }
 }
 

@@ -52,7 +52,8 @@ pub(crate) fn refresh_programs(shared: &Arc<Shared>, changed: &[PathBuf]) {
             let (Some(notation), Some(place)) = (program.kind().notation(), program.place()) else {
                 return false;
             };
-            ladder_workspace::is_companion(notation, &place.path, file)
+            let foreign = shared.neighbours.foreign();
+            foreign.is_companion(notation, &place.path, file)
         };
         if changed.iter().any(belongs) && shared.companions.touch(&program.uri) {
             refresh(shared, &program.uri);

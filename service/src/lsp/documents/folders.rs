@@ -30,6 +30,7 @@ pub(crate) fn begin(shared: &Shared, params: &InitializeParams) {
         let root = params.root_uri.as_ref();
         folders.extend(root.and_then(|root| path_of(root.as_str())));
     }
+    shared.neighbours.foreign().open(&folders);
     *shared.folders.lock().unwrap_or_else(PoisonError::into_inner) = folders;
 }
 
@@ -43,6 +44,7 @@ pub(crate) fn changed(shared: &Arc<Shared>, params: &DidChangeWorkspaceFoldersPa
             folders.push(added);
         }
     }
+    shared.neighbours.foreign().open(&folders);
     drop(folders);
     shared.in_background(|shared| {
         shared.neighbours.forget(|root| is_open(shared, root));

@@ -25,7 +25,7 @@ pub(crate) async fn register(shared: &Arc<Shared>) {
         id: "ladder-files".into(),
         method: "workspace/didChangeWatchedFiles".into(),
         register_options: Some(json!({
-            "watchers": [{ "globPattern": "**/*.clad" }, { "globPattern": "**/ladder.toml" }, { "globPattern": "**/*nicknames.csv" }]
+            "watchers": [{ "globPattern": "**/*.clad" }, { "globPattern": "**/ladder.toml" }, { "globPattern": "**/*nicknames.csv" }, { "globPattern": "**/*.{s7dcl,s7res,scl,TcPOU,TcDUT,TcGVL}" }]
         })),
     };
     let asked = shared.client.register_capability(vec![registration]);

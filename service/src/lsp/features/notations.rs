@@ -7,7 +7,7 @@ use ladder_documents::Kind;
 use ladder_documents::address::path_of;
 use ladder_live::{Failure, argument_of};
 use ladder_notations::{Form, Source};
-use ladder_workspace::{Disk, FileError, is_program};
+use ladder_workspace::{Disk, FileError, ForeignPrograms, is_program};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
@@ -34,7 +34,7 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
     let wanted: Convert = argument_of(CONVERT, params.arguments).map_err(error)?;
     let open = shared.documents.get(&wanted.uri);
     let open = open.or_else(|| shared.companions.get(&wanted.uri));
-    let disk = shared.world().disk.clone();
+    let neighbours = shared.neighbours.clone();
     let converted = blocking(&*shared.host, move |_| {
         let shown = open
             .as_ref()
@@ -43,9 +43,9 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
         let text = wanted.text.clone();
         let text = text.or_else(|| open.as_ref().map(|revision| revision.text()));
         let kind = open.as_ref().map_or(Kind::Program, |revision| revision.kind());
-        let program = Program::of(&*disk, &wanted, text, kind)?;
+        let program = Program::of(&**neighbours.disk(), &wanted, text, kind)?;
         let task = Task {
-            source: &program.source(&*disk)?,
+            source: &program.source(neighbours.foreign())?,
             from: program.from,
             to: program.to,
         };
@@ -124,10 +124,10 @@ impl Program {
     }
 
     /// The program with what belongs to it.
-    fn source(&self, disk: &dyn Disk) -> std::result::Result<Source<'_>, Failure> {
+    fn source(&self, foreign: &ForeignPrograms) -> std::result::Result<Source<'_>, Failure> {
         if let (Form::Foreign(notation), true) = (self.from, self.is_on_disk) {
-            return disk
-                .foreign_source(notation, &self.path, &self.bytes)
+            return foreign
+                .source(notation, &self.path, &self.bytes)
                 .map_err(|error| Failure::Failed(error.to_string()));
         }
         let name = self.path.file_stem().and_then(|stem| stem.to_str());

@@ -35,7 +35,7 @@ pub(crate) fn writing(made: Made) -> Writing {
     }
     let companions = others.iter().zip(2..).map(|(unit, number)| Companion {
         name: format!("{}.xml", unit.name),
-        bytes: file(unit, number, &library, &mut report),
+        bytes: file(unit, number, &library, &mut report).into(),
     });
     let companions = companions.collect();
     Writing {
