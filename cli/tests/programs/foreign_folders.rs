@@ -80,7 +80,7 @@ fn a_simatic_project_is_converted_whole() {
     expect![[r#"
         exit status 1
         -- stdout
-        error[not-translated]: `tag Data` stays as a comment: member `pump`: the type `Motor` is declared in no file of the project, which is the folder that is converted or opened, or the nearest one above with a ladder.toml
+        error[not-translated]: `tag Data` stays as a comment: member `pump`: the type `Motor` is declared in no file of the project (the folder that is converted or opened, or one above with a ladder.toml)
          --> plant/Blocks/Control.s7dcl:1:1
           |
         1 | FUNCTION_BLOCK "Control"

@@ -39,7 +39,7 @@ pub(super) fn jobs(
             .any(|notation| notation.is_read() && ends_like(path, Form::Foreign(*notation))),
     });
     let searched = inputs.iter().filter(|input| input.is_dir()).cloned();
-    FOREIGN.open(&Vec::from_iter(searched));
+    FOREIGN.open(&searched.collect::<Vec<_>>());
     let mut outcome = Outcome::Fine;
     for error in errors {
         Failure::from(error).show();
