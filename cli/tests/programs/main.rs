@@ -26,6 +26,7 @@ mod lsp_recording;
 mod merge;
 mod mutation;
 mod new;
+mod one_file;
 mod outside;
 mod own_library;
 mod pages;

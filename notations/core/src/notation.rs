@@ -1,6 +1,6 @@
 //! The one trait of a notation.
 
-use super::{ReadError, Reading, Source, WriteError, Writing};
+use super::{Kept, Project, ReadError, Reading, Source, WriteError, Writing};
 use ladder_analysis::Analysis;
 use std::fmt;
 
@@ -86,6 +86,22 @@ pub trait Notation: Sync {
     ///
     /// If nothing of it can be expressed in this notation. A part that cannot be is an entry of the report.
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError>;
+
+    /// Whether a whole project is one file: then the files of a folder are [written](Notation::write_project) as one.
+    fn has_projects(&self) -> bool {
+        false
+    }
+
+    /// Writes the files of a folder as one file. What is as it was in the file that they come from stays as that has it.
+    ///
+    /// # Errors
+    ///
+    /// As for [`write`](Notation::write), and if that file is not in this notation.
+    fn write_project(&self, _project: &Project, _kept: Option<&Kept<'_>>) -> Result<Writing, WriteError> {
+        Err(WriteError::new(
+            "each of its files holds one program: convert them one by one, or into a folder",
+        ))
+    }
 }
 
 /// Where the files lie that belong to a program.

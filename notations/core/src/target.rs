@@ -84,13 +84,12 @@ impl Target {
         analysis: &Analysis,
         write: impl Fn(&Analysis, &Unwritable) -> Result<Writing, WriteError>,
     ) -> Result<Writing, WriteError> {
-        let (whole, added) = if self.has_blocks {
+        let (whole, added, mut unwritable) = if self.has_blocks {
             whole(analysis)?
         } else {
-            (Rewritten::of(analysis), Vec::new())
+            (Rewritten::of(analysis), Vec::new(), Unwritable::new())
         };
         let program = self.without_what_it_lacks(whole);
-        let mut unwritable = Unwritable::new();
         for _ in 0..DEEPEST {
             let mut writing = write(&program.analysis, &unwritable)?;
             let of_others = program.restore(&mut writing.report);

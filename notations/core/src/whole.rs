@@ -5,14 +5,16 @@ mod search;
 
 use crate::elements::is_comment;
 use crate::rewritten::{ADDED, Rewritten};
-use crate::{LineColumn, WriteError};
+use crate::{LineColumn, Unwritable, WriteError};
 use functions::Functions;
+pub(crate) use functions::{declaration, is_shared};
 use ladder_analysis::context::{Callee, Context};
 use ladder_analysis::names::named_types::NamedType;
 use ladder_analysis::{Analysis, library, link_files};
 use ladder_format::program::{Drawing, Item, Origin, ProgramSketch, RungPiece};
 use ladder_syntax::{LineKind, Name, Parse};
-use search::{Search, Used};
+use search::Search;
+pub(crate) use search::{Used, called_name, used_by};
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use std::sync::Arc;
@@ -46,15 +48,15 @@ fn file(name: &str) -> &str {
 type Needed = (usize, Used);
 
 /// The program with what it uses of other files: that is below its last network, and above comments at its end. Origins of it are
-/// [`ADDED`] and its number. The program as it is: it uses nothing of them.
+/// [`ADDED`] and its number. The program as it is: it uses nothing of them. Blocks that count and time in another way are unwritable.
 ///
 /// # Errors
 ///
 /// If they cannot be one text.
-pub(crate) fn whole(analysis: &Analysis) -> Result<(Rewritten, Vec<Added>), WriteError> {
+pub(crate) fn whole(analysis: &Analysis) -> Result<(Rewritten, Vec<Added>, Unwritable), WriteError> {
     let program = Rewritten::of(analysis);
     if analysis.has_errors() {
-        return Ok((program, Vec::new()));
+        return Ok((program, Vec::new(), Unwritable::new()));
     }
     let linked;
     let files = match analysis.others() {
@@ -65,14 +67,14 @@ pub(crate) fn whole(analysis: &Analysis) -> Result<(Rewritten, Vec<Added>), Writ
         }
     };
     if files.is_empty() {
-        return Ok((program, Vec::new()));
+        return Ok((program, Vec::new(), Unwritable::new()));
     }
     let context = &analysis.context;
     // What is used by others comes first, and functions at the end.
     let mut found = Search::found(context, files);
     found.reverse();
     found.sort_by_key(|((_, used), _)| matches!(used, Used::Function(_)));
-    agree(context, files, &found)?;
+    let unwritable = agree(context, files, &found)?;
     let mut items = ProgramSketch::of_text(&context.parse).items;
     let is_end = |item: &Item| is_comment(item) || *item == Item::Blank;
     let end = items.iter().rev().take_while(|item| is_end(item)).count();
@@ -128,17 +130,21 @@ pub(crate) fn whole(analysis: &Analysis) -> Result<(Rewritten, Vec<Added>), Writ
         let before = types.len();
         for ty in whole.analysis.context.types.of_others() {
             if known.insert(ty.declaration.key.clone()) {
-                types.extend(declaration(files, ty));
+                types.extend(type_declaration(files, ty));
             }
         }
         if types.len() == before {
-            return Ok((whole, added));
+            return Ok((whole, added, unwritable));
         }
     }
 }
 
-/// Says so if what is needed cannot stand in one text with the program.
-fn agree(own: &Context, files: &[Arc<Analysis>], found: &[(Needed, LineColumn)]) -> Result<(), WriteError> {
+/// Says so if what is needed cannot stand in one text with the program. The blocks come back that count and time in another way.
+fn agree(
+    own: &Context,
+    files: &[Arc<Analysis>],
+    found: &[(Needed, LineColumn)],
+) -> Result<Unwritable, WriteError> {
     let mut blocks: HashMap<&Name, &str> = HashMap::new();
     blocks.extend(
         own.user_blocks[..own.own_blocks]
@@ -147,7 +153,7 @@ fn agree(own: &Context, files: &[Arc<Analysis>], found: &[(Needed, LineColumn)])
     );
     let mut types: HashMap<&Name, &NamedType> = HashMap::new();
     types.extend(own.types.own().iter().map(|ty| (&ty.declaration.key, ty)));
-    let mut known = HashSet::new();
+    let (mut known, mut unwritable) = (HashSet::new(), Unwritable::new());
     for ((from, used), at) in found {
         let other = &files[*from].context;
         let name = match used {
@@ -160,13 +166,17 @@ fn agree(own: &Context, files: &[Arc<Analysis>], found: &[(Needed, LineColumn)])
                 "iec" => "IEC 61131-3",
                 other => other,
             };
-            return Err(WriteError::new(format!(
-                "{at}: `{}` of {} counts and times as {} says, and this program as {} does: draw what it does on rungs of the program",
+            let why = format!(
+                "`{}` of {} counts and times as {} says, and this program as {} does: draw what it does on rungs of the program",
                 name,
                 file(&other.name),
                 says(other),
                 says(own)
-            )));
+            );
+            if !matches!(used, Used::Block(_)) {
+                return Err(WriteError::new(format!("{at}: {why}")));
+            }
+            unwritable.insert(Name::new(name), why);
         }
         if let Used::Block(block) = used
             && let Some(first) = blocks.insert(&other.user_blocks[*block].key, &other.name)
@@ -193,7 +203,7 @@ fn agree(own: &Context, files: &[Arc<Analysis>], found: &[(Needed, LineColumn)])
             }
         }
     }
-    Ok(())
+    Ok(unwritable)
 }
 
 /// The definition of a block, with the comments directly above it.
@@ -231,7 +241,7 @@ fn mark(items: &mut [Item], origin: Origin) {
 }
 
 /// The declaration of a type in its file.
-fn declaration(files: &[Arc<Analysis>], ty: &NamedType) -> Option<String> {
+fn type_declaration(files: &[Arc<Analysis>], ty: &NamedType) -> Option<String> {
     let name = ty.file.as_ref()?;
     let file = files.iter().find(|file| file.context.name == *name)?;
     let parse = &file.context.parse;

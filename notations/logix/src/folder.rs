@@ -8,6 +8,7 @@
 //! ladder.toml   what the checks need not say
 //! ```
 
+use crate::model::Project;
 use crate::scope::CONTROLLER;
 use crate::sketch::Sketcher;
 use ladder_format::program::{Item, ProgramSketch, SectionKind};
@@ -24,9 +25,17 @@ pub(crate) struct Parts {
     pub(crate) blocks: Vec<Item>,
 }
 
-impl Sketcher<'_> {
-    pub(crate) fn files(&mut self, parts: Parts) -> Vec<ProjectFile> {
-        let project = self.translator.project;
+/// What the files are called, without their ending.
+pub(crate) struct Stems {
+    types: String,
+    blocks: String,
+    controller: String,
+    /// Those of the programs.
+    pub(crate) programs: Vec<String>,
+}
+
+impl Stems {
+    pub(crate) fn of(project: &Project) -> Stems {
         let mut names = Names::default();
         let [types, blocks] = ["types", "blocks"].map(|name| names.fresh(name));
         let controller = if project.name.is_empty() {
@@ -34,7 +43,28 @@ impl Sketcher<'_> {
         } else {
             &project.name
         };
-        let controller = names.fresh(controller);
+        Stems {
+            types,
+            blocks,
+            controller: names.fresh(controller),
+            programs: project
+                .programs
+                .iter()
+                .map(|program| names.fresh(&program.name))
+                .collect(),
+        }
+    }
+}
+
+impl Sketcher<'_> {
+    pub(crate) fn files(&mut self, parts: Parts) -> Vec<ProjectFile> {
+        let project = self.translator.project;
+        let Stems {
+            types,
+            blocks,
+            controller,
+            programs,
+        } = Stems::of(project);
         let mut files = Vec::new();
         let mut add = |name: &str, mut items: Vec<Item>| {
             if items.is_empty() {
@@ -62,9 +92,8 @@ impl Sketcher<'_> {
         }
         items.extend(parts.begin);
         add(&controller, items);
-        for (program, items) in project.programs.iter().zip(own) {
-            let name = names.fresh(&program.name);
-            add(&name, items);
+        for (name, items) in programs.iter().zip(own) {
+            add(name, items);
         }
         add(&types, parts.types);
         add(&blocks, parts.blocks);

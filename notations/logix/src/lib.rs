@@ -18,10 +18,12 @@ mod declarations;
 mod folder;
 mod formula;
 mod in_outs;
+mod keep;
 mod l5k;
 mod l5x;
 mod mnemonic;
 mod model;
+mod names;
 mod opened;
 mod operand;
 mod plan;
@@ -41,7 +43,9 @@ mod words;
 mod write;
 
 use ladder_analysis::Analysis;
-use ladder_notation::{LineColumn, Notation, ReadError, Reading, Source, WriteError, Writing, text_of};
+use ladder_notation::{
+    Kept, LineColumn, Notation, Project, ReadError, Reading, Source, WriteError, Writing, text_of,
+};
 
 /// A larger file is not read: whole projects are large.
 const MOST_BYTES: usize = 64 << 20;
@@ -129,6 +133,17 @@ impl Notation for L5x {
 
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
         write::write(analysis)
+    }
+
+    fn has_projects(&self) -> bool {
+        true
+    }
+
+    fn write_project(&self, project: &Project, kept: Option<&Kept<'_>>) -> Result<Writing, WriteError> {
+        match kept {
+            Some(kept) => keep::write(project, kept),
+            None => write::write_project(project),
+        }
     }
 }
 

@@ -25,6 +25,15 @@ use std::rc::Rc;
 
 /// The whole program. `text` is the file that the project was read from.
 pub(crate) fn sketch(project: &Project, text: &str) -> Reading {
+    sketched(project, text, |_, _| ()).0
+}
+
+/// The same, with what is asked of the sketcher when it is done.
+pub(crate) fn sketched<T>(
+    project: &Project,
+    text: &str,
+    ask: impl FnOnce(&Sketcher<'_>, &Plan) -> T,
+) -> (Reading, T) {
     let units = units(project);
     let mut tags = Tags::of(project);
     survey(&units, project.family, &mut tags);
@@ -40,9 +49,10 @@ pub(crate) fn sketch(project: &Project, text: &str) -> Reading {
         seen: HashMap::new(),
     };
     sketcher.program(&plan);
+    let asked = ask(&sketcher, &plan);
     let mut reading = sketcher.reading;
     reading.report.entries.sort_by_key(|entry| entry.place);
-    reading
+    (reading, asked)
 }
 
 /// Makes the sketch.

@@ -1,5 +1,6 @@
 //! `ladder convert`: programs from and to the notations of other systems.
 
+mod one_file;
 mod report;
 mod target;
 
@@ -12,6 +13,7 @@ use clap::Args;
 use ladder_analysis::Analysis;
 use ladder_notations::{Companion, Foreign, Notation, write_checked};
 use ladder_workspace::shown;
+use one_file::Target;
 use report::{Account, Side};
 use std::io::Write;
 use std::path::{Component, Path, PathBuf};
@@ -25,6 +27,7 @@ Examples:
   ladder convert motor.clad --to textbook     the other way round
   ladder convert plant/ -o converted/         all programs of a folder
   ladder convert project.xml -o plant/        a project as the files of a workspace
+  ladder convert plant/ -o project.xml        the other way round: one file
   ladder convert old.cplc --report json -o motor.clad
                                               what became of each element
 
@@ -58,6 +61,11 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "NOTATION", value_parser = form::targets())]
     to: Option<String>,
 
+    /// The file that the programs of a folder come from: what is not changed stays as it is there, to the letter. Without it
+    /// the one in the folder
+    #[arg(long, value_name = "ORIGINAL")]
+    keep: Option<PathBuf>,
+
     /// Say what became of each element: `json` on stderr, or in this file, as JSON or Markdown if it is called .json or .md
     #[arg(long, value_name = "FORM|FILE")]
     report: Option<PathBuf>,
@@ -70,20 +78,13 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let from = arguments.from.as_deref().map(form::named);
     let to = arguments.to.as_deref().map(form::named);
-    let (jobs, mut outcome) = jobs(&arguments.inputs, arguments.output.as_deref(), from, to)?;
-    let mut accounts = Vec::new();
-    for job in &jobs {
-        match convert(job, Existing::by(arguments.force)) {
-            Ok((account, found)) => {
-                outcome = outcome.max(found);
-                accounts.push(account);
-            }
-            Err(failure) => {
-                failure.show();
-                outcome = outcome.max(Outcome::Failed);
-            }
-        }
-    }
+    let existing = Existing::by(arguments.force);
+    let output = arguments.output.as_deref();
+    let (accounts, outcome) =
+        match Target::of(&arguments.inputs, output, from, to, arguments.keep.as_deref())? {
+            Some(target) => target.convert(existing)?,
+            None => one_by_one(&arguments.inputs, output, from, to, existing)?,
+        };
     match arguments.report.as_deref() {
         None => report::people(&accounts),
         Some(form) if form == Path::new("json") => report::json(&accounts)?,
@@ -95,6 +96,31 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         }
     }
     Ok(outcome)
+}
+
+/// Translates each program, and writes it.
+fn one_by_one(
+    inputs: &[PathBuf],
+    output: Option<&Path>,
+    from: Option<Form>,
+    to: Option<Form>,
+    existing: Existing,
+) -> Result<(Vec<Account>, Outcome), Failure> {
+    let (jobs, mut outcome) = jobs(inputs, output, from, to)?;
+    let mut accounts = Vec::new();
+    for job in &jobs {
+        match convert(job, existing) {
+            Ok((account, found)) => {
+                outcome = outcome.max(found);
+                accounts.push(account);
+            }
+            Err(failure) => {
+                failure.show();
+                outcome = outcome.max(Outcome::Failed);
+            }
+        }
+    }
+    Ok((accounts, outcome))
 }
 
 /// Translates one program, and writes it.
@@ -119,12 +145,13 @@ fn convert(job: &Job, existing: Existing) -> Result<(Account, Outcome), Failure>
     };
     if let (Form::Ladder, Some(folder), false) = (job.to, &job.folder, files.is_empty()) {
         make_folder(folder, &job.root)?;
+        files.extend(job.original());
         write_project(folder, &files, existing)?;
         let outcome = account.outcome();
         return Ok((account, outcome));
     }
     let (bytes, next_to) = match job.to {
-        Form::Ladder => (ladder.text.into_bytes(), Vec::new()),
+        Form::Ladder => (ladder.text.into_bytes(), Vec::from_iter(job.original())),
         Form::Foreign(notation) => {
             let file = job.output.as_deref().unwrap_or(&job.input);
             let stem = file.file_stem().unwrap_or_default().to_string_lossy();

@@ -3,7 +3,7 @@
 use crate::findings::FOREIGN;
 use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
-use ladder_notations::{NOTATIONS, has_extension};
+use ladder_notations::{Companion, NOTATIONS, has_extension};
 use ladder_workspace::{find_files, is_program, read_bytes, shown};
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -20,6 +20,29 @@ pub(super) struct Job {
     pub(super) folder: Option<PathBuf>,
     /// The folder that was named for the output: nothing is written outside of it.
     pub(super) root: PathBuf,
+    /// Whether it is one of several.
+    is_one_of_several: bool,
+}
+
+impl Job {
+    /// The file itself, if it is a project that goes into a folder: what is not read of it is there when that becomes one file again.
+    pub(super) fn original(&self) -> Option<Companion> {
+        let Form::Foreign(notation) = self.from else {
+            return None;
+        };
+        let folder = self.folder.as_ref()?;
+        // Of several in one folder none would be the one.
+        let is_alone = !self.is_one_of_several
+            || self
+                .output
+                .as_ref()
+                .is_some_and(|output| output.parent() != Some(folder));
+        let name = self.input.file_name()?.to_str()?.to_owned();
+        (notation.has_projects() && is_alone).then(|| Companion {
+            name,
+            bytes: self.bytes.clone(),
+        })
+    }
 }
 
 /// The programs that the inputs stand for. What is wrong with single ones has been reported, and is in the outcome.
@@ -182,6 +205,7 @@ fn job(
         output,
         folder: own_folder,
         root,
+        is_one_of_several: folder.is_some(),
     }))
 }
 

@@ -122,7 +122,7 @@ impl Functions {
 }
 
 /// Whether other files see the tag as well: then it is the same in the program.
-fn is_shared(context: &Context, tag: &TagFacts) -> bool {
+pub(crate) fn is_shared(context: &Context, tag: &TagFacts) -> bool {
     let shared = context.shared(tag);
     let kinds = [SectionKind::Global, SectionKind::External];
     shared.cold.foreign.is_some() || matches!(shared.origin, Origin::Declared(kind) if kinds.contains(&kind))
@@ -148,7 +148,7 @@ pub(super) fn globals(own: &Context, files: &[Arc<Analysis>]) -> Vec<Item> {
 }
 
 /// A section with one tag. None: its type is not known.
-fn declaration(
+pub(crate) fn declaration(
     context: &Context,
     tag: &TagFacts,
     name: &str,

@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 /// A block in the list of a file, or a function.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub(super) enum Used {
+pub(crate) enum Used {
     Block(usize),
     Function(Callee),
 }
@@ -112,7 +112,7 @@ fn body(used: &Used) -> Body {
 }
 
 /// What a block of a network calls.
-pub(super) fn used_by(context: &Context, block: BlockAt<'_>) -> Option<Used> {
+pub(crate) fn used_by(context: &Context, block: BlockAt<'_>) -> Option<Used> {
     match block.meaning {
         Meaning::User(user) => Some(Used::Block(user)),
         Meaning::Instruction(row) if row.block() == "<CALL>" => {
@@ -126,7 +126,7 @@ pub(super) fn used_by(context: &Context, block: BlockAt<'_>) -> Option<Used> {
 }
 
 /// The function that a block of a sketch begins or calls.
-pub(super) fn called_name(block: &program::Block) -> Option<&str> {
+pub(crate) fn called_name(block: &program::Block) -> Option<&str> {
     match block.op()? {
         Op::Fun | Op::Call => block.only()?.path()?.whole(),
         _ => None,

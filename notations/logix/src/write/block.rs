@@ -98,6 +98,12 @@ impl Writer<'_> {
                 if self.scope.body.is_some() {
                     return Err("an Add-On Instruction calls no routine".to_owned());
                 }
+                let home = self.input.layout.routine(&name).map(|(program, _)| *program);
+                if home != self.scope.program {
+                    return Err(format!(
+                        "`{name}` is in another program, whose routines this one cannot call"
+                    ));
+                }
                 vec![it("JSR", &[&routine, "0"])]
             }
             // The main routine and an Add-On Instruction return to nobody.
@@ -271,7 +277,7 @@ impl Writer<'_> {
         }
         let label = self.names.spell(super::names::Kind::Label, &name);
         if op == Op::Lbl {
-            self.sheet.label = Some(label);
+            self.sheet.labels.push(label);
             return Ok(Vec::new());
         }
         Ok(vec![it("JMP", &[&label])])

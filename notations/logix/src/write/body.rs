@@ -1,7 +1,6 @@
 //! Definitions of blocks as Add-On Instructions.
 
 use super::data::Comments;
-use super::names::Kind;
 use super::native::Known;
 use super::{Scope, Writer};
 use crate::model::{Aoi, Routine, Rung, Tag, Usage};
@@ -93,7 +92,9 @@ impl Writer<'_> {
             if self.is_given(user, parameter) {
                 let own = &program.tags[tag.0 as usize].name;
                 let own = own.rsplit_once('.').map_or(own.as_str(), |(_, own)| own);
-                required.push(self.names.spell(Kind::Tag, own));
+                self.scope.body = Some(body);
+                required.push(self.root(own));
+                self.scope.body = None;
             }
         }
         let system = |name: &str, usage: Usage| Tag {

@@ -24,6 +24,13 @@ const MOST_ZEROS: usize = 1_000;
 /// The largest array.
 const MOST_ELEMENTS: i64 = 1_000_000;
 
+/// Whose a tag is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Home {
+    Controller,
+    Program(usize),
+}
+
 /// What the comments at declarations say, by the block and the tag.
 pub(super) type Comments = HashMap<(String, Name), String>;
 
@@ -98,8 +105,8 @@ impl Writer<'_> {
         .collect()
     }
 
-    /// The tags of a scope, each with whether it is the controller's.
-    pub(super) fn tags(&mut self, scope: &Scope, block: &str, told: &Comments) -> Vec<(bool, Tag)> {
+    /// The tags of a scope, each with whose it is.
+    pub(super) fn tags(&mut self, scope: &Scope, block: &str, told: &Comments) -> Vec<(Home, Tag)> {
         let mut out = Vec::new();
         for facts in &scope.tags {
             let is_shared = facts.is_alias() || matches!(facts.origin, Origin::Implicit | Origin::Shared);
@@ -109,12 +116,13 @@ impl Writer<'_> {
             match self.tag(facts, block) {
                 Ok(mut tag) => {
                     let key = (block.to_ascii_uppercase(), Name::new(&facts.name));
-                    tag.comment = told.get(&key).cloned();
-                    let is_global = matches!(
-                        facts.origin,
-                        Origin::Declared(SectionKind::Global | SectionKind::External)
-                    );
-                    out.push((is_global, tag));
+                    tag.comment = told
+                        .get(&key)
+                        .and_then(|told| self.told_of(&facts.name, &tag.name, told));
+                    // A tag of a module is declared by that.
+                    if self.input.layout.originals.is_none() || !tag.name.contains(':') {
+                        out.push((self.home(facts), tag));
+                    }
                 }
                 Err(why) => {
                     let place = self.place_of(facts);
@@ -123,6 +131,33 @@ impl Writer<'_> {
             }
         }
         out
+    }
+
+    /// Whose a tag is.
+    fn home(&self, facts: &TagFacts) -> Home {
+        let at = self.input.layout.tag(&facts.name);
+        if let Some(at) = at.filter(|at| at.is_original) {
+            return at.program.map_or(Home::Controller, Home::Program);
+        }
+        match facts.origin {
+            Origin::Declared(SectionKind::Global | SectionKind::External) => Home::Controller,
+            _ => match at {
+                Some(at) => at.program.map_or(Home::Controller, Home::Program),
+                None => Home::Program(0),
+            },
+        }
+    }
+
+    /// What a comment says of a tag: not what it is called in the file that it comes from.
+    fn told_of(&self, name: &str, original: &str, told: &str) -> Option<String> {
+        let bare = match told.strip_prefix(original) {
+            Some(rest) if self.input.layout.originals.is_some() && name != original => rest
+                .strip_prefix(": ")
+                .or(rest.is_empty().then_some(""))
+                .unwrap_or(told),
+            _ => told,
+        };
+        (!bare.is_empty()).then(|| bare.to_owned())
     }
 
     fn tag(&mut self, facts: &TagFacts, block: &str) -> Result<Tag> {
@@ -165,7 +200,7 @@ impl Writer<'_> {
             self.raw(ty, &at, &mut values.into_iter())?
         };
         Ok(Tag {
-            name: self.names.spell(Kind::Tag, &facts.name),
+            name: self.root(&facts.name),
             ty: there.name,
             dimensions: there.dimensions,
             usage: match facts.origin {
@@ -259,7 +294,12 @@ impl Writer<'_> {
             return Ok(structure.name.to_string());
         }
         let name = self.names.spell(Kind::Type, &structure.name);
-        if self.data.types.iter().any(|ty| ty.name == name) {
+        // What the file knows without a declaration needs none.
+        let is_there = self.input.layout.originals.as_ref().is_some_and(|originals| {
+            let known = originals.types.contains_key(&Name::new(&structure.name));
+            known && !originals.declared.contains(&name.to_ascii_uppercase())
+        });
+        if is_there || self.data.types.iter().any(|ty| ty.name == name) {
             return Ok(name);
         }
         let (comment, told) = self.structure_comments(&structure.name, &name);
@@ -268,7 +308,7 @@ impl Writer<'_> {
         for (number, own) in structure.members.iter().enumerate() {
             let there = self.ty(own.ty)?;
             let mut member = Member {
-                name: self.names.spell(Kind::Tag, &own.name),
+                name: self.member_name(&own.name),
                 ty: there.name,
                 dimensions: there.dimensions,
                 comment: told.get(&own.key).cloned(),
@@ -390,7 +430,7 @@ impl Writer<'_> {
                         let value = self.raw(member.ty, &at.member(&member.name), values)?;
                         // What the reader adds to a TIMER is none of it there.
                         let is_there = standard(&structure) != Some("TIMER") || member.name != "LAST";
-                        let name = self.names.spell(Kind::Tag, &member.name);
+                        let name = self.member_name(&member.name);
                         members.extend(value.filter(|_| is_there).map(|value| (name, value)));
                     }
                     // Of such a type the program may only know some members, and its tags have parameters there.
@@ -430,7 +470,7 @@ impl Writer<'_> {
                 .rsplit_once('.')
                 .map_or(tag.name.as_str(), |(_, own)| own);
             let value = self.raw(tag.ty, &At::default(), &mut tag.initial.iter().cloned())?;
-            let own = self.names.spell(Kind::Tag, own);
+            let own = self.member_name(own);
             members.extend(value.map(|value| (own, value)));
         }
         Ok(Some(Raw::Structure(self.block_type(name)?, members)))

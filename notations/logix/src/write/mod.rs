@@ -12,6 +12,7 @@ mod block;
 mod body;
 mod compute;
 mod data;
+mod layout;
 mod loops;
 mod names;
 mod native;
@@ -26,6 +27,7 @@ mod words;
 mod xml;
 
 use crate::model::{Raw, Tag};
+use crate::names::Originals;
 use crate::types::Elem;
 use ladder_analysis::Analysis;
 use ladder_analysis::context::Context;
@@ -33,8 +35,11 @@ use ladder_analysis::names::scope::TagFacts;
 use ladder_analysis::networks::NetworkAt;
 use ladder_analysis::program::{Program, TagId};
 use ladder_instructions::{Op, Profile};
-use ladder_notation::{LineColumn, Lines, Report, Stays, Target, Unwritable, WriteError, Writing, stand_in};
+use ladder_notation::{
+    LineColumn, Lines, Project, Report, Stays, Target, Unwritable, WriteError, Writing, stand_in,
+};
 use ladder_syntax::{Name, TextSize};
+use layout::Layout;
 use names::{Kind, Names};
 use native::Known;
 use rung::Series;
@@ -65,6 +70,7 @@ struct Input<'a> {
     lines: Lines,
     /// The program has the arithmetic and timing of Logix.
     is_own: bool,
+    layout: &'a Layout,
 }
 
 /// What is known of the program before its first rung is written.
@@ -100,6 +106,8 @@ struct Scope {
     /// The definition.
     body: Option<usize>,
     in_function: bool,
+    /// The program that its routine belongs to, if there are several.
+    program: Option<usize>,
     /// Tags that its rungs need besides the program's.
     made: Vec<Tag>,
     /// Bits that are off when the first scan begins.
@@ -111,7 +119,7 @@ struct Scope {
 struct Sheet {
     rungs: Vec<Series>,
     before: Vec<Series>,
-    label: Option<String>,
+    labels: Vec<String>,
     note: Option<String>,
 }
 
@@ -159,6 +167,27 @@ const TARGET: Target = Target {
 
 /// Writes a program.
 pub(crate) fn write(analysis: &Analysis) -> std::result::Result<Writing, WriteError> {
+    laid_out(analysis, &Layout::default())
+}
+
+/// Writes the files of a folder.
+pub(crate) fn write_project(project: &Project) -> std::result::Result<Writing, WriteError> {
+    laid_out(&project.analysis, &Layout::of_files(project))
+}
+
+/// Writes the files of a folder with the names of the file that they come from.
+pub(crate) fn write_again(
+    project: &Project,
+    originals: &Originals,
+    before: &Project,
+) -> std::result::Result<Writing, WriteError> {
+    laid_out(
+        &project.analysis,
+        &Layout::of_original(project, originals, before),
+    )
+}
+
+fn laid_out(analysis: &Analysis, layout: &Layout) -> std::result::Result<Writing, WriteError> {
     let target = match analysis.context.profile {
         Profile::Logix => Target {
             lacks_on_arrays: None,
@@ -166,7 +195,9 @@ pub(crate) fn write(analysis: &Analysis) -> std::result::Result<Writing, WriteEr
         },
         _ => TARGET,
     };
-    target.write(analysis, file)
+    target.write(analysis, |analysis, unwritable| {
+        file(analysis, unwritable, layout)
+    })
 }
 
 /// The tags with the numbers of turns of `FAL`, `FSC` and `FOR`.
@@ -186,7 +217,11 @@ fn turns_of_instructions(context: &Context) -> HashSet<Name> {
     turns.collect()
 }
 
-fn file(analysis: &Analysis, unwritable: &Unwritable) -> std::result::Result<Writing, WriteError> {
+fn file(
+    analysis: &Analysis,
+    unwritable: &Unwritable,
+    layout: &Layout,
+) -> std::result::Result<Writing, WriteError> {
     let text = analysis.context.parse.to_string();
     let whole = stand_in::analysis(analysis, &text, is_nothing)?;
     let Some(program) = whole.program() else {
@@ -199,6 +234,7 @@ fn file(analysis: &Analysis, unwritable: &Unwritable) -> std::result::Result<Wri
             text: &text,
             lines: Lines::of(&text),
             is_own: analysis.context.profile == Profile::Logix,
+            layout,
         },
         facts: Facts::default(),
         scope: Scope::default(),
@@ -211,6 +247,7 @@ fn file(analysis: &Analysis, unwritable: &Unwritable) -> std::result::Result<Wri
         let why = "arithmetic, timers and counters are those of Logix there, not of the profile of this file";
         writer.report.approximated(LineColumn::START, "program", why);
     }
+    writer.know_originals();
     let project = writer.project(unwritable);
     let mut report = writer.report;
     for (name, spelled) in &writer.names.changed {
@@ -231,6 +268,63 @@ fn is_nothing(comment: &str) -> bool {
 }
 
 impl Writer<'_> {
+    /// What was called otherwise in the file that the program comes from is called so again.
+    fn know_originals(&mut self) {
+        let layout = self.input.layout;
+        for (name, routine) in layout.routines() {
+            self.names.stands_for(Kind::Routine, name.as_str(), routine);
+        }
+        let Some(originals) = &layout.originals else {
+            return;
+        };
+        for (name, original) in &originals.types {
+            self.names.stands_for(Kind::Type, name.as_str(), original);
+        }
+        // What is new has none of these names.
+        let mut taken: Vec<&String> = originals.tags.values().map(|(_, original)| original).collect();
+        taken.sort_unstable();
+        for original in taken {
+            self.names.fresh(Kind::Tag, original);
+        }
+    }
+
+    /// A tag or a parameter in the body that is written.
+    fn root(&mut self, name: &str) -> String {
+        let layout = self.input.layout;
+        if let Some(body) = self.scope.body {
+            let block = &self.input.analysis.context.user_blocks[body].key;
+            let locals = layout.originals.as_ref().map(|originals| &originals.locals);
+            let original = locals.and_then(|locals| locals.get(&(block.clone(), Name::new(name))));
+            return match original {
+                Some(original) => original.clone(),
+                None => self.names.spell(Kind::Tag, name),
+            };
+        }
+        let Some(at) = layout.tag(name) else {
+            return self.names.spell(Kind::Tag, name);
+        };
+        let spelled = if at.is_original {
+            at.name.clone()
+        } else {
+            self.names.spell(Kind::Tag, &at.name)
+        };
+        match at.program {
+            Some(program) if self.scope.program.is_some_and(|own| own != program) => {
+                format!("\\{}.{spelled}", layout.programs[program].name)
+            }
+            _ => spelled,
+        }
+    }
+
+    /// A member of a structure, or a parameter of an instance.
+    fn member_name(&mut self, name: &str) -> String {
+        let originals = self.input.layout.originals.as_ref();
+        match originals.and_then(|originals| originals.members.get(&Name::new(name))) {
+            Some(original) => original.clone(),
+            None => self.names.spell(Kind::Tag, name),
+        }
+    }
+
     fn at(&self, offset: usize) -> LineColumn {
         self.input.lines.place(self.input.text, offset)
     }

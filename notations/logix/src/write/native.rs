@@ -292,7 +292,7 @@ impl Writer<'_> {
                 (None, ParameterKind::Input) if instance.is_some() => {
                     let own = &self.input.program.tags[tag.0 as usize].name;
                     let own = own.rsplit_once('.').map_or(own.as_str(), |(_, own)| own);
-                    format!("{}.{}", operands[0], self.names.spell(Kind::Tag, own))
+                    format!("{}.{}", operands[0], self.member_name(own))
                 }
                 (None, ParameterKind::Input) => {
                     let initial = self.input.program.tags[tag.0 as usize].initial.first().cloned();

@@ -25,7 +25,7 @@ impl Writer<'_> {
     pub(super) fn network(&mut self, network: &Network) -> Result<Vec<Series>> {
         self.sheet.rungs.clear();
         self.sheet.before.clear();
-        self.sheet.label = None;
+        self.sheet.labels.clear();
         match series_parallel(network) {
             Some(circuit) => {
                 let parts = match circuit {
@@ -46,12 +46,18 @@ impl Writer<'_> {
         let is_alone = rungs.is_empty() && self.sheet.rungs.len() == 1;
         let own = std::mem::take(&mut self.sheet.rungs);
         rungs.extend(own.into_iter().filter(|rung| !rung.is_empty() || is_alone));
-        if let Some(label) = self.sheet.label.take() {
+        let mut labels = std::mem::take(&mut self.sheet.labels);
+        if let Some(label) = labels.pop() {
             match rungs.first_mut() {
                 Some(first) => first.insert(0, it("LBL", &[&label])),
                 None => rungs.push(vec![it("LBL", &[&label])]),
             }
         }
+        // A rung has one label there.
+        let above = labels
+            .iter()
+            .map(|label| vec![it("LBL", &[label]), it("NOP", &[])]);
+        rungs.splice(0..0, above);
         Ok(rungs)
     }
 

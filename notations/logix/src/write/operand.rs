@@ -1,6 +1,5 @@
 //! Operands: tags, numbers and formulas as Logix spells them, and conditions as contacts.
 
-use super::names::Kind;
 use super::rung::{Piece, Series, branch, it};
 use super::{Result, Writer};
 use ladder_analysis::program::{BinaryOperator, Expr, ExprKind, Member, Place, SystemTag, UnaryOperator};
@@ -61,8 +60,9 @@ impl Writer<'_> {
                 _ => {}
             }
             self.visible(word)?;
+            return Ok(self.root(word));
         }
-        Ok(self.names.spell(Kind::Tag, word))
+        Ok(self.member_name(word))
     }
 
     /// A place that is read or written as a whole.

@@ -1,19 +1,18 @@
 //! The parts of a program as routines, with what comments say.
 
+use super::data::Home;
+use super::layout::{MAIN, PROGRAM};
 use super::names::{Kind, Names};
 use super::native::Known;
 use super::rung::{Piece, Series, it, text};
 use super::{Result, Scope, Writer};
-use crate::model::{Program, Project, Routine, Rung};
+use crate::model::{Program, Project, Routine, Rung, Tag, Task};
 use crate::scope::CLEARED;
 use ladder_analysis::program::{Argument, BlockKind, Network};
 use ladder_instructions::Op;
 use ladder_notation::{Unwritable, comments};
 use ladder_syntax::{Item, Name};
 use std::collections::HashMap;
-
-/// The name of the first routine.
-const MAIN: &str = "MainRoutine";
 
 impl Writer<'_> {
     pub(super) fn project(&mut self, unwritable: &Unwritable) -> Project {
@@ -25,9 +24,16 @@ impl Writer<'_> {
             rate: self.input.analysis.context.cycle.map(rate),
             ..Project::default()
         };
+        let layout = self.input.layout;
         self.names.fresh(Kind::Routine, MAIN);
+        let (first_program, first) = match &layout.main {
+            Some((program, routine)) => (Some(*program), routine.as_str()),
+            None => (None, MAIN),
+        };
+        self.scope.program = first_program;
+        let mut homes = vec![first_program];
         let mut routines = vec![Routine {
-            name: MAIN.to_owned(),
+            name: first.to_owned(),
             ..Routine::default()
         }];
         let mut bodies: HashMap<usize, Vec<Rung>> = HashMap::new();
@@ -91,11 +97,19 @@ impl Writer<'_> {
                                 .filter(|told| told.trim() != "NOP"),
                         );
                     }
+                    let context = &self.input.analysis.context;
+                    if within.is_none() && layout.is_order(context, context.networks.at(number)) {
+                        self.translated(network);
+                        said_of_all.append(&mut waiting);
+                        continue;
+                    }
                     if within.is_none()
                         && let Some(name) = function(network)
                     {
                         let name = self.source(name).trim().to_owned();
                         self.scope.in_function = true;
+                        self.scope.program = layout.routine(&name).map(|(program, _)| *program);
+                        homes.push(self.scope.program);
                         routines.push(Routine {
                             name: self.names.spell(Kind::Routine, &name),
                             comment: comment(&mut waiting),
@@ -105,6 +119,19 @@ impl Writer<'_> {
                             self.translated(network);
                             continue;
                         }
+                    }
+                    if within.is_none() && homes.last() == Some(&None) && !layout.programs.is_empty() {
+                        let place = self.at(start.into());
+                        let why =
+                            "it runs outside of the programs there: put it into a function of one of them";
+                        self.report.refused(place, "network", why);
+                        waiting.clear();
+                        continue;
+                    }
+                    // The file says when its programs run.
+                    if layout.originals.is_some() && self.is_of_a_task(network) {
+                        self.translated(network);
+                        continue;
                     }
                     let rungs = match within {
                         Some(body) if !self.is_written(body) => {
@@ -148,6 +175,10 @@ impl Writer<'_> {
             let rungs = std::mem::take(&mut routine.rungs);
             (routine.rungs, routine.foreign) = self.in_one_language(rungs);
         }
+        self.scope.program = None;
+        if let Some(controller) = &layout.controller {
+            project.name = Names::default().spell(Kind::Tag, controller);
+        }
         if project.name.is_empty() {
             let name = &self.input.analysis.context.name;
             let stem = name.rsplit(['/', '\\']).next().unwrap_or_default();
@@ -159,32 +190,93 @@ impl Writer<'_> {
         project.aois = self.definitions(&mut bodies, &mut locals, &told);
         let mut tags = Vec::new();
         if let Some(scope) = scopes.iter().find(|scope| scope.block.is_none()) {
-            for (is_global, tag) in self.tags(scope, "", &told) {
-                if is_global {
-                    project.tags.push(tag);
-                } else {
-                    tags.push(tag);
-                }
-            }
+            tags = self.tags(scope, "", &told);
         }
-        tags.append(&mut self.scope.made);
+        let made = std::mem::take(&mut self.scope.made);
         project.types = std::mem::take(&mut self.data.types);
         project
             .types
             .sort_by_key(|ty| self.data.type_order.get(&ty.name).copied().unwrap_or(usize::MAX));
-        let has_nothing = |routine: &Routine| routine.rungs.is_empty() && routine.foreign.is_none();
-        let is_empty = routines.iter().all(has_nothing) && tags.is_empty();
-        if !is_empty || project.aois.is_empty() {
-            project.programs.push(Program {
-                name: "MainProgram".to_owned(),
-                main: Some(MAIN.to_owned()),
-                tags,
-                routines,
-                comment: comment(&mut said_of_all),
-                ..Program::default()
-            });
+        if layout.programs.is_empty() {
+            let (shared, own): (Vec<_>, Vec<_>) =
+                tags.into_iter().partition(|(home, _)| *home == Home::Controller);
+            project.tags = shared.into_iter().map(|(_, tag)| tag).collect();
+            let tags: Vec<Tag> = own.into_iter().map(|(_, tag)| tag).chain(made).collect();
+            let has_nothing = |routine: &Routine| routine.rungs.is_empty() && routine.foreign.is_none();
+            let is_empty = routines.iter().all(has_nothing) && tags.is_empty();
+            if !is_empty || project.aois.is_empty() {
+                project.programs.push(Program {
+                    name: PROGRAM.to_owned(),
+                    main: Some(MAIN.to_owned()),
+                    tags,
+                    routines,
+                    comment: comment(&mut said_of_all),
+                    ..Program::default()
+                });
+            }
+            return project;
+        }
+        self.programs(&mut project, homes, routines, tags, made);
+        if let Some(first) = project.programs.first_mut() {
+            first.comment = comment(&mut said_of_all);
         }
         project
+    }
+
+    /// Each program with its routines and tags, and the tasks.
+    fn programs(
+        &self,
+        project: &mut Project,
+        homes: Vec<Option<usize>>,
+        routines: Vec<Routine>,
+        tags: Vec<(Home, Tag)>,
+        made: Vec<Tag>,
+    ) {
+        let layout = self.input.layout;
+        project.programs = layout
+            .programs
+            .iter()
+            .map(|program| Program {
+                name: program.name.clone(),
+                main: program.begins.first().cloned(),
+                ..Program::default()
+            })
+            .collect();
+        for (home, routine) in homes.into_iter().zip(routines) {
+            if let Some(home) = home {
+                project.programs[home].routines.push(routine);
+            }
+        }
+        // What rungs need of their own is seen from all of them.
+        project.tags = made;
+        for (home, tag) in tags {
+            match home {
+                Home::Program(program) if program < project.programs.len() => {
+                    project.programs[program].tags.push(tag);
+                }
+                _ => project.tags.push(tag),
+            }
+        }
+        if layout.originals.is_some() {
+            // What is empty now was, or is gone.
+            project
+                .programs
+                .retain(|program| !program.routines.is_empty() || !program.tags.is_empty());
+        } else {
+            for (program, at) in project.programs.iter_mut().zip(&layout.programs) {
+                begin_with_all(program, &at.begins);
+            }
+        }
+        project.tasks = match &layout.tasks {
+            Some(tasks) => tasks.clone(),
+            None => {
+                vec![Task {
+                    name: "MainTask".to_owned(),
+                    programs: layout.run().map(|program| program.name.clone()).collect(),
+                    ..Task::default()
+                }]
+            }
+        };
     }
 
     /// Whether the definition of a block is written as an Add-On Instruction.
@@ -201,7 +293,19 @@ impl Writer<'_> {
             .flat_map(|scope| &scope.tags)
             .map(|tag| tag.name.clone())
             .collect();
+        let layout = self.input.layout;
+        let is_known = |name: &Name| {
+            let at = layout.tag(name.as_str());
+            let mut locals = layout
+                .originals
+                .iter()
+                .flat_map(|originals| originals.locals.keys());
+            at.is_some_and(|at| at.is_original) || locals.any(|(_, local)| local == name)
+        };
         for name in names {
+            if is_known(&Name::new(&name)) {
+                continue;
+            }
             if !name.eq_ignore_ascii_case("EN") && !name.eq_ignore_ascii_case("ENO") {
                 self.names.spell(Kind::Tag, &name);
             }
@@ -336,6 +440,35 @@ impl Writer<'_> {
         bodies.dedup();
         bodies.len() != count
     }
+}
+
+/// A program begins with one routine: of several that run, each is called by one.
+fn begin_with_all(program: &mut Program, begins: &[String]) {
+    if begins.len() < 2 {
+        return;
+    }
+    let is_taken = |name: &str| {
+        program
+            .routines
+            .iter()
+            .any(|routine| routine.name.eq_ignore_ascii_case(name))
+    };
+    let name = if is_taken(MAIN) {
+        format!("{MAIN}_all")
+    } else {
+        MAIN.to_owned()
+    };
+    let call = |routine: &String| Rung {
+        text: text(&[it("JSR", &[routine, "0"])]),
+        ..Rung::default()
+    };
+    let first = Routine {
+        name: name.clone(),
+        rungs: begins.iter().map(call).collect(),
+        ..Routine::default()
+    };
+    program.routines.insert(0, first);
+    program.main = Some(name);
 }
 
 /// What no rung of Logix can be.

@@ -113,6 +113,20 @@ impl Writer<'_> {
         }))
     }
 
+    /// Whether a network only says that a program runs at times of its own.
+    pub(super) fn is_of_a_task(&self, network: &Network) -> bool {
+        let [block] = &network.blocks[..] else {
+            return false;
+        };
+        let BlockKind::User(user) = block.kind else {
+            return false;
+        };
+        match self.facts.known.get(&user) {
+            Some(super::native::Known::Unread(part)) => part.about.starts_with("program "),
+            _ => false,
+        }
+    }
+
     /// An instruction that was not read.
     pub(super) fn unread_call(&mut self, part: &UnreadPart, block: &Block) -> Result<Series> {
         let (name, why) = part.named()?;

@@ -1,7 +1,9 @@
 //! A project as L5X: elements and attributes in the order in which Logix Designer wants them.
 
 use crate::l5x::ROOT;
-use crate::model::{Aoi, DataType, Foreign, Language, Program, Project, Raw, Routine, Rung, Tag, Usage};
+use crate::model::{
+    Aoi, DataType, Foreign, Language, Program, Project, Raw, Routine, Rung, Tag, Task, TaskKind, Usage,
+};
 use ladder_notation::xml::{escape, section};
 
 /// The version of Logix Designer whose names of instructions are written.
@@ -355,22 +357,40 @@ impl Out {
 
     fn tasks(&mut self, project: &Project) {
         self.open("Tasks", &[]);
-        let kind = if project.rate.is_some() {
-            "PERIODIC"
+        let all = [Task {
+            name: "MainTask".to_owned(),
+            programs: project
+                .programs
+                .iter()
+                .map(|program| program.name.clone())
+                .collect(),
+            ..Task::default()
+        }];
+        let tasks = if project.tasks.is_empty() {
+            &all[..]
         } else {
-            "CONTINUOUS"
+            &project.tasks
         };
-        let mut attributes = vec![("Name", "MainTask"), ("Type", kind)];
-        attributes.extend(project.rate.as_ref().map(|rate| ("Rate", rate.as_str())));
-        attributes.extend([("Priority", "10"), ("Watchdog", "500")]);
-        attributes.extend([("DisableUpdateOutputs", "false"), ("InhibitTask", "false")]);
-        self.open("Task", &attributes);
-        self.open("ScheduledPrograms", &[]);
-        for program in &project.programs {
-            self.leaf("ScheduledProgram", &[("Name", &program.name)]);
+        let is_timed = |task: &&Task| task.kind == TaskKind::Periodic;
+        let timed = tasks.iter().find(is_timed).or(tasks.first());
+        for task in tasks {
+            let rate = project
+                .rate
+                .as_ref()
+                .filter(|_| timed.is_some_and(|timed| timed.name == task.name));
+            let kind = if rate.is_some() { "PERIODIC" } else { "CONTINUOUS" };
+            let mut attributes = vec![("Name", task.name.as_str()), ("Type", kind)];
+            attributes.extend(rate.map(|rate| ("Rate", rate.as_str())));
+            attributes.extend([("Priority", "10"), ("Watchdog", "500")]);
+            attributes.extend([("DisableUpdateOutputs", "false"), ("InhibitTask", "false")]);
+            self.open("Task", &attributes);
+            self.open("ScheduledPrograms", &[]);
+            for name in &task.programs {
+                self.leaf("ScheduledProgram", &[("Name", name)]);
+            }
+            self.close("ScheduledPrograms");
+            self.close("Task");
         }
-        self.close("ScheduledPrograms");
-        self.close("Task");
         self.close("Tasks");
     }
 }

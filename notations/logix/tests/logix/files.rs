@@ -144,3 +144,28 @@ fn text_of_rslogix_500() {
         20:14: Refused("the branch that begins here has no end")"#]]
     .assert_eq(&refused.collect::<Vec<_>>().join("\n"));
 }
+
+/// The exports of the corpus, each with its name. None: the corpus is not there.
+pub(crate) fn corpus_files() -> Vec<(String, String)> {
+    let Some(folder) = corpus("") else {
+        return Vec::new();
+    };
+    let mut found = Vec::new();
+    let mut folders = vec![folder];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).expect("the folder can be read") {
+            let path = entry.expect("an entry").path();
+            let is_export = path
+                .extension()
+                .is_some_and(|extension| extension.eq_ignore_ascii_case("l5x"));
+            if path.is_dir() {
+                folders.push(path);
+            } else if is_export {
+                let name = path.display().to_string();
+                found.push((name, fs::read_to_string(&path).expect("it is UTF-8")));
+            }
+        }
+    }
+    found.sort();
+    found
+}

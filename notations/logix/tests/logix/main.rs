@@ -8,6 +8,7 @@ mod exports;
 mod files;
 mod instructions;
 mod loops;
+mod one_file;
 mod opened;
 mod operands;
 mod oracle;

@@ -297,11 +297,15 @@ fn what_is_said_below_the_last_network_stays_there() {
 fn the_library_keeps_its_own_arithmetic() {
     let text = "# ladder: profile logix #\n+--[$Hysteresis]( x, 1.0, 2.0 )--( )( y )--+\n";
     let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "plant.clad");
-    let why = L5x
-        .write(&analysis)
-        .expect_err("it has two kinds of arithmetic")
-        .message;
-    expect!["2:4: `$Hysteresis` of the library counts and times as IEC 61131-3 says, and this program as logix does: draw what it does on rungs of the program"].assert_eq(&why);
+    let writing = L5x.write(&analysis).expect("the rest is written");
+    let told = writing
+        .report
+        .remarks()
+        .map(|entry| format!("{} {}: {:?}\n", entry.place, entry.element, entry.outcome));
+    expect![[r#"
+        2:1 network: Refused("`[$Hysteresis]( x, 1.0, 2.0 )`: `$Hysteresis` of the library counts and times as IEC 61131-3 says, and this program as logix does: draw what it does on rungs of the program")
+        2:4 [$Hysteresis]: Refused("`$Hysteresis` of the library counts and times as IEC 61131-3 says, and this program as logix does: draw what it does on rungs of the program")
+    "#]].assert_eq(&told.collect::<String>());
 }
 
 #[test]

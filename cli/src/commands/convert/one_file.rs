@@ -1,0 +1,160 @@
+//! The programs of a folder as one file of another system.
+
+use super::report::{Account, Side};
+use super::{finish, open};
+use crate::form::{self, Form};
+use crate::outcome::{Failure, Outcome};
+use crate::output::Existing;
+use crate::terminal;
+use ladder_notations::{Notation, Source, recognise, write_one_file};
+use ladder_workspace::{find_programs, foreign_source, read_bytes, shown};
+use std::path::{Path, PathBuf};
+
+/// A folder, and the file that its programs go into.
+pub(super) struct Target<'a> {
+    folder: &'a Path,
+    output: &'a Path,
+    notation: &'static dyn Notation,
+    /// The file that the programs come from, if it is named.
+    keep: Option<&'a Path>,
+}
+
+impl<'a> Target<'a> {
+    /// One folder is to become one file: the output is called as files of a notation whose files hold whole projects.
+    ///
+    /// # Errors
+    ///
+    /// A file is named that the programs come from, and they do not become one file.
+    pub(super) fn of(
+        inputs: &'a [PathBuf],
+        output: Option<&'a Path>,
+        from: Option<Form>,
+        to: Option<Form>,
+        keep: Option<&'a Path>,
+    ) -> Result<Option<Target<'a>>, Failure> {
+        let found = match (inputs, output) {
+            ([folder], Some(output)) if folder.is_dir() && from.is_none_or(Form::is_ladder) => {
+                notation_of(output, to).map(|notation| Target {
+                    folder,
+                    output,
+                    notation,
+                    keep,
+                })
+            }
+            _ => None,
+        };
+        match (found, keep) {
+            (None, Some(keep)) => Err(Failure::new(format!(
+                "--keep {}: this is the file that the programs of one folder come from, which become one file again: name the folder, and \
+                 with -o a file of a notation that holds whole projects, as `-o project.L5X`",
+                shown::path(keep)
+            ))),
+            (found, _) => Ok(found),
+        }
+    }
+
+    /// Writes the file.
+    pub(super) fn convert(&self, existing: Existing) -> Result<(Vec<Account>, Outcome), Failure> {
+        let (paths, errors) = find_programs(std::slice::from_ref(&self.folder.to_owned()));
+        if let Some(error) = errors.into_iter().next() {
+            return Err(error.into());
+        }
+        if paths.is_empty() {
+            return Err(Failure::new(format!(
+                "{}: there are no programs in this folder",
+                shown::path(self.folder)
+            )));
+        }
+        let mut files = Vec::with_capacity(paths.len());
+        for path in &paths {
+            let text = ladder_workspace::decode(path, read_bytes(path)?)?;
+            let below = path.strip_prefix(self.folder).unwrap_or(path);
+            let parts: Vec<_> = below.iter().map(|part| part.to_string_lossy()).collect();
+            files.push((parts.join("/"), text));
+        }
+        let kept = self.original()?;
+        let bytes = kept.as_deref().map(read_bytes).transpose()?;
+        let source = match (&kept, &bytes) {
+            (Some(path), Some(bytes)) => Some(self.source(path, bytes)?),
+            _ => None,
+        };
+        let stem = self.output.file_stem().unwrap_or_default().to_string_lossy();
+        let written = write_one_file(self.notation, &files, &stem, source.as_ref()).map_err(|error| {
+            Failure::new(format!(
+                "{}: this cannot be written as one {}: {error}",
+                shown::path(self.folder),
+                self.notation.title()
+            ))
+        })?;
+        finish(Vec::from_iter(open(Some(self.output), &written.bytes, existing)?))?;
+        if let (Some(kept), true) = (&kept, written.reports.is_empty()) {
+            terminal::note(&format!(
+                "{}: nothing was changed since it was read from {}",
+                shown::path(self.folder),
+                shown::path(kept)
+            ));
+        }
+        let mut outcome = Outcome::Fine;
+        let told = written
+            .reports
+            .into_iter()
+            .filter(|(_, report)| !report.entries.is_empty());
+        let accounts = told.map(|(file, report)| {
+            let mut account = Account::new(shown::path(&self.folder.join(file)));
+            account.add(Side::Source, &report, &[]);
+            outcome = outcome.max(account.outcome());
+            account
+        });
+        let accounts = accounts.collect();
+        Ok((accounts, outcome))
+    }
+
+    /// The file that the programs come from: the one that is named, else the one of the notation that is in the folder.
+    fn original(&self) -> Result<Option<PathBuf>, Failure> {
+        if let Some(named) = self.keep {
+            return Ok(Some(named.to_owned()));
+        }
+        let entries = std::fs::read_dir(self.folder).into_iter().flatten().flatten();
+        let is_one = |path: &PathBuf| {
+            let notation = form::by_extension(path).is_some_and(|form| !form.is_ladder());
+            let bytes = || read_bytes(path).unwrap_or_default();
+            notation && path.is_file() && recognise(path, &bytes()) == Some(self.notation)
+        };
+        let mut found: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(is_one).collect();
+        found.sort();
+        match &found[..] {
+            [] => Ok(None),
+            [one] => Ok(Some(one.clone())),
+            [one, other, ..] => Err(Failure::new(format!(
+                "{}: its programs may come from {} or from {}: name the one that they come from with --keep",
+                shown::path(self.folder),
+                shown::path(one),
+                shown::path(other)
+            ))),
+        }
+    }
+
+    fn source<'s>(&self, path: &'s Path, bytes: &'s [u8]) -> Result<Source<'s>, Failure> {
+        if recognise(path, bytes) != Some(self.notation) {
+            return Err(Failure::new(format!(
+                "{}: this is no {}, so what is written cannot be kept as it is there; name the file that the programs come from",
+                shown::path(path),
+                self.notation.title()
+            )));
+        }
+        Ok(foreign_source(self.notation, path, bytes)?)
+    }
+}
+
+/// The notation of a file that is to hold a whole project.
+fn notation_of(output: &Path, to: Option<Form>) -> Option<&'static dyn Notation> {
+    if output.is_dir() || output.as_os_str().as_encoded_bytes().ends_with(b"/") {
+        return None;
+    }
+    let named = form::by_extension(output)?;
+    let Form::Foreign(notation) = to.unwrap_or(named) else {
+        return None;
+    };
+    let extension = output.extension()?.to_str()?;
+    (notation.has_projects() && ladder_notations::has_extension(notation, extension)).then_some(notation)
+}

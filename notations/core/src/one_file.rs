@@ -1,0 +1,184 @@
+//! A whole project in one file, out of the files of a folder.
+
+use crate::{
+    Companion, Converted, Entry, LineColumn, Lines, Notation, Project, Report, Source, WriteError, convert,
+};
+use ladder_analysis::Analysis;
+use std::collections::{BTreeMap, HashMap};
+use std::path::Path;
+use std::sync::Arc;
+
+/// The file that the files of a folder come from.
+#[derive(Debug)]
+pub struct Kept<'k> {
+    /// The file.
+    pub source: &'k Source<'k>,
+    /// What is read of it: the files as they were.
+    pub before: &'k Project,
+}
+
+/// A project in one file.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct OneFile {
+    /// The file.
+    pub bytes: Vec<u8>,
+    /// What became of the elements, by the files of the folder, whose places these are.
+    pub reports: Vec<(String, Report)>,
+}
+
+/// Writes the files of a folder, each with its name and its text, as one file, whose name has this stem. `original`: the file that they
+/// come from. What is written is read again: an error in that is refused in the report.
+///
+/// # Errors
+///
+/// As [`Notation::write_project`]; if files have errors or cannot be one program, and if the original cannot be read.
+pub fn write_one_file(
+    notation: &'static dyn Notation,
+    files: &[(String, String)],
+    stem: &str,
+    original: Option<&Source<'_>>,
+) -> Result<OneFile, WriteError> {
+    let Some(source) = original else {
+        let mut project = Project::of(files)?;
+        Arc::make_mut(&mut project.analysis.context).name = stem.into();
+        let writing = notation.write_project(&project, None)?;
+        let mut report = writing.report;
+        refuse_errors(notation, &writing.bytes, stem, &mut report, None);
+        return Ok(OneFile {
+            bytes: writing.bytes,
+            reports: by_file(&project, &report),
+        });
+    };
+    let wrong = |why: String| WriteError::new(format!("the file that the programs come from: {why}"));
+    let before = convert(notation, source, &ladder_format::Options::default())
+        .map_err(|error| wrong(error.to_string()))?;
+    let read = files_of(&before, files);
+    if is_same(&read, files) {
+        return Ok(OneFile {
+            bytes: source.bytes.to_vec(),
+            reports: Vec::new(),
+        });
+    }
+    let was = Project::of(&read).map_err(|error| wrong(error.message))?;
+    let project = Project::of(files)?;
+    let kept = Kept { source, before: &was };
+    let writing = notation.write_project(&project, Some(&kept))?;
+    let mut report = writing.report;
+    refuse_errors(notation, &writing.bytes, stem, &mut report, Some(&before));
+    Ok(OneFile {
+        bytes: writing.bytes,
+        reports: by_file(&project, &report),
+    })
+}
+
+/// The files of a folder that a conversion writes. One alone is called as the one that is there.
+fn files_of(converted: &Converted, now: &[(String, String)]) -> Vec<(String, String)> {
+    let is_program = |file: &&Companion| Path::new(&file.name).extension().is_some_and(|end| end == "clad");
+    let programs = converted.files.iter().filter(is_program);
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    let files: Vec<(String, String)> = programs
+        .map(|file| (file.name.clone(), text(&file.bytes)))
+        .collect();
+    if !files.is_empty() {
+        return files;
+    }
+    let name = match now {
+        [(name, _)] => name.clone(),
+        _ => "project.clad".to_owned(),
+    };
+    vec![(name, converted.written.text.clone())]
+}
+
+fn is_same(before: &[(String, String)], now: &[(String, String)]) -> bool {
+    let sorted = |files: &[(String, String)]| -> BTreeMap<String, String> { files.iter().cloned().collect() };
+    before.len() == now.len() && sorted(before) == sorted(now)
+}
+
+fn by_file(project: &Project, report: &Report) -> Vec<(String, Report)> {
+    let reports = project.reports(report).into_iter().enumerate();
+    reports
+        .map(|(number, report)| (project.file(number).to_owned(), report))
+        .collect()
+}
+
+/// Reads what is written, and refuses what has an error there that it did not have before.
+fn refuse_errors(
+    notation: &'static dyn Notation,
+    bytes: &[u8],
+    stem: &str,
+    report: &mut Report,
+    before: Option<&Converted>,
+) {
+    if !notation.is_read() {
+        return;
+    }
+    let source = Source::alone(stem, bytes);
+    let again = match convert(notation, &source, &ladder_format::Options::default()) {
+        Ok(again) => again,
+        Err(error) => {
+            let why = format!("what is written cannot be read again: {error}");
+            report.refused(LineColumn::START, notation.title(), why);
+            return;
+        }
+    };
+    let mut known: HashMap<String, usize> = HashMap::new();
+    for (_, message) in before.into_iter().flat_map(|before| errors(before, stem)) {
+        *known.entry(message).or_default() += 1;
+    }
+    for (place, message) in errors(&again, stem) {
+        match known.get_mut(&message) {
+            Some(count) if *count > 0 => *count -= 1,
+            _ => {
+                let why = format!("at {place} of what is written: {message}");
+                report.refused(LineColumn::START, notation.title(), why);
+            }
+        }
+    }
+}
+
+/// The errors in the ladder text of a file, with the places in that.
+fn errors(converted: &Converted, stem: &str) -> Vec<(LineColumn, String)> {
+    let text = &converted.written.text;
+    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), stem);
+    let errors = analysis.errors();
+    errors
+        .map(|error| (converted.place_of(error.range.start()), error.message.clone()))
+        .collect()
+}
+
+/// Takes out of a report what was to be said of the program as it was: that is as it was there.
+pub fn without_known(report: &mut Report, of: &Analysis, known: &Report, before: &Analysis) {
+    let line = |text: &str, lines: &Lines, entry: &Entry| {
+        let start = lines.offset(
+            text,
+            LineColumn {
+                line: entry.place.line,
+                column: 1,
+            },
+        );
+        text[start..].lines().next().unwrap_or_default().trim().to_owned()
+    };
+    let key = |text: &str, lines: &Lines, entry: &Entry| {
+        (
+            entry.element.clone(),
+            entry.outcome.clone(),
+            line(text, lines, entry),
+        )
+    };
+    let [now, was] = [of, before].map(|analysis| analysis.context.parse.to_string());
+    let [lines_now, lines_was] = [&now, &was].map(|text| Lines::of(text));
+    let mut all = Vec::new();
+    for entry in &known.entries {
+        all.push(key(&was, &lines_was, entry));
+    }
+    report.entries.retain(|entry| {
+        let key = key(&now, &lines_now, entry);
+        match all.iter().position(|known| *known == key) {
+            Some(at) => {
+                all.swap_remove(at);
+                false
+            }
+            None => true,
+        }
+    });
+}
