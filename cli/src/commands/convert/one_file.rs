@@ -2,12 +2,13 @@
 
 use super::report::{Account, Side};
 use super::{finish, open};
+use crate::findings::FOREIGN;
 use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
 use crate::output::Existing;
 use crate::terminal;
 use ladder_notations::{Notation, Source, recognise, write_one_file};
-use ladder_workspace::{find_programs, foreign_source, read_bytes, shown};
+use ladder_workspace::{find_programs, read_bytes, shown};
 use std::path::{Path, PathBuf};
 
 /// A folder, and the file that its programs go into.
@@ -142,7 +143,7 @@ impl<'a> Target<'a> {
                 self.notation.title()
             )));
         }
-        Ok(foreign_source(self.notation, path, bytes)?)
+        Ok(FOREIGN.source(self.notation, path, bytes)?)
     }
 }
 

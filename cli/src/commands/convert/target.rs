@@ -40,7 +40,7 @@ impl Job {
         let name = self.input.file_name()?.to_str()?.to_owned();
         (notation.has_projects() && is_alone).then(|| Companion {
             name,
-            bytes: self.bytes.clone(),
+            bytes: self.bytes.clone().into(),
         })
     }
 }
