@@ -161,4 +161,5 @@ def main():
     print(f"{len(programs)} programs: {shown}, all others do the same where they are compiled")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -14,6 +14,7 @@
 mod arrays;
 mod block_name;
 mod bridges;
+pub mod chart;
 pub mod circuit;
 pub mod comments;
 mod convert;

@@ -18,6 +18,7 @@
 mod along;
 mod arrays;
 mod brought;
+pub mod chart;
 pub mod declarations;
 mod emit;
 mod expression;

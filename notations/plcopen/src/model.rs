@@ -1,5 +1,6 @@
 //! A project of IEC 61131-3 as its file has it: types, globals, program organisation units, tasks.
 
+use super::chart::Drawn;
 use super::graph::Graph;
 use ladder_format::program::Qualifier;
 use ladder_notation::{LineColumn, Report};
@@ -199,8 +200,8 @@ pub enum Body {
     Text(&'static str, String, LineColumn),
     /// In ladder text: a block that is brought along.
     Ladder(String),
-    /// SFC: its steps and transitions as they are written, with their places.
-    Chart(Vec<(LineColumn, String)>),
+    /// SFC.
+    Chart(Drawn),
     /// Nothing.
     Empty,
 }

@@ -27,6 +27,8 @@ pub(crate) struct Scope {
     has_odd: bool,
     /// How many tags were made for each name.
     numbers: HashMap<String, u32>,
+    /// The steps of the unit's chart, by their names in small letters: what says whether each is active, and for how long.
+    steps: HashMap<String, (Path, Path)>,
 }
 
 /// What the whole project knows.
@@ -61,7 +63,29 @@ impl Scope {
             taken: globals.taken.clone(),
             has_odd: false,
             numbers: globals.numbers.clone(),
+            steps: HashMap::new(),
         }
+    }
+
+    /// Takes a step of a chart in: the tags that `name.X` and `name.T` are.
+    pub(crate) fn step(&mut self, name: &str, active: Path, elapsed: Path) {
+        self.steps.insert(name.to_lowercase(), (active, elapsed));
+    }
+
+    /// All steps, by their names in small letters.
+    pub(crate) fn steps(&self) -> impl Iterator<Item = (&String, &(Path, Path))> {
+        self.steps.iter()
+    }
+
+    /// A member of a step, and its type.
+    pub(crate) fn of_step(&self, name: &str, member: &str) -> Option<(Path, Type)> {
+        let (active, elapsed) = self.steps.get(&name.to_lowercase())?;
+        let (path, ty) = match member {
+            "X" | "x" => (active, "BOOL"),
+            "T" | "t" => (elapsed, "TIME"),
+            _ => return None,
+        };
+        Some((path.clone(), Type::Named(ty.to_owned())))
     }
 
     /// The variable of a name.

@@ -308,6 +308,12 @@ impl<'t, 'm> Parser<'t, 'm> {
             return Ok((Path::tag(text), Some(named(ty))));
         }
         let Meaning { shared, scope } = self.meaning;
+        if let (true, Some(Token::Word(member))) = (self.next_is("."), self.tokens.get(self.at + 1))
+            && let Some((path, ty)) = scope.of_step(word, member)
+        {
+            self.at += 2;
+            return Ok((path, Some(ty)));
+        }
         let known = scope.get(word).or_else(|| shared.globals.get(word));
         // A list of globals in CODESYS: GVL.name.
         let known = known.or_else(|| self.global_in_list());

@@ -1,4 +1,4 @@
-//! Bodies: LD and FBD as graphs, ST and IL as texts, SFC as what it says and what is drawn in it.
+//! Bodies: LD and FBD as graphs, ST and IL as texts.
 
 use super::Reader;
 use crate::graph::{Edge, End, Graph, Kind, Modifier, Node as Drawn, Output, Pin, Storage};
@@ -18,7 +18,7 @@ struct Connection {
 }
 
 #[derive(Default)]
-struct Reading {
+pub(super) struct Reading {
     graph: Graph,
     /// The elements by their `localId`; of two the first.
     by_id: HashMap<String, usize>,
@@ -40,11 +40,7 @@ impl<'x> Reader<'x, '_> {
             "LD" | "FBD" => Body::Graph(self.graph(language.elements())),
             "ST" => text("ST", &language.words(), self.xml.place_of_words(language)),
             "IL" => text("IL", &language.words(), self.xml.place_of_words(language)),
-            "SFC" => {
-                let parts = language.elements().filter(|node| !node.is("addData"));
-                let shown = parts.map(|node| (self.xml.place(node), in_words(node)));
-                Body::Chart(shown.collect())
-            }
+            "SFC" => self.chart(language),
             _ => Body::Text(
                 "a language of its own",
                 in_words(language),
@@ -84,6 +80,11 @@ impl<'x> Reader<'x, '_> {
         for node in elements {
             self.element(node, &mut reading);
         }
+        self.joined(reading)
+    }
+
+    /// The elements that were read, joined by their wires.
+    pub(super) fn joined(&mut self, reading: Reading) -> Graph {
         let Reading {
             mut graph,
             by_id,
@@ -128,7 +129,7 @@ impl<'x> Reader<'x, '_> {
         graph
     }
 
-    fn element(&mut self, node: Node<'x, '_>, reading: &mut Reading) {
+    pub(super) fn element(&mut self, node: Node<'x, '_>, reading: &mut Reading) {
         let place = self.xml.place(node);
         let modifier = modifier(node);
         let variable = || {
@@ -233,11 +234,29 @@ impl<'x> Reader<'x, '_> {
         }
         for (number, (pin, point)) in pins.into_iter().enumerate() {
             drawn.inputs.push(pin);
+            self.wires(point, (index, number), reading);
+        }
+        reading.graph.nodes.push(drawn);
+        self.number(node, index, reading);
+    }
+
+    /// An element of the reader's own that the wires at a point of another end at.
+    pub(super) fn ends_at(&self, node: Node<'x, '_>, kind: Kind, reading: &mut Reading) -> usize {
+        let index = reading.graph.nodes.len();
+        let drawn = Drawn::new(self.xml.place(node), kind, vec![Pin::default()]);
+        reading.graph.nodes.push(drawn);
+        self.wires(node.child("connectionPointIn"), (index, 0), reading);
+        index
+    }
+
+    /// The wires that end at a pin of an element.
+    fn wires(&self, point: Option<Node<'_, '_>>, (node, pin): (usize, usize), reading: &mut Reading) {
+        {
             let connections = point.iter().flat_map(|point| point.children_of("connection"));
             reading.connections.extend(connections.map(|connection| {
                 Connection {
-                    node: index,
-                    pin: number,
+                    node,
+                    pin,
                     place: self.xml.place(connection),
                     to: connection.attribute("refLocalId").unwrap_or_default().to_owned(),
                     output: connection
@@ -246,8 +265,6 @@ impl<'x> Reader<'x, '_> {
                 }
             }));
         }
-        reading.graph.nodes.push(drawn);
-        self.number(node, index, reading);
     }
 
     /// A variable that is written and read: one of each, of which the second is what others are wired to.

@@ -1,6 +1,7 @@
 //! From XML to the model: TC6 2.0 and 2.01, what CODESYS puts into `addData`, and the form of IEC 61131-10.
 
 mod body;
+mod chart;
 mod interface;
 mod ten;
 

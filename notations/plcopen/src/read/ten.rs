@@ -4,6 +4,7 @@
 use super::body::storage;
 use super::interface::{comment, initial};
 use super::{Reader, named};
+use crate::chart;
 use crate::graph::{Edge, End, Graph, Kind, Modifier, Node as Drawn, Output, Pin};
 use crate::model::{Body, Evaluation, Role, Task, Type, TypeDeclaration, Unit, UnitKind, Variable};
 use ladder_format::program::Qualifier;
@@ -279,7 +280,17 @@ impl<'x> Reader<'x, '_> {
             "IL" => super::body::text("IL", &node.words(), self.xml.place_of_words(node)),
             "SFC" => {
                 let parts = node.elements().map(|part| (self.xml.place(part), in_words(part)));
-                Body::Chart(parts.collect())
+                let elements = node.elements().take(1).map(|part| chart::Element {
+                    place: self.xml.place(part),
+                    id: String::new(),
+                    from: Vec::new(),
+                    kind: chart::Kind::Other("chart of IEC 61131-10".to_owned()),
+                });
+                Body::Chart(chart::Drawn {
+                    shown: parts.collect(),
+                    elements: elements.collect(),
+                    ..chart::Drawn::default()
+                })
             }
             _ => {
                 let mut graph = Graph::default();

@@ -9,7 +9,7 @@ use crate::graph::{End, Graph, Kind};
 use crate::model::Evaluation;
 use crate::scope::{Scope, Shared};
 use ladder_format::Circuit;
-use ladder_format::program::{Block, Drawing, Element, Expression, Item, Network, Path};
+use ladder_format::program::{Block, Declaration, Drawing, Element, Expression, Item, Network, Path};
 use ladder_notation::{Outcome, Reading, UnreadParts};
 use std::collections::{HashMap, HashSet};
 
@@ -19,6 +19,8 @@ pub(super) struct Made {
     pub(super) items: Vec<Item>,
     /// Tags that the source does not have: name, type, what for.
     pub(super) helpers: Vec<(String, String, String)>,
+    /// The tags of a chart.
+    pub(super) declared: Vec<Declaration>,
     /// The tags that are read by name, in small letters.
     pub(super) needed: HashSet<String>,
     /// What is not read of this unit and those before it.
@@ -33,6 +35,7 @@ impl Made {
             scope,
             items: Vec::new(),
             helpers: Vec::new(),
+            declared: Vec::new(),
             needed: HashSet::new(),
             unread: UnreadParts::default(),
             actions: HashMap::new(),

@@ -335,6 +335,11 @@ impl Sections {
         self.push(SectionKind::Var, None, declaration);
     }
 
+    /// A tag that the source does not have, as it is to be declared.
+    pub(super) fn declared(&mut self, declaration: Declaration) {
+        self.push(SectionKind::Var, None, declaration);
+    }
+
     fn push(&mut self, kind: SectionKind, qualifier: Option<Qualifier>, declaration: Declaration) {
         let same = |section: &&mut Section| section.kind == kind && section.qualifier == qualifier;
         match self.sections.iter_mut().find(same) {

@@ -3,6 +3,7 @@
 mod blocks;
 mod body;
 mod call;
+mod chart;
 mod declare;
 mod draw;
 mod duration;

@@ -31,13 +31,8 @@ pub(super) fn body(
     made: &mut Made,
     reading: &mut Reading,
 ) -> Result<(), String> {
-    let Seen {
-        shared,
-        project,
-        scopes,
-    } = seen;
-    let scopes = scopes.get_or_init(|| Scopes::of(shared, project));
-    let scope = scopes.of_unit(&made.scope);
+    let Seen { shared, project, .. } = seen;
+    let scope = seen.in_text(&made.scope);
     let restarted = restarted(shared, unit);
     let dialect = if shared.is_compiled || project.is_own {
         Dialect::Iec
@@ -71,7 +66,7 @@ pub(super) fn body(
 }
 
 /// A place in a text that begins at a place.
-fn within(start: LineColumn, at: LineColumn) -> LineColumn {
+pub(super) fn within(start: LineColumn, at: LineColumn) -> LineColumn {
     let column = if at.line == 1 {
         start.column + at.column - 1
     } else {
@@ -123,6 +118,12 @@ impl<'s> Seen<'s> {
             scopes: OnceCell::new(),
         }
     }
+
+    /// What names mean in a text of a unit.
+    pub(super) fn in_text(&self, unit: &Scope) -> st::Scope {
+        let scopes = self.scopes.get_or_init(|| Scopes::of(self.shared, self.project));
+        scopes.of_unit(unit)
+    }
 }
 
 /// The types, blocks and globals of a project, as bodies in Structured Text see them.
@@ -164,6 +165,9 @@ impl<'s> Scopes<'s> {
         for (name, known) in unit.all() {
             let ty = own.ty(&known.ty, 0);
             own.scope.tag(name, known.path.clone(), ty, false);
+        }
+        for (name, (active, elapsed)) in unit.steps() {
+            own.scope.step(name, active.clone(), elapsed.clone());
         }
         own.scope
     }

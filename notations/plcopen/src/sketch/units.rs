@@ -1,6 +1,7 @@
 //! A unit: its variables, and what it does.
 
 use super::body::{Body as Networks, Made};
+use super::chart;
 use super::declare;
 use super::structured::{self, Seen};
 use super::tasks::When;
@@ -60,8 +61,19 @@ pub(super) fn unit_items(
     if unit.kind == UnitKind::Program {
         made.items.extend(unit.comment.iter().cloned().map(Item::Comment));
     }
-    let structured =
-        structured::text(unit).map(|text| structured::body(seen, unit, text, &mut made, reading));
+    let structured = match &unit.body {
+        Body::Chart(drawn) => {
+            made.actions = actions(shared, project, unit, reading);
+            Some(chart::body(
+                seen,
+                (unit, drawn),
+                (place, when),
+                &mut made,
+                reading,
+            ))
+        }
+        _ => structured::text(unit).map(|text| structured::body(seen, unit, text, &mut made, reading)),
+    };
     let is_read = matches!(structured, Some(Ok(())));
     let why = structured.and_then(Result::err);
     let whole = if is_read {
@@ -99,13 +111,16 @@ pub(super) fn unit_items(
             Networks::draw(shared, graph, &mut made, reading);
         }
         for part in &unit.parts {
-            part_items(shared, (unit, part), (place, when), &mut made, reading);
+            if !chart::has(unit, part) {
+                part_items(shared, (unit, part), (place, when), &mut made, reading);
+            }
         }
     }
     let Made {
         scope,
         items,
         helpers,
+        declared,
         needed,
         unread: parts,
         actions: _,
@@ -115,6 +130,9 @@ pub(super) fn unit_items(
     let mut sections = declare::variables(shared, project, unit, &scope, is_needed, reading);
     for (name, ty, comment) in helpers {
         sections.helper(&name, &ty, &comment, None);
+    }
+    for tag in declared {
+        sections.declared(tag);
     }
     Inside {
         sections: sections.items(),
@@ -146,8 +164,8 @@ fn whole(
     let mut bodies = sheets.map(|part| &part.body).chain([&unit.body]);
     let (language, text) = match &unit.body {
         Body::Text(language, text, _) => (*language, text.clone()),
-        Body::Chart(shown) => {
-            let lines: Vec<&str> = shown.iter().map(|(_, told)| told.as_str()).collect();
+        Body::Chart(drawn) => {
+            let lines: Vec<&str> = drawn.shown.iter().map(|(_, told)| told.as_str()).collect();
             ("SFC", lines.join("\n"))
         }
         body if bodies.any(may_leave) => ("LD", text_of(shared, body, scope, reading)),
@@ -227,8 +245,8 @@ fn text_of(shared: &Shared<'_>, body: &Body, scope: &Scope, reading: &mut Readin
     match body {
         Body::Empty => String::new(),
         Body::Text(_, text, _) | Body::Ladder(text) => text.clone(),
-        Body::Chart(shown) => {
-            let lines: Vec<&str> = shown.iter().map(|(_, told)| told.as_str()).collect();
+        Body::Chart(drawn) => {
+            let lines: Vec<&str> = drawn.shown.iter().map(|(_, told)| told.as_str()).collect();
             lines.join("\n")
         }
         Body::Graph(graph) => {

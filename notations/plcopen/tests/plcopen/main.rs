@@ -1,6 +1,7 @@
 //! PLCopen XML, read and run.
 
 mod broken;
+mod charts;
 mod corpus;
 mod elements;
 mod harness;

@@ -271,7 +271,7 @@ fn charts() {
     check(
         &project("", main, ""),
         expect![[r#"
-            # Main (SFC) is not read: a scan runs past it, and what it may write is not known. #
+            # Main (SFC) is not read (line 7: not one line leads to it): a scan runs past it, and what it may write is not known. #
             FUNCTION_BLOCK [$Main_SFC]
             # ladder: unread #
             # step localId=1 name=Start initialStep=true #

@@ -105,6 +105,8 @@ pub struct Scope {
     tags: HashMap<String, Known>,
     types: HashMap<String, Type>,
     functions: HashMap<String, Rc<Shape>>,
+    /// The steps of a chart: what says whether each is active, and for how long.
+    steps: HashMap<String, (Path, Path)>,
 }
 
 impl Scope {
@@ -126,6 +128,21 @@ impl Scope {
     /// A function.
     pub fn function(&mut self, name: &str, shape: Rc<Shape>) {
         self.functions.insert(name.to_lowercase(), shape);
+    }
+
+    /// A step of a chart: the tags that `name.X` and `name.T` are.
+    pub fn step(&mut self, name: &str, active: Path, elapsed: Path) {
+        self.steps.insert(name.to_lowercase(), (active, elapsed));
+    }
+
+    /// A member of a step.
+    pub(super) fn of_step(&self, name: &str, member: &str) -> Option<(Path, Type)> {
+        let (active, elapsed) = self.steps.get(&name.to_lowercase())?;
+        match member {
+            "X" | "x" => Some((active.clone(), Type::BOOL)),
+            "T" | "t" => Some((elapsed.clone(), Type::Scalar(Scalar::Time))),
+            _ => None,
+        }
     }
 
     pub(super) fn known(&self, name: &str) -> Option<&Known> {

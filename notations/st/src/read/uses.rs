@@ -26,7 +26,14 @@ pub(super) struct Uses<'s> {
 
 impl Uses<'_> {
     pub(super) fn of<'s>(statements: &[Statement], scope: &'s Scope) -> Uses<'s> {
-        let mut uses = Uses {
+        let mut uses = Uses::none(scope);
+        uses.statements(statements);
+        uses
+    }
+
+    /// Of no statement yet.
+    pub(super) fn none(scope: &Scope) -> Uses<'_> {
+        Uses {
             scope,
             assigned: HashMap::new(),
             called: HashMap::new(),
@@ -36,9 +43,12 @@ impl Uses<'_> {
             members: HashSet::new(),
             depth: 0,
             loops: 0,
-        };
-        uses.statements(statements);
-        uses
+        }
+    }
+
+    /// Of statements that run in some scans only, too.
+    pub(super) fn at_times(&mut self, statements: &[Statement]) {
+        self.inner(statements);
     }
 
     /// The names of tags in small letters, with how often each is there.
@@ -203,7 +213,8 @@ impl Uses<'_> {
         }
     }
 
-    fn expression(&mut self, expression: &Expression) {
+    /// Of a value, too.
+    pub(super) fn expression(&mut self, expression: &Expression) {
         match &expression.kind {
             ExpressionKind::Literal(..) => {}
             ExpressionKind::Place(place) => self.place(place),

@@ -8,6 +8,7 @@ mod expression;
 mod function;
 mod literal;
 mod loops;
+mod pieces;
 mod place;
 mod restarted;
 mod statement;
@@ -26,6 +27,7 @@ use ladder_format::Circuit;
 use ladder_format::program::{Block, Declaration, Drawing, Element, Head, Item, Network, Operand, Path};
 use ladder_instructions::Shape as Brackets;
 use ladder_notation::{Lines, Names, UnreadParts};
+pub(super) use pieces::{Piece, What, lower_pieces};
 pub(super) use place::address;
 pub use restarted::Restarted;
 use std::collections::{HashMap, HashSet};
@@ -67,37 +69,9 @@ pub(super) fn lower(
     unread: &mut UnreadParts,
 ) -> Body {
     let parts = unread.len();
-    let mut lowering = Lowering {
-        around,
-        uses: Uses::of(statements, around.scope),
-        names,
-        unread,
-        body: Body {
-            last_label: around.first_label,
-            ..Body::default()
-        },
-        labels: Vec::new(),
-        chain: Vec::new(),
-        comments: Vec::new(),
-        next_comment: 0,
-        origin: None,
-        free: HashMap::new(),
-        used: Vec::new(),
-        temporaries: 0,
-        numbers: HashMap::new(),
-        loops: Vec::new(),
-        depth: 0,
-        beside: HashMap::new(),
-        instances: HashSet::new(),
-        directives: Vec::new(),
-    };
+    let mut lowering = Lowering::new(around, Uses::of(statements, around.scope), names, unread);
     lowering.restarted(restarted, statements);
-    lowering.skip_comments_before(statements.first().map_or(0, |first| first.span.start));
-    lowering.statements(statements);
-    if !lowering.labels.is_empty() {
-        lowering.network(Vec::new());
-    }
-    lowering.trailing_comments(statements.last().map_or(0, |last| last.span.end));
+    lowering.all(statements);
     lowering.forget_unused();
     let body = lowering.body;
     if body.unread.is_some() {
@@ -108,6 +82,8 @@ pub(super) fn lower(
 
 pub(super) struct Lowering<'a, 'n> {
     around: &'a Surroundings<'a>,
+    /// The number of the first origin of the body.
+    first_origin: u32,
     uses: Uses<'a>,
     names: &'n mut Names,
     unread: &'n mut UnreadParts,
@@ -149,7 +125,52 @@ struct State {
     unread: usize,
 }
 
+impl<'a, 'n> Lowering<'a, 'n> {
+    fn new(
+        around: &'a Surroundings<'a>,
+        uses: Uses<'a>,
+        names: &'n mut Names,
+        unread: &'n mut UnreadParts,
+    ) -> Lowering<'a, 'n> {
+        Lowering {
+            around,
+            first_origin: around.first_origin,
+            uses,
+            names,
+            unread,
+            body: Body {
+                last_label: around.first_label,
+                ..Body::default()
+            },
+            labels: Vec::new(),
+            chain: Vec::new(),
+            comments: Vec::new(),
+            next_comment: 0,
+            origin: None,
+            free: HashMap::new(),
+            used: Vec::new(),
+            temporaries: 0,
+            numbers: HashMap::new(),
+            loops: Vec::new(),
+            depth: 0,
+            beside: HashMap::new(),
+            instances: HashSet::new(),
+            directives: Vec::new(),
+        }
+    }
+}
+
 impl Lowering<'_, '_> {
+    /// The statements of a text, with the comments around them.
+    fn all(&mut self, statements: &[Statement]) {
+        self.skip_comments_before(statements.first().map_or(0, |first| first.span.start));
+        self.statements(statements);
+        if !self.labels.is_empty() {
+            self.network(Vec::new());
+        }
+        self.trailing_comments(statements.last().map_or(0, |last| last.span.end));
+    }
+
     /// A block after what the statement has done so far.
     fn act(&mut self, block: Block) {
         self.chain.push(Element::of(block, self.origin));
@@ -263,27 +284,11 @@ impl Lowering<'_, '_> {
 
     /// Leaves out the tags of the reader's own that no network has.
     fn forget_unused(&mut self) {
-        let mut used = HashSet::new();
-        for item in &mut self.body.items {
-            let Item::Network(Network {
-                drawing: Drawing::Circuit(circuit),
-                ..
-            }) = item
-            else {
-                continue;
-            };
-            circuit.for_each_mut(&mut |element| {
-                if let Some(block) = element.as_block() {
-                    block.paths(|path| {
-                        used.insert(path.root.clone());
-                    });
-                }
-            });
-        }
+        self.body.used = used(&mut self.body.items);
+        let used = &self.body.used;
         self.body
             .tags
             .retain(|tag| tag.names.iter().any(|name| used.contains(name)));
-        self.body.used = used;
     }
 
     fn is_temporary(&self, path: &Path) -> bool {
@@ -382,6 +387,28 @@ impl Lowering<'_, '_> {
         let is_short = !text.contains(['\n', '\r']) && text.chars().count() <= LONGEST_COMMENT;
         is_short.then(|| comment_of(text))
     }
+}
+
+/// The tags that are in networks.
+fn used(items: &mut [Item]) -> HashSet<String> {
+    let mut used = HashSet::new();
+    for item in items {
+        let Item::Network(Network {
+            drawing: Drawing::Circuit(circuit),
+            ..
+        }) = item
+        else {
+            continue;
+        };
+        circuit.for_each_mut(&mut |element| {
+            if let Some(block) = element.as_block() {
+                block.paths(|path| {
+                    used.insert(path.root.clone());
+                });
+            }
+        });
+    }
+    used
 }
 
 /// The number that digits are, where they are no more than digits and their base.

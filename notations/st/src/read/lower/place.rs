@@ -18,6 +18,11 @@ impl Lowering<'_, '_> {
                 "{what} works on memory by address, which ladder text does not have"
             ));
         }
+        if let [Step::Member(member)] = &place.steps[..]
+            && let Some(found) = self.around.scope.of_step(&place.root, member)
+        {
+            return Ok(found);
+        }
         let (name, rest) = place.written();
         if let (Some(known), true) = (self.around.scope.known(&name), rest.len() < place.steps.len()) {
             let (mut path, mut ty) = (known.path.clone(), known.ty.clone());

@@ -2,7 +2,7 @@
 
 use super::super::scope::{ParameterRole, Type};
 use super::super::tree::{
-    Assignment, Expression as Tree, ExpressionKind, LiteralKind, Place, Span, Statement, StatementKind,
+    Assignment, Expression as Tree, ExpressionKind, LiteralKind, Place, Span, Statement, StatementKind, Step,
 };
 use super::condition::Power;
 use super::expression::may_fault;
@@ -38,7 +38,7 @@ impl Lowering<'_, '_> {
     fn statement(&mut self, statement: &Statement) {
         self.take_comments(statement.span.start);
         self.body.origins.push(statement.span.start);
-        self.origin = Some(self.around.first_origin + self.body.origins.len() as u32 - 1);
+        self.origin = Some(self.first_origin + self.body.origins.len() as u32 - 1);
         let state = self.state();
         let used = state.used;
         match self.lowered(statement) {
@@ -109,12 +109,17 @@ impl Lowering<'_, '_> {
 
     /// Where an assignment goes. Inputs of an instance may be written as members; what is else inside of one is not.
     pub(super) fn target(&mut self, place: &Place) -> Lowered<(Path, Type)> {
+        if let [Step::Member(member)] = &place.steps[..]
+            && self.around.scope.of_step(&place.root, member).is_some()
+        {
+            return Err(format!("`{}` is a step, which only its chart writes", place.root));
+        }
         if let Some(known) = self.around.scope.known(&place.root)
             && known.is_constant
         {
             return Err(format!("`{}` is a constant", place.root));
         }
-        if let [before @ .., super::super::tree::Step::Member(member)] = &place.steps[..] {
+        if let [before @ .., Step::Member(member)] = &place.steps[..] {
             let owner = Place {
                 steps: before.to_vec(),
                 ..place.clone()
