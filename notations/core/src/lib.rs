@@ -64,7 +64,7 @@ pub use ladder_format::names::{self, Names};
 pub use ladder_syntax::LineColumn;
 pub use no_program::no_program;
 pub use notation::{Notation, Reach, has_extension};
-pub use one_file::{Kept, OneFile, without_known, write_one_file};
+pub use one_file::{Kept, OneFile, WrittenProject, without_known, write_one_file};
 pub use place::Lines;
 pub use project::Project;
 pub use reading::{Content, ProjectFile, Reading, Writing};

@@ -1,6 +1,6 @@
 //! The one trait of a notation.
 
-use super::{Kept, Project, ReadError, Reading, Source, WriteError, Writing};
+use super::{Kept, Project, ReadError, Reading, Source, WriteError, Writing, WrittenProject};
 use ladder_analysis::Analysis;
 use std::fmt;
 
@@ -97,7 +97,11 @@ pub trait Notation: Sync {
     /// # Errors
     ///
     /// As for [`write`](Notation::write), and if that file is not in this notation.
-    fn write_project(&self, _project: &Project, _kept: Option<&Kept<'_>>) -> Result<Writing, WriteError> {
+    fn write_project(
+        &self,
+        _project: &Project,
+        _kept: Option<&Kept<'_>>,
+    ) -> Result<WrittenProject, WriteError> {
         Err(WriteError::new(
             "each of its files holds one program: convert them one by one, or into a folder",
         ))

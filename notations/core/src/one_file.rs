@@ -17,6 +17,15 @@ pub struct Kept<'k> {
     pub before: &'k Project,
 }
 
+/// A project as a notation writes it.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct WrittenProject {
+    /// The file.
+    pub bytes: Vec<u8>,
+    /// What became of the elements, a report for each file of the project.
+    pub reports: Vec<Report>,
+}
+
 /// A project in one file.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct OneFile {
@@ -41,13 +50,9 @@ pub fn write_one_file(
     let Some(source) = original else {
         let mut project = Project::of(files)?;
         Arc::make_mut(&mut project.analysis.context).name = stem.into();
-        let writing = notation.write_project(&project, None)?;
-        let mut report = writing.report;
-        refuse_errors(notation, &writing.bytes, stem, &mut report, None);
-        return Ok(OneFile {
-            bytes: writing.bytes,
-            reports: by_file(&project, &report),
-        });
+        let mut writing = notation.write_project(&project, None)?;
+        refuse_errors(notation, &mut writing, stem, None);
+        return Ok(by_file(&project, writing));
     };
     let wrong = |why: String| WriteError::new(format!("the file that the programs come from: {why}"));
     let before = convert(notation, source, &ladder_format::Options::default())
@@ -62,13 +67,9 @@ pub fn write_one_file(
     let was = Project::of(&read).map_err(|error| wrong(error.message))?;
     let project = Project::of(files)?;
     let kept = Kept { source, before: &was };
-    let writing = notation.write_project(&project, Some(&kept))?;
-    let mut report = writing.report;
-    refuse_errors(notation, &writing.bytes, stem, &mut report, Some(&before));
-    Ok(OneFile {
-        bytes: writing.bytes,
-        reports: by_file(&project, &report),
-    })
+    let mut writing = notation.write_project(&project, Some(&kept))?;
+    refuse_errors(notation, &mut writing, stem, Some(&before));
+    Ok(by_file(&project, writing))
 }
 
 /// The files of a folder that a conversion writes. One alone is called as the one that is there.
@@ -94,25 +95,27 @@ fn is_same(before: &[(String, String)], now: &[(String, String)]) -> bool {
     before.len() == now.len() && sorted(before) == sorted(now)
 }
 
-fn by_file(project: &Project, report: &Report) -> Vec<(String, Report)> {
-    let reports = project.reports(report).into_iter().enumerate();
-    reports
-        .map(|(number, report)| (project.file(number).to_owned(), report))
-        .collect()
+fn by_file(project: &Project, writing: WrittenProject) -> OneFile {
+    let reports = writing.reports.into_iter().enumerate();
+    OneFile {
+        bytes: writing.bytes,
+        reports: reports
+            .map(|(number, report)| (project.file(number).to_owned(), report))
+            .collect(),
+    }
 }
 
 /// Reads what is written, and refuses what has an error there that it did not have before.
 fn refuse_errors(
     notation: &'static dyn Notation,
-    bytes: &[u8],
+    writing: &mut WrittenProject,
     stem: &str,
-    report: &mut Report,
     before: Option<&Converted>,
 ) {
-    if !notation.is_read() {
+    let Some(report) = writing.reports.first_mut().filter(|_| notation.is_read()) else {
         return;
-    }
-    let source = Source::alone(stem, bytes);
+    };
+    let source = Source::alone(stem, &writing.bytes);
     let again = match convert(notation, &source, &ladder_format::Options::default()) {
         Ok(again) => again,
         Err(error) => {

@@ -8,7 +8,7 @@ use crate::functions::taken_out;
 use crate::whole::{called_name, declaration, is_shared};
 use crate::{LineColumn, Lines, Names, Report, WriteError};
 use ladder_analysis::context::{Body, Callee, Context};
-use ladder_analysis::{Analysis, AnalyzeOptions, Exported, analyze, exports};
+use ladder_analysis::{Analysis, AnalyzeOptions, Exported, analyze, exports, link_files};
 use ladder_format::Options;
 use ladder_format::program::{Block, Drawing, Item, Origin, ProgramSketch, RungPiece, WrittenProgram};
 use ladder_instructions::Op;
@@ -27,6 +27,8 @@ pub struct Project {
     functions: HashMap<Name, (usize, String)>,
     /// The file of each tag that only its file sees, and what it is called there.
     tags: HashMap<Name, (usize, String)>,
+    /// The files, each among the others.
+    analyses: Vec<Arc<Analysis>>,
     written: WrittenProgram,
     lines: Lines,
 }
@@ -58,6 +60,7 @@ impl Project {
             files: Vec::new(),
             functions: HashMap::new(),
             tags: HashMap::new(),
+            analyses: Vec::new(),
             written: WrittenProgram::default(),
             lines: Lines::of(""),
         };
@@ -80,6 +83,7 @@ impl Project {
         let sketch = ProgramSketch {
             items: project.joined(&ordered),
         };
+        project.analyses = ordered;
         project.written = sketch.write(&Options::default());
         project.lines = Lines::of(&project.written.text);
         let stem = project.stem(0).to_owned();
@@ -100,6 +104,29 @@ impl Project {
     /// How many files there are.
     pub fn count(&self) -> usize {
         self.files.len()
+    }
+
+    /// A file with what it uses of the others.
+    ///
+    /// # Errors
+    ///
+    /// If that has errors.
+    pub fn linked(&self, number: usize) -> Result<Analysis, WriteError> {
+        let analysis = &self.analyses[number];
+        let by_name = |name: &str| {
+            self.analyses
+                .iter()
+                .find(|file| &*file.context.name == name)
+                .cloned()
+        };
+        let linked = link_files(analysis, &by_name);
+        let linked = linked.map_err(|_| WriteError::new(format!("{}: it has errors", self.file(number))))?;
+        Ok(analysis.with_others(linked))
+    }
+
+    /// A file among the others.
+    pub fn analysis_of(&self, number: usize) -> &Analysis {
+        &self.analyses[number]
     }
 
     /// What a file is called in its folder.

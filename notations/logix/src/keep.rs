@@ -5,7 +5,7 @@ use crate::names::Originals;
 use crate::{in_outs, l5x, model, repeated, text, write};
 use ladder_drawings::neutral::{self, Part};
 use ladder_notation::kept::{Rules, merge, merge_lists};
-use ladder_notation::{Kept, LineColumn, Project, WriteError, Writing, without_known};
+use ladder_notation::{Kept, LineColumn, Project, WriteError, WrittenProject, without_known};
 use roxmltree::Node;
 use std::collections::HashMap;
 
@@ -22,7 +22,7 @@ const RULES: Rules = Rules {
 };
 
 /// Writes the files of a folder into the export that they come from.
-pub(crate) fn write(project: &Project, kept: &Kept<'_>) -> Result<Writing, WriteError> {
+pub(crate) fn write(project: &Project, kept: &Kept<'_>) -> Result<WrittenProject, WriteError> {
     let broken = |error: ladder_notation::ReadError| WriteError::new(error.to_string());
     let original = text(kept.source).map_err(broken)?;
     let mut read = l5x::read(original).map_err(broken)?;
@@ -48,8 +48,10 @@ pub(crate) fn write(project: &Project, kept: &Kept<'_>) -> Result<Writing, Write
             .report
             .approximated(LineColumn::START, format!("routine {routine}"), why);
     }
-    after.bytes = merged.into_bytes();
-    Ok(after)
+    Ok(WrittenProject {
+        bytes: merged.into_bytes(),
+        reports: project.reports(&after.report),
+    })
 }
 
 /// The routines that were in another language, each with what it was.

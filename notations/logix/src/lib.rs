@@ -44,7 +44,8 @@ mod write;
 
 use ladder_analysis::Analysis;
 use ladder_notation::{
-    Kept, LineColumn, Notation, Project, ReadError, Reading, Source, WriteError, Writing, text_of,
+    Kept, LineColumn, Notation, Project, ReadError, Reading, Source, WriteError, Writing, WrittenProject,
+    text_of,
 };
 
 /// A larger file is not read: whole projects are large.
@@ -139,10 +140,17 @@ impl Notation for L5x {
         true
     }
 
-    fn write_project(&self, project: &Project, kept: Option<&Kept<'_>>) -> Result<Writing, WriteError> {
+    fn write_project(
+        &self,
+        project: &Project,
+        kept: Option<&Kept<'_>>,
+    ) -> Result<WrittenProject, WriteError> {
         match kept {
             Some(kept) => keep::write(project, kept),
-            None => write::write_project(project),
+            None => write::write_project(project).map(|writing| WrittenProject {
+                reports: project.reports(&writing.report),
+                bytes: writing.bytes,
+            }),
         }
     }
 }

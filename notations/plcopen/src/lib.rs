@@ -23,6 +23,7 @@ pub mod declarations;
 mod emit;
 mod expression;
 pub mod graph;
+mod keep;
 mod loops;
 mod loose;
 pub mod model;
@@ -43,7 +44,9 @@ pub use sketch::reading;
 pub use write::{Compiler, project};
 
 use ladder_analysis::Analysis;
-use ladder_notation::{Notation, ReadError, Reading, Source, WriteError, Writing};
+use ladder_notation::{
+    Kept, Notation, Project, ReadError, Reading, Source, WriteError, Writing, WrittenProject,
+};
 
 /// See the module.
 #[derive(Debug)]
@@ -80,5 +83,24 @@ impl Notation for Plcopen {
 
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
         write::write(analysis)
+    }
+
+    fn has_projects(&self) -> bool {
+        true
+    }
+
+    fn write_project(
+        &self,
+        project: &Project,
+        kept: Option<&Kept<'_>>,
+    ) -> Result<WrittenProject, WriteError> {
+        if let Some(kept) = kept {
+            return keep::write(project, kept);
+        }
+        let (made, reports) = write::files::project(project, |file| project.stem(file).to_owned())?;
+        Ok(WrittenProject {
+            bytes: emit::project(made).into_bytes(),
+            reports,
+        })
     }
 }

@@ -3,7 +3,7 @@
 mod body;
 mod layout;
 
-use crate::model::{Body, Initial, Project, Role, Task, Type, Unit, UnitKind, Variable};
+use crate::model::{Body, Initial, Project, Role, Task, Type, TypeDeclaration, Unit, UnitKind, Variable};
 use crate::standard;
 use ladder_format::program::Qualifier;
 use ladder_notation::xml::XmlText;
@@ -45,12 +45,8 @@ pub(super) fn project(project: Project) -> String {
         });
         xml.around("types", &[], |xml| {
             xml.around("dataTypes", &[], |xml| {
-                for declared in &types {
-                    xml.around("dataType", &[("name", declared.name.as_str())], |xml| {
-                        xml.around("baseType", &[], |xml| ty(xml, &declared.ty));
-                        initial(xml, declared.initial.as_ref());
-                        told(xml, "documentation", declared.comment.as_deref());
-                    });
+                for ty in &types {
+                    declared(xml, ty);
                 }
             });
             xml.around("pous", &[], |xml| {
@@ -73,6 +69,28 @@ pub(super) fn project(project: Project) -> String {
         });
     });
     xml.finish()
+}
+
+/// A unit alone.
+pub(super) fn unit_text(of: Unit) -> String {
+    let mut xml = XmlText::start();
+    unit(&mut xml, of);
+    xml.finish()
+}
+
+/// A type alone.
+pub(super) fn type_text(of: &TypeDeclaration) -> String {
+    let mut xml = XmlText::start();
+    declared(&mut xml, of);
+    xml.finish()
+}
+
+fn declared(xml: &mut XmlText, declared: &TypeDeclaration) {
+    xml.around("dataType", &[("name", declared.name.as_str())], |xml| {
+        xml.around("baseType", &[], |xml| ty(xml, &declared.ty));
+        initial(xml, declared.initial.as_ref());
+        told(xml, "documentation", declared.comment.as_deref());
+    });
 }
 
 fn task(xml: &mut XmlText, task: &Task) {

@@ -11,6 +11,7 @@ mod declare;
 mod edge;
 mod element;
 mod faces;
+pub(crate) mod files;
 mod names;
 mod networks;
 mod rung;
@@ -38,7 +39,8 @@ use ladder_notation::{
     LineColumn, Report, Target, Unwritable, WriteError, Writing, no_program, refuse_unread,
 };
 use ladder_syntax::{Name, TextSize};
-use names::{Names, identifier};
+use names::Names;
+pub(crate) use names::identifier;
 use std::collections::HashMap;
 use std::sync::Arc;
 use unit::{Project as Shared, Unit};

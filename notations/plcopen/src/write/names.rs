@@ -6,7 +6,7 @@ use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 /// A name with the signs that are allowed there: letters and digits of ASCII, single underscores between them.
-pub(super) fn identifier(name: &str) -> String {
+pub(crate) fn identifier(name: &str) -> String {
     let mut out = String::new();
     for c in name.chars() {
         match c {

@@ -5,6 +5,7 @@ mod charts;
 mod corpus;
 mod elements;
 mod harness;
+mod one_file;
 mod oracle;
 mod pins;
 mod projects;
