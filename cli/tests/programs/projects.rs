@@ -123,7 +123,13 @@ fn what_a_second_run_would_write_again_stays() {
         "#]]
         .assert_eq(&run.to_string());
     }
-    let names = ["Count.clad", "Main.clad", "globals.clad", "ladder.toml"];
+    let names = [
+        "Count.clad",
+        "Main.clad",
+        "globals.clad",
+        "ladder.toml",
+        "plant.xml",
+    ];
     assert_eq!(folder.names_in("plant.xml.d/plant.xml"), names);
 }
 
@@ -138,7 +144,7 @@ fn names_that_no_file_may_have() {
     let long = format!("{}.clad", &long[..100]);
     assert_eq!(
         folder.names_in("plant"),
-        ["CON_.clad", "globals.clad", "ladder.toml", &long]
+        ["CON_.clad", "globals.clad", "ladder.toml", "plant.xml", &long]
     );
 }
 
