@@ -1,4 +1,5 @@
-"""Charts (SFC) that are made up here, as PLCopen XML: compiled by matiec and run, each does what the simulator shows of it.
+"""Charts (SFC) that are made up here, as PLCopen XML and as the Structured Text that is made of it: compiled by matiec and run, each does what
+the simulator shows of it.
 
     charts.py [COUNT] [--first SEED] [--keep FOLDER]
 
@@ -342,37 +343,40 @@ def attempt(trace, folder, keep, seed):
     file.write_text(project(dice, step))
     with given.open("w", newline="") as out:
         csv.writer(out).writerows(inputs(dice))
+    text = file.with_suffix(".st")
     try:
-        head, there = trace(str(file), SCANS, step, str(given))
+        head, there = trace(str(file), SCANS, step, str(given), str(text))
     except (ValueError, subprocess.TimeoutExpired) as error:
         return "skipped: " + str(error)[-300:]
-    command = [LADDER, "sim", str(file), "--scans", str(SCANS), "--dt", f"{step}ms", "--format", "csv", "--inputs", str(given)]
+    for program in (file, text):
+        found = difference(program, given, step, (head, there))
+        if found and keep:
+            for kept in (program, given):
+                (Path(keep) / kept.name).write_text(kept.read_text())
+        if found:
+            return f"{program.suffix[1:]}: {found}"
+    return None
+
+
+def difference(program, given, step, trace):
+    """What a program does otherwise here, or None."""
+    head, there = trace
+    command = [LADDER, "sim", str(program), "--scans", str(SCANS), "--dt", f"{step}ms", "--format", "csv", "--inputs", str(given)]
     simulated = subprocess.run(command, capture_output=True, text=True, check=False)
     here = list(csv.reader(io.StringIO(simulated.stdout)))
-    found = None
-    if len(here) != SCANS + 1:
-        found = simulated.stderr[-500:]
-    elif "not read" in simulated.stderr:
-        found = simulated.stderr[-500:]
+    if len(here) != SCANS + 1 or "not read" in simulated.stderr:
+        return simulated.stderr[-500:] or "no run"
     places = {name: place for place, name in enumerate(head)}
     compared = 0
-    for column, name in enumerate(here[0] if not found else []):
+    for column, name in enumerate(here[0]):
         place = places.get(name.upper())
         if place is None or name in ("scan", "time_ms"):
             continue
         compared += 1
         for scan, (own, other) in enumerate(zip(here[1:], there)):
             if not is_same(own[column], other[place]):
-                found = f"scan {scan}: {name} is {own[column]}, there {other[place]}"
-                break
-        if found:
-            break
-    if not found and not compared:
-        found = "nothing is compared"
-    if found and keep:
-        (Path(keep) / file.name).write_text(file.read_text())
-        (Path(keep) / given.name).write_text(given.read_text())
-    return found
+                return f"scan {scan}: {name} is {own[column]}, there {other[place]}"
+    return None if compared else "nothing is compared"
 
 
 def main():

@@ -1,5 +1,6 @@
 //! What a file declares: units, types, variables, tasks.
 
+use super::chart_syntax::ChartText;
 use super::tree::{Expression, Problem, Span, Statement};
 use ladder_format::program::Qualifier;
 
@@ -26,6 +27,8 @@ pub(crate) struct Unit {
     pub(crate) variables: Vec<Variable>,
     pub(crate) comment: Option<String>,
     pub(crate) body: Vec<Statement>,
+    /// The body, where it is a chart.
+    pub(crate) chart: Option<ChartText>,
     /// Where the statements are.
     pub(crate) body_span: Span,
     /// What does not parse in the body.

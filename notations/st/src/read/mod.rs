@@ -5,6 +5,8 @@
 //! ```
 
 mod body;
+mod chart;
+mod chart_syntax;
 mod cursor;
 mod declarations;
 mod declare;

@@ -1,6 +1,8 @@
 //! A file as a program: what it declares, what runs, and the blocks that it is made of.
 
 use super::body::Body;
+use super::chart;
+use super::chart_syntax::ChartText;
 use super::declare::{Sections, type_section};
 use super::declared::{File, Role, Unit, UnitKind};
 use super::dialect::Dialect;
@@ -14,6 +16,7 @@ use ladder_format::Circuit;
 use ladder_format::program::{
     Block, Drawing, Element, Expression, Item, Network, Path, Section, SectionKind,
 };
+use ladder_notation::chart::Clock;
 use ladder_notation::{
     BlockNames, Finding, Lines, Names, Power, ReadError, Reading, Turn, Unread, UnreadParts, unread_body,
 };
@@ -317,6 +320,11 @@ impl Reader<'_> {
             first_origin: self.reading.places.len() as u32,
             first_label: 0,
         };
+        if let Some(chart) = &unit.chart {
+            let body = self.chart((unit, chart), &around, names)?;
+            body.note(self.text, |at| self.lines.place(self.text, at), &mut self.reading);
+            return Ok(body);
+        }
         let restarted = Reader::restarted(unit, scope);
         let mut body = lower::lower(&unit.body, &around, &restarted, names, &mut self.unread);
         if let Some(why) = body.unread.take() {
@@ -325,6 +333,29 @@ impl Reader<'_> {
         let place = |at| self.lines.place(self.text, at);
         body.note(self.text, place, &mut self.reading);
         Ok(body)
+    }
+
+    /// The networks of a chart.
+    fn chart(
+        &mut self,
+        (unit, chart): (&Unit, &ChartText),
+        around: &Surroundings<'_>,
+        names: &mut Names,
+    ) -> Result<Body, String> {
+        if !unit.body.is_empty() {
+            return Err("statements follow its chart".to_owned());
+        }
+        if unit.variables.iter().any(|one| one.role == Role::Temp) {
+            return Err("its temporary variables begin again in each scan".to_owned());
+        }
+        let clock = match unit.kind {
+            UnitKind::Program => Clock::EachScan,
+            UnitKind::FunctionBlock => Clock::AtCalls,
+            UnitKind::Function => {
+                return Err("a function keeps nothing, so it has no chart".to_owned());
+            }
+        };
+        chart::body(chart, around, clock, names, &mut self.unread)
     }
 
     fn block(&mut self, unit: &Unit) -> Vec<Item> {

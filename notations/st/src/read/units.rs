@@ -84,6 +84,7 @@ impl Cursor<'_> {
             variables: Vec::new(),
             comment,
             body: Vec::new(),
+            chart: None,
             body_span: 0..0,
             problems: Vec::new(),
             methods: Vec::new(),
@@ -113,6 +114,9 @@ impl Cursor<'_> {
         self.take_word("BEGIN");
         let before = std::mem::take(&mut self.problems);
         let start = self.span().start;
+        if self.is_at_chart() {
+            unit.chart = Some(self.chart());
+        }
         unit.body = self.statements(&[
             end,
             "METHOD",

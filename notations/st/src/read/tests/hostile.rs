@@ -57,6 +57,25 @@ fn what_nests_deep() {
 }
 
 #[test]
+fn charts_that_are_long() {
+    let steps: String = (0..3_000)
+        .map(|step| {
+            format!("STEP S{step}: a(N); END_STEP TRANSITION FROM S{step} TO S0 := a; END_TRANSITION\n")
+        })
+        .collect();
+    read_all(&program(&format!("INITIAL_STEP I: END_STEP\n{steps}")));
+    for part in [
+        "STEP ",
+        "STEP S: a(",
+        "TRANSITION FROM (",
+        "ACTION A: IF ",
+        "INITIAL_STEP I: ",
+    ] {
+        read_all(&program(&part.repeat(5_000)));
+    }
+}
+
+#[test]
 fn what_is_long() {
     for part in [
         "i := i + 1;\n",

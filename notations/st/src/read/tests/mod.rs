@@ -850,3 +850,85 @@ fn a_unit_that_does_not_parse_is_unread_as_a_whole() {
         "#]],
     );
 }
+
+#[test]
+fn charts() {
+    check_file(
+        "PROGRAM Main VAR go, lamp : BOOL; n : INT; END_VAR\n\
+         INITIAL_STEP Idle: END_STEP\n\
+         TRANSITION FROM Idle TO Run := go; END_TRANSITION\n\
+         STEP Run: lamp(D, T#500ms); Count(P); END_STEP\n\
+         TRANSITION FROM Run TO Idle := Run.T >= T#2s AND n / 2 > 3; END_TRANSITION\n\
+         ACTION Count: n := n + 1; (* one more *) END_ACTION\n\
+         END_PROGRAM\n",
+        &expect![[r#"
+            VAR
+                go   : BOOL;
+                lamp : BOOL;
+                n    : INT;
+            END_VAR
+            VAR
+                st1         : INT;
+                Idle        : BOOL := TRUE;  # step Idle #
+                Run         : BOOL;  # step Run #
+                Run_T       : TIME;  # how long step Run is active #
+                Idle_to_Run : BOOL;  # from Idle to Run #
+                Run_to_Idle : BOOL;  # from Run to Idle #
+                Count       : BOOL;  # action Count runs #
+                Run_before  : BOOL;  # step Run in the scan before #
+            END_VAR
+
+            # steps in the scan before #
+            +--[ ]( Run )---------( )( Run_before )--[ADD]( Run_T, Run_T, SYS.SCAN_TIME )--+
+
+            # transitions #
+            +--[ ]( Idle )--[ ]( go )---------------------( )( Idle_to_Run )--(R)( Idle )--+
+            +--[ ]( Run )--[CALC]( st1, n / 2 )--[GT]( Run_T, T#2s )--[GT]( st1, 3 )---------------( )( Run_to_Idle )--(R)( Run )--+
+
+            # the steps that they lead to #
+            +--[ ]( Idle_to_Run )------------------------[MOV]( Run_T, T#0s )--(S)( Run )--+
+            +--[ ]( Run_to_Idle )---------------------------------------------(S)( Idle )--+
+
+            # action Count #
+            +--[ ]( Run )--[/]( Run_before )---------------------------------( )( Count )--+
+
+            # action lamp #
+            +--[ ]( Run )--[GE]( Run_T, T#500ms )-----------------------------(S)( lamp )--+
+            +--[/]( Run )--[ ]( Run_before )----------------------------------(R)( lamp )--+
+
+            # action Count #
+            # one more #
+            +--[ ]( Count )--------------------------------------------[CALC]( n, n + 1 )--+
+        "#]],
+    );
+}
+
+#[test]
+fn what_is_wrong_in_a_chart() {
+    for part in [
+        "STEP Run: lamp(N) END_STEP",
+        "STEP Run: lamp(D); END_STEP",
+        "STEP Run: lamp(); END_STEP",
+        "STEP Run: n(N); END_STEP",
+        "STEP Run: lamp(X); END_STEP",
+        "TRANSITION FROM Idle TO Gone := lamp; END_TRANSITION",
+        "TRANSITION FROM Idle TO Idle := Gone.X; END_TRANSITION",
+        "TRANSITION FROM Idle TO Idle : LD lamp END_TRANSITION",
+        "ACTION Set: Idle.X := TRUE; END_ACTION STEP Run: Set(N); END_STEP",
+        "ACTION lamp: n := 1; END_ACTION",
+        "STEP lamp: END_STEP",
+        "lamp := TRUE;",
+        "STEP Run:",
+    ] {
+        let text = format!(
+            "PROGRAM Main VAR lamp : BOOL; n : INT; END_VAR\nINITIAL_STEP Idle: END_STEP\n{part}\nEND_PROGRAM\n"
+        );
+        let read = super::program::read(&text, Dialect::Iec).expect("it is Structured Text");
+        let told = read
+            .report
+            .entries
+            .iter()
+            .filter(|entry| entry.outcome != ladder_notation::Outcome::Translated);
+        assert!(told.count() > 0, "{part}");
+    }
+}
