@@ -149,7 +149,7 @@ pub fn flow(chart: &Drawn) -> Result<Flow, Unclear> {
             Kind::Actions(_) => found.actions(number)?,
             Kind::Selection | Kind::SimultaneousDivergence | Kind::SimultaneousConvergence => {}
             Kind::Other(what) => {
-                return Err((element.place, format!("a {what} in a chart is not read")));
+                return Err((element.place, format!("`{what}` is not read")));
             }
         }
     }

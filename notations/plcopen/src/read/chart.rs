@@ -37,7 +37,7 @@ impl<'x> Reader<'x, '_> {
                     let actions = node.children_of("action").map(|action| self.action(action));
                     Kind::Actions(actions.collect())
                 }
-                "macroStep" => Kind::Other("macro step".to_owned()),
+                "macroStep" => Kind::Other("macroStep".to_owned()),
                 _ => {
                     self.element(node, &mut reading);
                     continue;

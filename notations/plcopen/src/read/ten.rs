@@ -284,7 +284,7 @@ impl<'x> Reader<'x, '_> {
                     place: self.xml.place(part),
                     id: String::new(),
                     from: Vec::new(),
-                    kind: chart::Kind::Other("chart of IEC 61131-10".to_owned()),
+                    kind: chart::Kind::Other("SFC of IEC 61131-10".to_owned()),
                 });
                 Body::Chart(chart::Drawn {
                     shown: parts.collect(),

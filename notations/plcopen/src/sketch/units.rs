@@ -4,11 +4,12 @@ use super::body::{Body as Networks, Made};
 use super::chart;
 use super::declare;
 use super::structured::{self, Seen};
-use super::tasks::When;
+use super::tasks::{When, shortest};
 use crate::model::{Body, Part, Project, Type, Unit, UnitKind, WORKSHEET};
 use crate::scope::{Scope, Shared};
 use ladder_format::program::{Block, Drawing, Element, Item, Network, ProgramSketch};
 use ladder_format::{Circuit, Options};
+use ladder_notation::chart::Clock;
 use ladder_notation::{Outcome, Power, Reading, Unread, UnreadParts, unread_body};
 use std::collections::{HashMap, HashSet};
 
@@ -64,10 +65,16 @@ pub(super) fn unit_items(
     let structured = match &unit.body {
         Body::Chart(drawn) => {
             made.actions = actions(shared, project, unit, reading);
+            let clock = match (place, when) {
+                (Place::Block, _) | (_, When::AtTimes(_)) => Clock::AtCalls,
+                _ => Clock::EachScan,
+            };
+            let interval = shortest(project);
             Some(chart::body(
                 seen,
                 (unit, drawn),
-                (place, when),
+                clock,
+                interval,
                 &mut made,
                 reading,
             ))

@@ -246,13 +246,13 @@ fn what_is_not_understood() {
         let _ = writeln!(all, "{}: {}", more.replace('\n', ", "), with(more));
     }
     expect![[r#"
-        macroStep 9: line 9: a macro step in a chart is not read
+        macroStep 9: line 9: `macroStep` is not read
         step 9 One: line 9: two steps are called One
         actions 9 from=1 D b: line 9: the qualifier D has no time
         actions 9 from=1 DL b T#1s: line 9: there is no qualifier `DL`
         actions 9 from=1 N nothing: line 9: `nothing` is neither an action nor a BOOL
         actions 9 from=1 N n: line 9: `n` is neither an action nor a BOOL
-        actions 9 from=1 D b n: line 9: `n` is not a TIME
+        actions 9 from=1 D b n: line 9: `n` is not of the type TIME
         transition 9 from=77 a: line 9: a line comes from 77, which is not there
         transition 9 from=2 a: line 9: a transition follows another without a step between them
         transition 9 from=1 a AND, step 10 C from=9: the text in line 9: line 1 does not parse: a value is expected here, not the end of the text

@@ -6,8 +6,6 @@ mod sources;
 
 use super::body::{Body as Networks, Made};
 use super::structured::Seen;
-use super::tasks::{When, shortest};
-use super::units::Place;
 use crate::chart::{Action as DrawnAction, Condition as Drawing, Drawn, Element, Flow, Kind, What, flow};
 use crate::graph::Graph;
 use crate::model::{Body, Evaluation, Part, Role, Unit, UnitKind, WORKSHEET};
@@ -45,7 +43,7 @@ pub(super) fn has(unit: &Unit, part: &Part) -> bool {
     })
 }
 
-/// Reads the chart that is a unit's body.
+/// Reads the chart that is a unit's body; scans take so many nanoseconds, where that is known.
 ///
 /// # Errors
 ///
@@ -53,17 +51,14 @@ pub(super) fn has(unit: &Unit, part: &Part) -> bool {
 pub(super) fn body(
     seen: &Seen<'_>,
     (unit, drawn): (&Unit, &Drawn),
-    (place, when): (Place, When<'_>),
+    clock: Clock,
+    interval: Option<u64>,
     made: &mut Made,
     reading: &mut Reading,
 ) -> Read<()> {
     let before = (made.scope.clone(), made.needed.clone(), made.unread.clone());
     let lengths = (made.items.len(), made.helpers.len());
     let told = (reading.places.len(), reading.report.entries.len());
-    let clock = match (place, when) {
-        (Place::Block, _) | (_, When::AtTimes(_)) => Clock::AtCalls,
-        _ => Clock::EachScan,
-    };
     let mut reader = Reader {
         seen,
         unit,
@@ -72,7 +67,7 @@ pub(super) fn body(
         reading,
         tags: HashMap::new(),
     };
-    let read = reader.chart(clock);
+    let read = reader.chart(clock, interval);
     if read.is_err() {
         (made.scope, made.needed, made.unread) = before;
         made.items.truncate(lengths.0);
@@ -110,7 +105,7 @@ struct Reader<'r, 's, 'u> {
 }
 
 impl<'u> Reader<'_, '_, 'u> {
-    fn chart(&mut self, clock: Clock) -> Read<()> {
+    fn chart(&mut self, clock: Clock, interval: Option<u64>) -> Read<()> {
         self.check()?;
         let at = |(place, why): (LineColumn, String)| format!("line {}: {why}", place.line);
         let flow = flow(self.drawn).map_err(at)?;
@@ -127,7 +122,6 @@ impl<'u> Reader<'_, '_, 'u> {
         let (actions, associations) = self.actions(&flow, &mut texts)?;
         let mut bodies = self.texts(&texts)?;
         let mut drawings = self.drawings(&flow, &conditions).map_err(at)?;
-        let interval = shortest(self.seen.project);
         let mut chart = Chart {
             counts_late: interval.is_none_or(|interval| interval % SECOND != 0),
             ..Chart::default()

@@ -135,7 +135,7 @@ impl<'u> Reader<'_, '_, 'u> {
             .is_some_and(|ty| matches!(ty, Type::Named(own) if own.eq_ignore_ascii_case(name)));
         match found.form() {
             Form::Path(_) | Form::Literal(_) if is_it => Ok(found.value),
-            _ => Err(format!("`{text}` is not a {name}")),
+            _ => Err(format!("`{text}` is not of the type {name}")),
         }
     }
 
