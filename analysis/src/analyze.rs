@@ -87,6 +87,7 @@ impl Analysis {
                 program,
                 unresolved,
                 linked,
+                ..
             } = resolve::program(&[alone]);
             (unresolved.is_none() && linked).then(|| Arc::new(program))
         };

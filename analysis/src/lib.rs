@@ -63,7 +63,7 @@ pub use findings::article::with_article;
 pub use findings::diagnostic::{Applicability, Diagnostic, Fix, Related};
 pub use findings::rule::{Rule, RuleGroup, Severity};
 pub use findings::rule_settings::{Level, RuleSettings};
-pub use link::{Linked, NotWhole, library_analysis, link, link_files};
+pub use link::{Linked, NotWhole, library_analysis, link, link_files, link_tasks};
 pub use names::context;
 pub use names::infer::member as state_member;
 pub use networks::access_kind::AccessKind;

@@ -87,7 +87,33 @@ pub fn link_files(
     if own.has_errors() {
         return Err(NotWhole::Errors(Arc::clone(&own.context.name)));
     }
-    let reached = Reached::from(own, analysis)?;
+    linked(own, &[], analysis)
+}
+
+/// A project whose tasks run the main programs of several files. `plan` is what runs in a scan: its functions stand for the
+/// main programs, in their order, each of which is run once in so many scans.
+///
+/// # Errors
+/// A file, or one that it uses, has errors or cannot be had.
+pub fn link_tasks(
+    plan: &Arc<Analysis>,
+    programs: &[(Arc<Analysis>, u32)],
+    analysis: &dyn Fn(&str) -> Option<Arc<Analysis>>,
+) -> Result<Linked, NotWhole> {
+    let failing = |(program, _): &&(Arc<Analysis>, u32)| program.has_errors();
+    if let Some((program, _)) = programs.iter().find(failing) {
+        return Err(NotWhole::Errors(Arc::clone(&program.context.name)));
+    }
+    linked(plan, programs, analysis)
+}
+
+fn linked(
+    own: &Arc<Analysis>,
+    programs: &[(Arc<Analysis>, u32)],
+    analysis: &dyn Fn(&str) -> Option<Arc<Analysis>>,
+) -> Result<Linked, NotWhole> {
+    let roots = std::iter::once(own).chain(programs.iter().map(|(program, _)| program));
+    let reached = Reached::from(roots, analysis)?;
     let units: Vec<Unit<'_>> = reached
         .files
         .iter()
@@ -101,9 +127,21 @@ pub fn link_files(
     if resolved.unresolved.is_some() || !resolved.linked {
         return Err(NotWhole::Missing(Arc::clone(&own.context.name)));
     }
+    let mut program = resolved.program;
+    let mains = resolved.mains.into_iter().skip(1).zip(programs);
+    for (number, (main, (_, every))) in mains.enumerate() {
+        // What stands for it in the plan does nothing.
+        let stand_in = std::mem::replace(&mut program.functions[number].networks, main);
+        program.functions[number].every = Some(*every);
+        for network in &mut program.networks[stand_in] {
+            network.steps.clear();
+            network.blocks.clear();
+            network.elements.clear();
+        }
+    }
     let others = reached.files.into_iter().skip(1).map(|(file, _)| file);
     Ok(Linked {
-        program: Arc::new(resolved.program),
+        program: Arc::new(program),
         others: with_types(own, others.collect(), analysis),
     })
 }
@@ -139,8 +177,9 @@ fn with_types(
 }
 
 impl Reached {
-    fn from(
-        own: &Arc<Analysis>,
+    /// `roots` are there as wholes.
+    fn from<'r>(
+        roots: impl Iterator<Item = &'r Arc<Analysis>>,
         analysis: &dyn Fn(&str) -> Option<Arc<Analysis>>,
     ) -> Result<Reached, NotWhole> {
         let mut reached = Reached {
@@ -148,14 +187,12 @@ impl Reached {
             by_name: FxHashMap::default(),
             targets: Vec::new(),
         };
-        reached.enter(Arc::clone(own), None);
         let mut open: Vec<(usize, Target)> = Vec::new();
-        open.extend(
-            reached.targets[0]
-                .values()
-                .flatten()
-                .map(|target| (0, target.clone())),
-        );
+        for root in roots {
+            let file = reached.enter(Arc::clone(root), None);
+            let targets = reached.targets[file].values().flatten();
+            open.extend(targets.map(|target| (file, target.clone())));
+        }
         while let Some((from, target)) = open.pop() {
             let (file, body) = match target {
                 Target::Own(body) => (from, body),

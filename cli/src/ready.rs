@@ -1,6 +1,6 @@
 //! A scenario file with its program: read, compiled, and bound to each other.
 
-use crate::findings::{FileRange, NotRead, Problem, Source, Workspaces, full};
+use crate::findings::{FileRange, NotRead, Problem, Source, Workspaces, full, is_settings};
 use crate::outcome::Outcome;
 use crate::run::unread;
 use annotate_snippets::Renderer;
@@ -63,6 +63,13 @@ impl Ready {
             (all, Some(Arc::clone(&program_source)))
         })?;
         let (cases, mut found) = scenario::bind(&suite, &simulation);
+        if let Some((_, range)) = suite.interval.filter(|_| simulation.program().has_tasks()) {
+            found.push(ScenarioError {
+                range,
+                message: "the tasks of a project say how often each program runs".to_owned(),
+                help: Some("leave the line out".to_owned()),
+            });
+        }
         let (watched, of_properties) = scenario::bind_properties(&suite, &simulation);
         found.extend(of_properties);
         let problems = errors(&found);
@@ -100,6 +107,9 @@ pub(crate) fn program_alone(
 
 /// A program among the others of its workspace, which many files of scenarios share.
 fn source_of(program: &Path, bytes: Vec<u8>, workspaces: &Mutex<Workspaces>) -> Result<Source, NotRead> {
+    if is_settings(program) {
+        return Source::of_tasks(program);
+    }
     let source = Source::of_bytes(program, bytes, None)?;
     // Settings that cannot be used are reported where they are read.
     let workspace = match workspaces.lock() {
@@ -132,8 +142,8 @@ fn compile(
         },
     })?;
     unread::note(&source.file, &program);
-    let mut options: Options = settings.simulate.options(&program);
-    if let Some((interval, _)) = suite.interval {
+    let mut options: Options = settings.simulate.options(&program, path);
+    if let Some((interval, _)) = suite.interval.filter(|_| !program.has_tasks()) {
         options.interval = interval;
     }
     Simulation::new(program, options).map_err(|error| {

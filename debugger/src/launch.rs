@@ -25,7 +25,7 @@ pub(crate) fn load(configuration: &Configuration, world: &World) -> Result<(Targ
         workspace,
     } = load_program(world, asked.program())?;
     let simulate = &workspace.settings().simulate;
-    let mut options: Options = simulate.options(&program);
+    let mut options: Options = simulate.options(&program, asked.program());
     options.interval = asked.interval()?.unwrap_or(options.interval);
     let limits = match configuration.history.or(simulate.history) {
         Some(scans) => HistoryLimits::of_scans(usize::try_from(scans).unwrap_or(usize::MAX)),

@@ -11,8 +11,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use ladder_analysis::{
     Analysis, AnalyzeOptions, Exported, Exports, Linked, NotWhole, Others, RuleSettings, analyze, link_files,
+    link_tasks,
 };
-use ladder_workspace::{Disk, FileError, ForeignPrograms, SETTINGS_FILE, Settings, Simulate};
+use ladder_workspace::{Disk, FileError, ForeignPrograms, Plan, SETTINGS_FILE, Settings, Simulate};
 
 use crate::folder::{First, Folder, Open, Shown, same};
 use crate::on_disk::{FilesOnDisk, OnDisk, name_in};
@@ -294,11 +295,16 @@ impl Neighbours {
         let others = folder.exported_for(&self.disk, &root, path).others_of(&name);
         let rules = folder.settings.rules_for(path);
         let known = folder.disk.get(path).cloned();
+        let settings = is_settings(path).then(|| folder.settings.clone());
         drop(state);
-        let parse = match known {
-            Some(file) => file.parse(),
+        let parse = match (known, settings) {
+            (Some(file), _) => file.parse(),
+            (None, Some(settings)) => {
+                let text = Plan::of(&settings, path)?.text(&settings.format);
+                Arc::new(ladder_syntax::parse(&text))
+            }
             // Excluded from the workspace, but a program all the same.
-            None => Arc::new(ladder_syntax::parse(&self.disk.read_own(path)?)),
+            (None, None) => Arc::new(ladder_syntax::parse(&self.disk.read_own(path)?)),
         };
         Ok(Arc::new(analyze(
             &parse,
@@ -458,7 +464,7 @@ impl Neighbours {
     /// # Errors
     /// Something that it uses is missing, or has errors.
     pub fn link(&self, path: &Path, own: &Arc<Analysis>) -> Result<Linked, NotWhole> {
-        link_files(own, &|name| {
+        let analysis = |name: &str| {
             let mut state = self.loaded(path);
             let (root, folder) = state.folder(path);
             let open = folder
@@ -477,7 +483,23 @@ impl Neighbours {
                 &file.parse(),
                 AnalyzeOptions::new(name).among(&others).with_rules(&rules),
             )))
-        })
+        };
+        if !is_settings(path) {
+            return link_files(own, &analysis);
+        }
+        let missing = |file: &Path| NotWhole::Missing(Arc::from(file.to_string_lossy()));
+        let settings = {
+            let mut state = self.loaded(path);
+            let (_, folder) = state.folder(path);
+            folder.settings.clone()
+        };
+        let plan = Plan::of(&settings, path).map_err(|_| missing(path))?;
+        let programs = plan.programs().map(|(program, every)| {
+            let file = self.disk.locate(program).map_err(|_| missing(&program.path()))?;
+            let program = self.analysis_of(&file).map_err(|_| missing(&file))?;
+            Ok((program, every))
+        });
+        link_tasks(own, &programs.collect::<Result<Vec<_>, _>>()?, &analysis)
     }
 
     /// Whether the text of a program is held as it is on disk.
@@ -492,6 +514,11 @@ impl Neighbours {
     fn lock(&self) -> MutexGuard<'_, State> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
+}
+
+/// Whether a file is that of a workspace's settings, which runs as a program where it has tasks.
+fn is_settings(path: &Path) -> bool {
+    path.file_name().is_some_and(|name| name == SETTINGS_FILE)
 }
 
 impl State {

@@ -404,6 +404,13 @@ impl Revision {
         self.uri.rsplit('/').next().unwrap_or(&self.uri)
     }
 
+    /// Where the file lies; the name, where it is none.
+    pub fn path(&self) -> &Path {
+        self.place
+            .as_ref()
+            .map_or_else(|| Path::new(self.name()), |place| &place.path)
+    }
+
     /// The name of the file, as the disk has it.
     pub fn file_name(&self) -> Cow<'_, str> {
         let name = self.place.as_ref().and_then(|place| place.path.file_name());

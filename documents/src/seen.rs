@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use ladder_syntax::{LineColumn, TextRange};
-use ladder_workspace::{Disk, Files, Root, SETTINGS_FILE, SettingError, Settings, Stamp, folder_errors};
+use ladder_workspace::{Disk, Files, Root, SETTINGS_FILE, SettingError, Settings, Stamp, errors_on_disk};
 
 /// A settings file as it was read.
 #[derive(Debug)]
@@ -25,7 +25,7 @@ impl SettingsFile {
         let (text, settings, errors) = match disk.settings_text(&path) {
             Ok(text) => {
                 let (settings, mut errors) = Settings::examine(&path, &text);
-                errors.extend(folder_errors(&settings, &text, disk));
+                errors.extend(errors_on_disk(&settings, &text, disk));
                 (text, settings, errors)
             }
             Err(error) => {

@@ -89,7 +89,7 @@ impl Engine {
             Some(scans) => HistoryLimits::of_scans(usize::try_from(scans).unwrap_or(usize::MAX)),
             None => HistoryLimits::default(),
         };
-        let engine = engine_options(options, settings.options(&program))?;
+        let engine = engine_options(options, settings.options(&program, revision.path()))?;
         let mut session =
             Session::new(program, engine, limits).map_err(|error| Failure::Failed(error.to_string()))?;
         let inputs = options.inputs.iter();

@@ -11,7 +11,8 @@ use std::fmt::Write;
 pub fn tables() -> [String; 2] {
     [
         table("in `ladder.toml`", SetBy::is_in_file, |section, setting| {
-            format!("`[{}]` `{}`", section.name, setting.key)
+            let (open, close) = if section.is_list { ("[[", "]]") } else { ("[", "]") };
+            format!("`{open}{}{close}` `{}`", section.name, setting.key)
         }),
         table(
             "in an editor",
@@ -64,6 +65,7 @@ fn takes(setting: &Setting) -> String {
         Kind::File => format!("a file, as `{}`", setting.example),
         Kind::Patterns => format!("patterns, as `{}`", setting.example),
         Kind::Folders => format!("folders, as `{}`", setting.example),
+        Kind::Programs => format!("programs, as `{}`", setting.example),
         Kind::Switch => "`true` or `false`".to_owned(),
         Kind::Text => "a text".to_owned(),
         Kind::Choice(choices) => choices
@@ -94,15 +96,17 @@ pub fn schema() -> String {
         if section.name == LINT.name {
             keys.extend(rules(&json!({ "$ref": "#/definitions/level" })));
         }
-        properties.insert(
-            section.name.to_owned(),
-            json!({
-                "type": "object",
-                "description": section.about,
-                "properties": keys,
-                "additionalProperties": false
-            }),
-        );
+        let mut table = json!({
+            "type": "object",
+            "description": section.about,
+            "properties": keys,
+            "additionalProperties": false
+        });
+        if section.is_list {
+            table["required"] = json!(["name", "interval", "programs"]);
+            table = json!({ "type": "array", "description": section.about, "items": table });
+        }
+        properties.insert(section.name.to_owned(), table);
     }
     let schema = json!({
         "$schema": "http://json-schema.org/draft-07/schema#",
@@ -223,7 +227,9 @@ fn described(setting: &Setting, about: &str) -> Value {
         Kind::Duration => json!({ "type": "string", "pattern": DURATION }),
         Kind::File => json!({ "type": "string", "minLength": 1 }),
         Kind::Text => json!({ "type": "string" }),
-        Kind::Patterns | Kind::Folders => json!({ "type": "array", "items": { "type": "string" } }),
+        Kind::Patterns | Kind::Folders | Kind::Programs => {
+            json!({ "type": "array", "items": { "type": "string" } })
+        }
         Kind::Switch => json!({ "type": "boolean" }),
         Kind::Choice(choices) => json!({ "type": "string", "enum": choices }),
         Kind::Overrides => json!({ "type": "array", "items": {

@@ -29,6 +29,8 @@ pub enum Problem {
     NoScenarios,
     /// A folder in which no file of the kind that is looked for is found.
     NoneOfThese,
+    /// A settings file without tasks, where a program is needed.
+    NoTasks,
     /// Larger than [`MAX_FILE_BYTES`].
     TooLarge,
     /// The files that may belong to a program, in this folder, are larger than [`MAX_FILE_BYTES`] together.
@@ -136,6 +138,9 @@ impl fmt::Display for Problem {
                 f.write_str("no scenarios (a file ending in .ladder-test) are in this folder")
             }
             Problem::NoneOfThese => f.write_str("no file that could be meant is in this folder"),
+            Problem::NoTasks => f.write_str(
+                "there are no tasks to run: write [[task]] with `name`, `interval` and `programs`, or name a program",
+            ),
             Problem::TooLarge => write!(
                 f,
                 "the file is larger than {} MiB, the most that is read",

@@ -32,9 +32,10 @@ mod disk;
 mod error;
 mod excluded;
 mod foreign;
-mod library;
 mod lock;
 mod named;
+mod named_by_settings;
+mod plan;
 mod programs;
 mod regular;
 mod retentive;
@@ -51,17 +52,18 @@ pub use error::{FileError, Problem, Special};
 pub use excluded::is_excluded;
 pub use foreign::{ForeignPrograms, belonging};
 pub use ladder_syntax::MAX_FILE_BYTES;
-pub use library::folder_errors;
 pub use named::{Named, read_own};
+pub use named_by_settings::errors_on_disk;
+pub use plan::Plan;
 pub use programs::{Source, Workspace};
 pub use retentive::{Found, RetentiveFile};
-pub use root::{Root, SETTINGS_FILE};
+pub use root::{Root, SETTINGS_FILE, is_program};
 pub use search::{
-    SCENARIO_EXTENSION, Survey, find_files, find_programs, find_scenarios, is_program, is_scenario, survey,
+    SCENARIO_EXTENSION, Survey, find_files, find_programs, find_scenarios, is_scenario, survey,
 };
 pub use settings::table;
 pub use settings::{
-    EditorSettings, Files, Levels, Lint, Project, SettingError, Settings, SettingsError, Simulate, Tree,
+    EditorSettings, Files, Levels, Lint, Project, SettingError, Settings, SettingsError, Simulate, Task, Tree,
 };
 pub use stamp::Stamp;
 pub use text::{decode, read, read_bytes};

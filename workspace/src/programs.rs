@@ -2,12 +2,14 @@
 
 use crate::disk::{Disk, SystemDisk};
 use crate::error::FileError;
-use crate::library::folder_errors;
+use crate::named_by_settings::errors_on_disk;
+use crate::plan::Plan;
 use crate::settings::Settings;
 use crate::settings::SettingsError;
 use crate::shown::from_here;
 use ladder_analysis::{
     Analysis, AnalyzeOptions, Exported, Exports, Linked, NotWhole, Others, analyze, exports, link_files,
+    link_tasks,
 };
 use ladder_syntax::Parse;
 use std::path::{Path, PathBuf};
@@ -57,7 +59,7 @@ impl Workspace {
             Some(file) => {
                 let text = disk.settings_text(&file).map_err(SettingsError::File)?;
                 let settings = Settings::parse(&file, &text)?;
-                let errors = folder_errors(&settings, &text, &**disk);
+                let errors = errors_on_disk(&settings, &text, &**disk);
                 if !errors.is_empty() {
                     return Err(SettingsError::Content { file, errors });
                 }
@@ -171,6 +173,22 @@ impl Workspace {
     /// It, or a file that it uses, has errors.
     pub fn link(&self, analysis: &Arc<Analysis>) -> Result<Linked, NotWhole> {
         link_files(analysis, &|name| Some(self.analysis(self.program_named(name)?)))
+    }
+
+    /// What runs where the tasks of a plan do: `analysis` is that of its text, a guest.
+    ///
+    /// # Errors
+    /// A program of a task, or a file that it uses, has errors or is not there.
+    pub fn link_plan(&self, plan: &Plan<'_>, analysis: &Arc<Analysis>) -> Result<Linked, NotWhole> {
+        let programs = plan.programs().map(|(program, every)| {
+            let missing = || NotWhole::Missing(Arc::from(from_here(&program.path()).display().to_string()));
+            let source = self.program_at(&program.path()).ok_or_else(missing)?;
+            Ok((self.analysis(source), every))
+        });
+        let programs: Vec<(Arc<Analysis>, u32)> = programs.collect::<Result<_, _>>()?;
+        link_tasks(analysis, &programs, &|name| {
+            Some(self.analysis(self.program_named(name)?))
+        })
     }
 
     fn exported(&self) -> &Arc<Exported> {

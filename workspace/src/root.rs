@@ -6,6 +6,15 @@ use std::path::{Component, Path, PathBuf};
 /// The settings file that marks a workspace's root.
 pub const SETTINGS_FILE: &str = "ladder.toml";
 
+/// What the name of a program ends in, without the dot.
+const EXTENSION: &str = "clad";
+
+/// Whether a file is a program by its name.
+pub fn is_program(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case(EXTENSION))
+}
+
 /// The folder whose programs share their global tags, functions and user-defined blocks.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Root {

@@ -73,6 +73,12 @@ impl Program {
         profile.unwrap_or_default()
     }
 
+    /// Whether it is a project, whose tasks run the main programs of several files at the rates of those: its
+    /// [cycle](Program::cycle) is not to be changed.
+    pub fn has_tasks(&self) -> bool {
+        self.functions.iter().any(|function| function.every.is_some())
+    }
+
     /// What they do otherwise.
     pub fn semantics(&self, place: Location) -> &'static Semantics {
         self.profile(place).semantics()
@@ -95,8 +101,10 @@ impl Program {
 pub struct Function {
     /// As written.
     pub name: String,
-    /// Its networks; the first holds the `<FUN>`.
+    /// Its networks; the first holds the `<FUN>`, but where it is the main program of a file that a task runs.
     pub networks: Range<usize>,
+    /// How many scans there are from one run to the next, where it is such a main program.
+    pub every: Option<u32>,
 }
 
 /// A tag that is the state of a user-defined block.

@@ -90,6 +90,8 @@ pub(crate) struct Resolved {
     pub(crate) unresolved: Option<TextRange>,
     /// Everything that it uses of other files is in it.
     pub(crate) linked: bool,
+    /// The networks of the main programs of the files that are there as wholes.
+    pub(crate) mains: Vec<Range<usize>>,
 }
 
 /// Resolves a network for the sake of its errors, which go to `out`. Returns the first block that could not be
@@ -132,12 +134,13 @@ pub(crate) fn program(units: &[Unit<'_>]) -> Resolved {
         let found = networks(unit, index, (&numbers, &insides), &ids[index], &mut program);
         unresolved = unresolved.or(found);
     }
-    bodies(units, &numbers, &ids, &mut program);
+    let mains = bodies(units, &numbers, &ids, &mut program);
     inputs::mark(units, &ids, &mut program);
     Resolved {
         program,
         unresolved,
         linked: numbers.are_whole(),
+        mains,
     }
 }
 
@@ -256,8 +259,15 @@ fn retain(program: &mut Program, blocks: &[Block]) {
     }
 }
 
-/// The main program, the functions and blocks with their networks, and the labels.
-fn bodies(units: &[Unit<'_>], numbers: &Numbers, ids: &[Vec<Ids>], program: &mut Program) {
+/// The main program, the functions and blocks with their networks, and the labels. Returns the main programs of all files that
+/// are there as wholes.
+fn bodies(
+    units: &[Unit<'_>],
+    numbers: &Numbers,
+    ids: &[Vec<Ids>],
+    program: &mut Program,
+) -> Vec<Range<usize>> {
+    let mut mains = Vec::new();
     for (index, unit) in units.iter().enumerate() {
         let context = unit.context;
         let mut ranges: FxHashMap<Body, Range<usize>> = FxHashMap::default();
@@ -268,14 +278,15 @@ fn bodies(units: &[Unit<'_>], numbers: &Numbers, ids: &[Vec<Ids>], program: &mut
             }
         }
         let of = |body: Body| ranges.get(&body).cloned().unwrap_or_default();
-        if index == 0 {
-            program.main = of(Body::Main);
+        if unit.bodies.is_none() {
+            mains.push(of(Body::Main));
         }
         for (item, function) in context.functions.iter().enumerate() {
             if numbers.has_function(index, item) {
                 program.functions.push(Function {
                     name: function.name.to_string(),
                     networks: of(Body::Function(item)),
+                    every: None,
                 });
             }
         }
@@ -308,6 +319,8 @@ fn bodies(units: &[Unit<'_>], numbers: &Numbers, ids: &[Vec<Ids>], program: &mut
         }
     }
     program.labels.sort_by_key(|(_, network)| *network);
+    program.main = mains.first().cloned().unwrap_or_default();
+    mains
 }
 
 impl<'c> Resolver<'c, '_> {

@@ -12,5 +12,5 @@ mod source;
 mod workspaces;
 
 pub(crate) use problem::{FileRange, Problem, annotation};
-pub(crate) use source::{FOREIGN, NotRead, Source, with_line_feeds};
+pub(crate) use source::{FOREIGN, NotRead, Source, is_settings, with_line_feeds};
 pub(crate) use workspaces::Workspaces;

@@ -10,13 +10,18 @@ use ladder_analysis::program::{Location, Program};
 use ladder_analysis::{Analysis, Diagnostic, Linked, NotWhole, library};
 use ladder_notations::{Foreign, Mark, ReadError, conversion_of_cplc_draft};
 use ladder_syntax::{LineColumn, LineIndex, TextRange, TextSize};
-use ladder_workspace::{ForeignPrograms, Workspace, shown};
+use ladder_workspace::{ForeignPrograms, Plan, SETTINGS_FILE, Workspace, shown};
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::{Arc, LazyLock, OnceLock};
 
 /// The programs of other systems that this run of a command reads.
 pub(crate) static FOREIGN: LazyLock<ForeignPrograms> = LazyLock::new(ForeignPrograms::default);
+
+/// Whether a file is that of a workspace's settings, whose tasks are a program.
+pub(crate) fn is_settings(file: &Path) -> bool {
+    file.file_name().is_some_and(|name| name == SETTINGS_FILE)
+}
 
 /// A text that was checked.
 pub(crate) struct Source {
@@ -30,6 +35,8 @@ pub(crate) struct Source {
     index: LineIndex,
     /// The workspace around the file, once it is needed. None: there is none that can be used.
     workspace: OnceLock<Option<Arc<Workspace>>>,
+    /// Whether it is a settings file, whose tasks the text runs.
+    has_tasks: bool,
     analysis: OnceLock<Arc<Analysis>>,
     linked: OnceLock<Result<Linked, NotWhole>>,
 }
@@ -43,6 +50,7 @@ impl Source {
             foreign: None,
             index,
             workspace: OnceLock::new(),
+            has_tasks: false,
             analysis: OnceLock::new(),
             linked: OnceLock::new(),
         }
@@ -53,6 +61,12 @@ impl Source {
     /// # Errors
     /// The file cannot be read, or is broken, or the settings of its workspace cannot be used.
     pub(crate) fn read(file: &Path, from: Option<Form>) -> Result<Source, Failure> {
+        // A folder is the project in it.
+        let settings = file.join(SETTINGS_FILE);
+        let file = if settings.is_file() { &*settings } else { file };
+        if is_settings(file) {
+            return Ok(Source::of_tasks(file)?);
+        }
         let bytes = ladder_workspace::read_bytes(file)?;
         Source::of_bytes(file, bytes, from)?.in_workspace()
     }
@@ -76,6 +90,20 @@ impl Source {
         let mut source = Source::new(name, foreign.ladder().to_owned());
         source.index = LineIndex::new(foreign.text());
         source.foreign = Some(Arc::new(foreign));
+        Ok(source)
+    }
+
+    /// What the tasks of a settings file run.
+    ///
+    /// # Errors
+    /// There are none, or something in the file is wrong.
+    pub(crate) fn of_tasks(file: &Path) -> Result<Source, NotRead> {
+        let workspace = Arc::new(Workspace::of(file).map_err(Failure::from)?);
+        let settings = workspace.settings();
+        let plan = Plan::of(settings, file).map_err(Failure::from)?;
+        let text = plan.text(&settings.format);
+        let mut source = Source::new(file.display().to_string(), text).within(workspace);
+        source.has_tasks = true;
         Ok(source)
     }
 
@@ -190,6 +218,11 @@ impl Source {
                 return Err(NotWhole::Errors(Arc::clone(&analysis.context.name)));
             }
             match self.workspace() {
+                Some(workspace) if self.has_tasks => {
+                    let plan = Plan::of(workspace.settings(), Path::new(&self.file));
+                    let plan = plan.map_err(|_| NotWhole::Missing(Arc::from(&*self.file)))?;
+                    workspace.link_plan(&plan, &analysis)
+                }
                 Some(workspace) => workspace.link(&analysis),
                 None => ladder_analysis::link_files(&analysis, &|_| None),
             }

@@ -45,7 +45,12 @@ impl Stimulus {
     /// # Errors
     /// The workspace's settings cannot be read.
     pub(crate) fn options(&self, file: &Path, program: &Program) -> Result<Options, Failure> {
-        let settings = Settings::of(file)?.simulate.options(program);
+        let settings = Settings::of(file)?.simulate.options(program, file);
+        if self.dt.is_some() && program.has_tasks() {
+            return Err(Failure::new(
+                "--dt is not for a project: its tasks say how often each program runs",
+            ));
+        }
         Ok(Options {
             interval: self.dt.unwrap_or(settings.interval),
             ..settings

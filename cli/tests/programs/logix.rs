@@ -39,18 +39,11 @@ fn a_project_goes_into_a_folder_and_runs_there() {
         1,10,3,10
         2,20,5,20
         -- stderr
-        note: cell/Cell.clad: the unread part `MSG` is not run, and what it may write is not known
+        note: cell/ladder.toml: the unread part `MSG` is not run, and what it may write is not known
     "#]]
     .assert_eq(
         &folder
-            .ladder(&[
-                "sim",
-                "cell/Cell.clad",
-                "--scans",
-                "3",
-                "--watch",
-                "all,timer.ACC",
-            ])
+            .ladder(&["sim", "cell", "--scans", "3", "--watch", "all,timer.ACC"])
             .to_string(),
     );
     expect![[r#"

@@ -48,6 +48,7 @@ mod sim_parts;
 mod sim_refused;
 mod structured_text;
 mod tags;
+mod tasks;
 mod tree;
 mod watch;
 mod why;

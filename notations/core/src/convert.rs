@@ -30,6 +30,8 @@ pub struct Converted {
     pub findings: Vec<Finding>,
     /// The files of a project, for a folder; empty: the program is one file.
     pub files: Vec<Companion>,
+    /// See [`Reading::exact_in_files`].
+    pub exact_in_files: Vec<(LineColumn, String)>,
 }
 
 impl Converted {
@@ -59,6 +61,7 @@ pub fn convert(
         report,
         findings,
         mut files,
+        exact_in_files,
     } = match in_utf8(source.bytes) {
         Cow::Borrowed(_) => notation.read(source)?,
         Cow::Owned(bytes) => notation.read(&Source {
@@ -96,6 +99,7 @@ pub fn convert(
     });
     Ok(Converted {
         files: files.collect(),
+        exact_in_files,
         written,
         places,
         report,

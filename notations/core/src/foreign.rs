@@ -112,6 +112,18 @@ impl Foreign {
         report
     }
 
+    /// The same where the files of the project are written, in which some elements are as they were.
+    pub fn report_of_files<'d>(&self, errors: impl IntoIterator<Item = &'d Diagnostic>) -> Report {
+        let mut report = self.report(errors);
+        let exact: HashSet<&(LineColumn, String)> = self.converted.exact_in_files.iter().collect();
+        for entry in &mut report.entries {
+            if !exact.is_empty() && exact.contains(&(entry.place, entry.element.clone())) {
+                entry.outcome = Outcome::Translated;
+            }
+        }
+        report
+    }
+
     /// The ladder text that it becomes.
     pub fn ladder(&self) -> &str {
         &self.converted.written.text

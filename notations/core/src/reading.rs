@@ -17,6 +17,8 @@ pub struct Reading {
     /// The same as the files of a workspace, where the source is a whole project: what is written into a folder. Empty:
     /// the program is one file.
     pub files: Vec<ProjectFile>,
+    /// What is approximated in one program, and as it was in the files: elements of the report.
+    pub exact_in_files: Vec<(LineColumn, String)>,
 }
 
 /// A file of a project.

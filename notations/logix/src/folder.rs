@@ -1,25 +1,30 @@
 //! A project of several programs as the files of a folder.
 //!
 //! ```text
-//! Cell.clad     the controller: its tags, for all files, and the main program, which calls the programs
-//! Pump.clad     a program: its tags, and its routines as functions
+//! Cell.clad     the controller: its tags, for all files, and the main program of the only program that runs
+//! Pump.clad     a program: its tags, its routines as functions, and a main program that calls the main routine
 //! types.clad    the types
 //! blocks.clad   Add-On Instructions, and the blocks that the programs bring along
-//! ladder.toml   what the checks need not say
+//! ladder.toml   the tasks, and what the checks need not say
 //! ```
 
-use crate::model::Project;
+use crate::model::{Project, TaskKind};
+use crate::plan::Plan;
 use crate::scope::CONTROLLER;
 use crate::sketch::Sketcher;
 use ladder_format::program::{Item, ProgramSketch, SectionKind};
 use ladder_notation::names::Names;
-use ladder_notation::{Content, ProjectFile};
+use ladder_notation::{Content, ProjectFile, ProjectTask, task_settings};
 
 /// The parts of a program.
 pub(crate) struct Parts {
     pub(crate) types: Vec<Item>,
-    /// What runs first.
+    /// What runs first, and the main program, if there is only one.
     pub(crate) begin: Vec<Item>,
+    /// The calls of all programs, where there are several.
+    pub(crate) calls: Vec<Item>,
+    /// The calls of each program.
+    pub(crate) mains: Vec<Vec<Item>>,
     /// The functions of each program.
     pub(crate) functions: Vec<(usize, Vec<Item>)>,
     pub(crate) blocks: Vec<Item>,
@@ -57,7 +62,7 @@ impl Stems {
 }
 
 impl Sketcher<'_> {
-    pub(crate) fn files(&mut self, parts: Parts) -> Vec<ProjectFile> {
+    pub(crate) fn files(&mut self, parts: Parts, plan: &Plan) -> Vec<ProjectFile> {
         let project = self.translator.project;
         let Stems {
             types,
@@ -76,7 +81,8 @@ impl Sketcher<'_> {
                 content: Content::Program(ProgramSketch { items }),
             });
         };
-        let mut items = self.cycle();
+        let is_one = plan.main.is_some();
+        let mut items = if is_one { self.cycle() } else { Vec::new() };
         for mut item in self.declarations(|scope| scope == CONTROLLER) {
             if let Item::Section(section) = &mut item {
                 section.kind = SectionKind::VarGlobal;
@@ -84,26 +90,109 @@ impl Sketcher<'_> {
             items.push(item);
         }
         let mut own: Vec<Vec<Item>> = Vec::new();
-        for number in 0..project.programs.len() {
+        for (number, main) in parts.mains.into_iter().enumerate() {
             let mut items = self.declarations(|scope| scope == CONTROLLER + 1 + number);
+            if !is_one {
+                items.extend(main);
+            }
             let functions = parts.functions.iter().filter(|(program, _)| *program == number);
             items.extend(functions.flat_map(|(_, items)| items.clone()));
             own.push(items);
         }
+        let begins = is_one || !parts.begin.is_empty();
         items.extend(parts.begin);
         add(&controller, items);
-        for (name, items) in programs.iter().zip(own) {
+        let mut runs: Vec<(&str, String)> = Vec::new();
+        for ((name, items), program) in programs.iter().zip(own).zip(&project.programs) {
+            if !items.is_empty() {
+                runs.push((&program.name, format!("{name}.clad")));
+            }
             add(name, items);
         }
+        let first = begins.then(|| format!("{controller}.clad"));
+        let settings = SETTINGS.to_owned() + &task_settings(&tasks(project, &runs, first, is_one));
         add(&types, parts.types);
         add(&blocks, parts.blocks);
         files.push(ProjectFile {
             name: "ladder.toml".to_owned(),
-            content: Content::Text(SETTINGS.to_owned()),
+            content: Content::Text(settings),
         });
         files
     }
 }
+
+/// The tasks with the files of their programs; `first` is a file that runs before all others. Without tasks, as in the export of a
+/// part, all programs run in one.
+fn tasks(
+    project: &Project,
+    runs: &[(&str, String)],
+    first: Option<String>,
+    is_one: bool,
+) -> Vec<ProjectTask> {
+    let runs_program = |name: &str| {
+        let mut programs = project.programs.iter();
+        programs.any(|program| program.name.eq_ignore_ascii_case(name) && !program.inhibited)
+    };
+    let file_of = |name: &String| {
+        let run = runs
+            .iter()
+            .find(|(program, _)| program.eq_ignore_ascii_case(name));
+        run.filter(|_| runs_program(name)).map(|(_, file)| file.clone())
+    };
+    // A continuous task runs whenever no other does.
+    let shortest = project
+        .rate
+        .as_ref()
+        .filter(|rate| rate.parse::<u32>().is_ok_and(|rate| rate > 0));
+    let shortest = shortest.map_or("10ms".to_owned(), |rate| format!("{rate}ms"));
+    let planned = project
+        .tasks
+        .iter()
+        .filter(|task| !task.inhibited && task.kind != TaskKind::Event);
+    let mut tasks: Vec<ProjectTask> = planned
+        .map(|task| {
+            let rate = task
+                .rate
+                .as_ref()
+                .filter(|rate| rate.parse::<f64>().is_ok_and(|rate| rate > 0.0));
+            let is_periodic = task.kind == TaskKind::Periodic;
+            ProjectTask {
+                name: task.name.clone(),
+                interval: match rate.filter(|_| is_periodic) {
+                    Some(rate) => format!("{rate}ms"),
+                    None => shortest.clone(),
+                },
+                priority: task.priority.filter(|_| is_periodic).unwrap_or(LAST),
+                programs: task.programs.iter().filter_map(file_of).collect(),
+            }
+        })
+        .filter(|task| !task.programs.is_empty())
+        .collect();
+    if tasks.is_empty() {
+        tasks.push(ProjectTask {
+            name: "MainTask".to_owned(),
+            interval: shortest,
+            priority: 0,
+            programs: runs
+                .iter()
+                .filter_map(|(name, _)| file_of(&(*name).to_owned()))
+                .collect(),
+        });
+    }
+    let Some(first) = first else { return tasks };
+    // That of the only program runs alone.
+    if let Some(task) = tasks.iter_mut().min_by_key(|task| task.priority) {
+        if is_one {
+            task.programs.clear();
+        }
+        task.programs.insert(0, first);
+    }
+    tasks.retain(|task| !is_one || task.programs.len() == 1);
+    tasks
+}
+
+/// The priority of a continuous task: after all others.
+const LAST: i64 = 16;
 
 /// Other devices reach the tags of a controller too, and its rungs go on after a coil.
 const SETTINGS: &str = "[lint]\nnever-written = \"off\"\nnever-read = \"off\"\nset-without-reset = \"off\"\nreset-without-set = \"off\"\ncontact-after-coil = \"off\"\n";

@@ -165,6 +165,10 @@ impl Reader<'_> {
                 name: attribute(task, "Name"),
                 kind: TaskKind::named(task.attribute("Type").unwrap_or_default()),
                 inhibited: task.attribute("InhibitTask") == Some("true"),
+                rate: task.attribute("Rate").map(str::to_owned),
+                priority: task
+                    .attribute("Priority")
+                    .and_then(|priority| priority.parse().ok()),
                 programs: programs.map(|program| attribute(program, "Name")).collect(),
             });
         }

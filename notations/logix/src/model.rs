@@ -125,6 +125,10 @@ pub(crate) struct Task {
     pub(crate) kind: TaskKind,
     /// Nothing runs it.
     pub(crate) inhibited: bool,
+    /// How often it runs, in milliseconds as they are written.
+    pub(crate) rate: Option<String>,
+    /// 1 runs first, 15 last of those with a rate.
+    pub(crate) priority: Option<i64>,
     /// The names of its programs, in their order.
     pub(crate) programs: Vec<String>,
 }

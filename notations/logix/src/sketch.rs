@@ -84,11 +84,22 @@ impl<'p> Sketcher<'p> {
         let is_alone = project.programs.len() == 1;
         let begin = self.begin(|scope| scope == CONTROLLER || (is_alone && scope == CONTROLLER + 1));
         let main = plan.main.map(|main| self.unit(main)).unwrap_or_default();
-        let calls = plan.called.iter().flat_map(|called| {
-            let call = Block::call(&plan.functions[*called]);
+        let call = |called: usize| {
+            let call = Block::call(&plan.functions[called]);
             [Item::Blank, network(Vec::new(), alone(call, None))]
-        });
-        let mut calls: Vec<Item> = calls.collect();
+        };
+        let mut calls: Vec<Item> = plan.called.iter().flat_map(|called| call(*called)).collect();
+        let routines = plan
+            .called
+            .iter()
+            .chain(plan.later.iter().flat_map(|(routines, _)| routines));
+        let mut mains: Vec<Vec<Item>> = vec![Vec::new(); project.programs.len()];
+        let mut called = HashSet::new();
+        for &routine in routines {
+            if let (Owner::Program(program), true) = (self.units[routine].owner, called.insert(routine)) {
+                mains[program].extend(call(routine));
+            }
+        }
         for (routines, later) in plan.later.iter().filter(|(_, later)| !later.is_run) {
             let program = &project.programs[later.program].name;
             for routine in routines {
@@ -127,19 +138,21 @@ impl<'p> Sketcher<'p> {
         let types = types(&self.translator.tags.types, &self.translator.aoi_names);
         let parts = Parts {
             types: types.into_iter().collect(),
-            begin: begin.into_iter().chain(main).chain(calls).collect(),
+            begin: begin.into_iter().chain(main).collect(),
+            calls,
+            mains,
             functions,
             blocks,
         };
         let mut items = self.head();
         items.extend(parts.types.iter().cloned());
         items.extend(self.declarations(|_| true));
-        items.extend(parts.begin.iter().cloned());
+        items.extend(parts.begin.iter().chain(&parts.calls).cloned());
         items.extend(parts.functions.iter().flat_map(|(_, items)| items.clone()));
         items.extend(parts.blocks.iter().cloned());
         self.reading.program.items = items;
         if project.programs.len() > 1 {
-            self.reading.files = self.files(parts);
+            self.reading.files = self.files(parts, plan);
         }
         self.idle_programs(plan);
         self.protected();

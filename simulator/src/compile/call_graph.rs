@@ -115,6 +115,7 @@ mod tests {
             networks: calls.iter().map(|calls| network(calls)).collect(),
             functions: (0..calls.len())
                 .map(|n| Function {
+                    every: None,
                     name: n.to_string(),
                     networks: n..n + 1,
                 })

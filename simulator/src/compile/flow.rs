@@ -6,9 +6,9 @@ use super::place::Slot;
 use super::user_block::Output;
 use super::{Compiler, Result};
 use crate::code::{Instr, NOTHING_SAVED};
-use crate::memory::Bit;
-use crate::operation::Width;
-use ladder_analysis::program::{Argument, Block, BlockKind, Network, Program};
+use crate::memory::{Bit, Word};
+use crate::operation::{IntegerOp, Width};
+use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Network, Place, Program, SystemTag};
 use ladder_instructions::{Op, Relay, Shape};
 use ladder_syntax::Name;
 use std::ops::Range;
@@ -153,9 +153,12 @@ impl Compiler<'_> {
         self.emit(Instr::Finish);
         for (index, function) in program.functions.iter().enumerate() {
             self.functions[index] = self.here();
+            let interval = self.interval;
+            self.interval *= i64::from(function.every.unwrap_or(1));
             self.skippable[function.networks.clone()].fill(true);
             self.stretch(function.networks.clone(), Kind::Function(index))?;
             self.emit(Instr::Finish);
+            self.interval = interval;
         }
         Ok(())
     }
@@ -382,6 +385,8 @@ impl Compiler<'_> {
         let Argument::Function(function) = *arguments.get(0)? else {
             return Err(arguments.mismatch());
         };
+        let every = self.program.functions[function].every.filter(|every| *every > 1);
+        let before = every.map_or_else(Vec::new, |every| self.at_the_rate_of(every));
         let at = self.here();
         self.calls.push((at, function));
         let caller = self.regions.iter().find_map(|region| match region.kind {
@@ -400,7 +405,35 @@ impl Compiler<'_> {
             _ => NOTHING_SAVED,
         };
         self.emit(Instr::Call { en, to: 0, saved });
+        for (to, from) in before {
+            self.emit(Instr::Move { to, from });
+        }
         Ok(en)
+    }
+
+    /// Lets `SYS` count the runs of a task that runs once in so many scans. Returns what of it held something else, and what that was.
+    fn at_the_rate_of(&mut self, every: u32) -> Vec<(Word, Word)> {
+        let every = self.constant(i64::from(every));
+        let mut counted = vec![(Word::SCAN_TIME, IntegerOp::Mul, Width::I64)];
+        // Without a need a proof does not depend on the number of the scan.
+        let blocks = self.program.networks.iter().flat_map(|network| &network.blocks);
+        let mut places = blocks.flat_map(|block| block.arguments.iter().flat_map(Bound::places));
+        if places.any(|(place, _)| *place == Place::System(SystemTag::Scan)) {
+            counted.push((Word::SCAN, IntegerOp::Div, Width::I32));
+        }
+        let before = counted.into_iter().map(|(to, op, width)| {
+            let before = self.layout.word();
+            self.emit(Instr::Move { to: before, from: to });
+            self.emit(Instr::Integer {
+                op,
+                width,
+                to,
+                a: to,
+                b: every,
+            });
+            (to, before)
+        });
+        before.collect()
     }
 
     /// `<RET>`: ends the function, the scan, or the body of a `[$B]`.

@@ -59,7 +59,7 @@ fn the_defaults_are_those_of_the_code() {
     let editor = EditorSettings::default();
     let engine = nothing
         .simulate
-        .options(&ladder_analysis::program::Program::default());
+        .options(&ladder_analysis::program::Program::default(), Path::new("a.clad"));
     for section in SECTIONS {
         for setting in section.settings.iter().filter(|it| it.place != SetBy::Extension) {
             let found = match (section.name, setting.key) {
@@ -69,9 +69,10 @@ fn the_defaults_are_those_of_the_code() {
                 ("simulate", "watchdog") => Some(engine.watchdog.to_string()),
                 ("inlayHints", "enable") => Some(editor.inlay_hints.to_string()),
                 ("codeLens", "enable") => Some(editor.code_lens.to_string()),
-                ("simulate", "history" | "retain") | ("lint", "overrides") | ("workspace" | "project", _) => {
-                    None
-                }
+                ("task", "priority") => Some("0".to_owned()),
+                ("simulate", "history" | "retain")
+                | ("lint", "overrides")
+                | ("task" | "workspace" | "project", _) => None,
                 other => panic!("compare the default of {other:?} with the code"),
             };
             assert_eq!(setting.default.map(str::to_owned), found, "{}", setting.key);
@@ -85,7 +86,20 @@ fn every_setting_is_read() {
     for section in SECTIONS {
         for setting in section.settings {
             if setting.place.is_in_file() {
-                let text = |value: &str| format!("[{}]\n{} = {value}\n", section.name, setting.key);
+                // A task needs the others, too.
+                let others = section
+                    .settings
+                    .iter()
+                    .filter(|it| section.is_list && it.key != setting.key);
+                let others: Vec<String> = others
+                    .map(|it| format!("{} = {}\n", it.key, it.example))
+                    .collect();
+                let heading = if section.is_list {
+                    format!("[[{}]]", section.name)
+                } else {
+                    format!("[{}]", section.name)
+                };
+                let text = |value: &str| format!("{heading}\n{}{} = {value}\n", others.concat(), setting.key);
                 let errors = |value: &str| Settings::examine(Path::new("ladder.toml"), &text(value)).1;
                 assert_eq!(errors(setting.example), [], "{}", text(setting.example));
                 assert_eq!(errors("1979-05-27").len(), 1, "{}", text("1979-05-27"));

@@ -3,8 +3,9 @@
 use super::{Disk, Keeper};
 use crate::error::{FileError, Problem};
 use crate::named::Named;
+use crate::root::is_program;
 use crate::root::{Root, SETTINGS_FILE};
-use crate::search::{Survey, is_program, is_scenario};
+use crate::search::{Survey, is_scenario};
 use crate::settings::Files;
 use crate::stamp::Stamp;
 use crate::text;

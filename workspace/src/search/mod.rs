@@ -8,22 +8,13 @@ pub(crate) use walk::is_own_file;
 
 use crate::error::{FileError, Problem};
 use crate::named;
-use crate::root::{Root, SETTINGS_FILE};
+use crate::root::{Root, SETTINGS_FILE, is_program};
 use crate::settings::{Files, Settings};
 use ladder_analysis::Cancel;
 use std::collections::{HashMap, HashSet};
 use std::io;
 use std::path::{Path, PathBuf};
 use walk::Walker;
-
-/// What the name of a program ends in, without the dot.
-const EXTENSION: &str = "clad";
-
-/// Whether a file is a program by its name.
-pub fn is_program(path: &Path) -> bool {
-    path.extension()
-        .is_some_and(|extension| extension.eq_ignore_ascii_case(EXTENSION))
-}
 
 /// What the name of a scenario file ends in, without the dot.
 pub const SCENARIO_EXTENSION: &str = "ladder-test";

@@ -13,6 +13,7 @@ mod reader;
 mod simulate;
 mod switch_off;
 pub mod table;
+mod tasks;
 
 pub use editor::EditorSettings;
 pub use error::{SettingError, SettingsError};
@@ -22,6 +23,8 @@ pub use given::Tree;
 pub use lint::{Levels, Lint};
 pub use project::Project;
 pub use simulate::Simulate;
+pub use tasks::Task;
+pub(crate) use tasks::scan_of;
 
 use crate::error::FileError;
 use crate::named::Named;
@@ -32,7 +35,7 @@ use ladder_syntax::{LineIndex, TextRange, TextSize};
 use reader::{Reader, Source, Table};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use table::{FORMAT, LINT, PROJECT, SIMULATE, WORKSPACE};
+use table::{FORMAT, LINT, PROJECT, SIMULATE, TASK, WORKSPACE};
 use toml::de::DeTable;
 
 /// What a workspace asks for.
@@ -81,7 +84,7 @@ impl Settings {
     /// The settings of the rules.
     pub fn rules_for(&self, program: &Path) -> RuleSettings {
         let mut rules = RuleSettings {
-            scan_interval: self.simulate.interval,
+            scan_interval: self.simulate.interval_of(program),
             ..RuleSettings::default()
         };
         if self.files.is_in_library(program)
@@ -175,6 +178,8 @@ impl Settings {
         if let Some(table) = reader.section(top, &SIMULATE) {
             settings.simulate = simulate::read(table, folder, reader);
         }
+        let tasks = reader.sections(top, &TASK);
+        settings.simulate.tasks = tasks::read(tasks, folder, reader);
         if let Some(table) = reader.section(top, &WORKSPACE) {
             settings.files = files::read(table, folder, reader);
         }

@@ -80,6 +80,28 @@ impl Reader {
         }
     }
 
+    /// Those of a section that may be there several times.
+    pub(super) fn sections(&mut self, top: &mut Table, section: &Section) -> Vec<Table> {
+        let given = top.known.contains(&section.name).then(|| top.take(section.name));
+        let Some(Given { value, range }) = given.flatten() else {
+            return Vec::new();
+        };
+        let name = section.name;
+        let heading = format!("write [[{name}]] on a line of its own");
+        let Value::List(items) = value else {
+            self.wrong(range, heading);
+            return Vec::new();
+        };
+        let mut tables = Vec::new();
+        for Given { value, range } in items {
+            match value {
+                Value::Table(entries) => tables.push(Table::with(section, entries, range, self.source)),
+                _ => self.wrong(range, heading.clone()),
+            }
+        }
+        tables
+    }
+
     /// A section, if it is there.
     pub(super) fn section(&mut self, top: &mut Table, section: &Section) -> Option<Table> {
         if !top.known.contains(&section.name) {
@@ -87,13 +109,7 @@ impl Reader {
         }
         let given = top.take(section.name)?;
         match given.value {
-            Value::Table(entries) => Some(Table {
-                name: section.name.to_owned(),
-                entries,
-                known: keys(section, |place| self.source.allows(place)),
-                of_other_source: keys(section, |place| !self.source.allows(place)),
-                range: given.range,
-            }),
+            Value::Table(entries) => Some(Table::with(section, entries, given.range, self.source)),
             _ => {
                 let name = section.name;
                 let message = match self.source {
@@ -216,6 +232,16 @@ impl Reader {
 }
 
 impl Table {
+    fn with(section: &Section, entries: Vec<Entry>, range: Range<usize>, source: Source) -> Table {
+        Table {
+            name: section.name.to_owned(),
+            entries,
+            known: keys(section, |place| source.allows(place)),
+            of_other_source: keys(section, |place| !source.allows(place)),
+            range,
+        }
+    }
+
     /// A value that is a table; none if it is anything else.
     pub(super) fn of(name: &str, given: Given, known: &'static [&'static str]) -> Option<Table> {
         match given.value {
@@ -233,6 +259,11 @@ impl Table {
     /// Where it is.
     pub(super) fn range(&self) -> Range<usize> {
         self.range.clone()
+    }
+
+    /// Whether a key is there.
+    pub(super) fn has(&self, key: &str) -> bool {
+        self.entries.iter().any(|entry| entry.key == key)
     }
 
     /// The value of a key, if it is there.

@@ -2,7 +2,9 @@
 
 use super::reader::{Reader, Table};
 use super::table::{HISTORY, INTERVAL, RETAIN, WATCHDOG};
+use super::tasks::Task;
 use crate::named::Named;
+use crate::root::without_parents;
 use ladder_analysis::program::Program;
 use ladder_simulator::Options;
 use std::path::Path;
@@ -18,17 +20,46 @@ pub struct Simulate {
     pub history: Option<u64>,
     /// The file that keeps retentive tags.
     pub retain: Option<Named>,
+    /// `[[task]]`: what runs at which rate, in the order in which those run that are due together.
+    pub tasks: Vec<Task>,
 }
 
 impl Simulate {
-    /// How a program is run: as is set here, else as the program itself says, else with the simulator's own options.
-    pub fn options(&self, program: &Program) -> Options {
+    /// The time from one scan to the next that is set for the program of a file, in nanoseconds: that of its task, else the one
+    /// that holds for all.
+    pub fn interval_of(&self, file: &Path) -> Option<i64> {
+        let runs = |task: &&Task| {
+            task.programs
+                .iter()
+                .any(|(program, _)| is_same(&program.path(), file))
+        };
+        let task = self.tasks.iter().find(runs);
+        task.map(|task| task.interval).or(self.interval)
+    }
+
+    /// How the program of a file is run: as is set here, else as the program itself says, else with the simulator's own options.
+    pub fn options(&self, program: &Program, file: &Path) -> Options {
         let defaults = Options::default();
+        let set = if program.has_tasks() {
+            None
+        } else {
+            self.interval_of(file)
+        };
         Options {
-            interval: self.interval.or(program.cycle).unwrap_or(defaults.interval),
+            interval: set.or(program.cycle).unwrap_or(defaults.interval),
             watchdog: self.watchdog.unwrap_or(defaults.watchdog),
         }
     }
+}
+
+/// Whether two paths name one file. Both may be relative, as a settings file is named.
+fn is_same(one: &Path, other: &Path) -> bool {
+    let whole = |path: &Path| {
+        let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        let folder = path.parent().map(without_parents);
+        folder.map(|folder| folder.join(path.file_name().unwrap_or_default()))
+    };
+    one.file_name() == other.file_name() && whole(one) == whole(other)
 }
 
 pub(super) fn read(mut table: Table, folder: &Path, reader: &mut Reader) -> Simulate {
@@ -37,6 +68,7 @@ pub(super) fn read(mut table: Table, folder: &Path, reader: &mut Reader) -> Simu
         watchdog: reader.whole(&mut table, &WATCHDOG).map(|blocks| blocks as u64),
         history: reader.whole(&mut table, &HISTORY).map(|scans| scans as u64),
         retain: None,
+        tasks: Vec::new(),
     };
     if let Some(given) = reader.take(&mut table, &RETAIN)
         && let Some(file) = reader.text(&given, RETAIN.example)

@@ -9,6 +9,8 @@
 pub struct Section {
     /// Its name.
     pub name: &'static str,
+    /// Whether it may be there several times: `[[task]]`.
+    pub is_list: bool,
     /// What it is for, in Markdown.
     pub about: &'static str,
     /// Its settings. Those of [`LINT`] come on top of the rules, each of which is a setting too.
@@ -50,6 +52,8 @@ pub enum Kind {
     Patterns,
     /// A list of folders, seen from the folder of `ladder.toml`.
     Folders,
+    /// A list of programs, seen from the folder of `ladder.toml`.
+    Programs,
     /// `true` or `false`.
     Switch,
     /// A text.
@@ -202,6 +206,7 @@ pub(super) const CODE_LENS: Setting = Setting {
 /// How diagrams are laid out.
 pub(super) const FORMAT: Section = Section {
     name: "format",
+    is_list: false,
     about: "How diagrams are laid out.",
     settings: &[WIDTH, SPACING],
 };
@@ -209,6 +214,7 @@ pub(super) const FORMAT: Section = Section {
 /// How much the findings of rules matter.
 pub const LINT: Section = Section {
     name: "lint",
+    is_list: false,
     about: "How much the findings of a rule matter: `error`, `warn`, `info` or `off`; or a table with `level` and the `reason` for it.",
     settings: &[OVERRIDES],
 };
@@ -216,8 +222,53 @@ pub const LINT: Section = Section {
 /// How programs are run.
 pub(super) const SIMULATE: Section = Section {
     name: "simulate",
+    is_list: false,
     about: "How programs are run.",
     settings: &[INTERVAL, WATCHDOG, HISTORY, RETAIN],
+};
+
+pub(super) const TASK_NAME: Setting = Setting {
+    key: "name",
+    kind: Kind::Text,
+    place: SetBy::File,
+    default: None,
+    example: "\"fast\"",
+    about: "What the task is called.",
+};
+
+pub(super) const TASK_INTERVAL: Setting = Setting {
+    key: "interval",
+    kind: Kind::Duration,
+    place: SetBy::File,
+    default: None,
+    example: "\"10ms\"",
+    about: "The time from one run of its programs to the next.",
+};
+
+pub(super) const PRIORITY: Setting = Setting {
+    key: "priority",
+    kind: Kind::Whole { least: 0, most: ANY },
+    place: SetBy::File,
+    default: Some("0"),
+    example: "1",
+    about: "Of tasks that are due together the one with the smallest number runs first; of equal ones the one that is written first.",
+};
+
+pub(super) const PROGRAMS: Setting = Setting {
+    key: "programs",
+    kind: Kind::Programs,
+    place: SetBy::File,
+    default: None,
+    example: "[\"motor.clad\", \"pump.clad\"]",
+    about: "Its programs, in the order in which they run.",
+};
+
+/// Which programs run, and how often.
+pub(super) const TASK: Section = Section {
+    name: "task",
+    is_list: true,
+    about: "Which programs the project runs, and how often: `ladder sim ladder.toml` runs them all, on the tags that they share.",
+    settings: &[TASK_NAME, TASK_INTERVAL, PRIORITY, PROGRAMS],
 };
 
 pub(super) const NAME: Setting = Setting {
@@ -241,6 +292,7 @@ pub(super) const VERSION: Setting = Setting {
 /// What the project is.
 pub(super) const PROJECT: Section = Section {
     name: "project",
+    is_list: false,
     about: "What the project is, for the title block of `ladder render -o x.pdf`.",
     settings: &[NAME, VERSION],
 };
@@ -248,6 +300,7 @@ pub(super) const PROJECT: Section = Section {
 /// Which programs belong to the workspace.
 pub(super) const WORKSPACE: Section = Section {
     name: "workspace",
+    is_list: false,
     about: "Which programs belong to the workspace. Patterns are those of `.gitignore`, seen from the folder of `ladder.toml`.",
     settings: &[INCLUDE, EXCLUDE, LIBRARY],
 };
@@ -257,20 +310,24 @@ pub const SECTIONS: &[Section] = &[
     FORMAT,
     LINT,
     SIMULATE,
+    TASK,
     WORKSPACE,
     PROJECT,
     Section {
         name: "inlayHints",
+        is_list: false,
         about: "Hints in the text.",
         settings: &[INLAY_HINTS],
     },
     Section {
         name: "codeLens",
+        is_list: false,
         about: "Commands in the text.",
         settings: &[CODE_LENS],
     },
     Section {
         name: "start",
+        is_list: false,
         about: "How the extension starts simulations.",
         settings: &[Setting {
             key: "paused",
@@ -283,6 +340,7 @@ pub const SECTIONS: &[Section] = &[
     },
     Section {
         name: "server",
+        is_list: false,
         about: "The language server's program.",
         settings: &[Setting {
             key: "path",
@@ -295,6 +353,7 @@ pub const SECTIONS: &[Section] = &[
     },
     Section {
         name: "trace",
+        is_list: false,
         about: "The talk with the language server.",
         settings: &[Setting {
             key: "server",
@@ -307,6 +366,7 @@ pub const SECTIONS: &[Section] = &[
     },
     Section {
         name: "review",
+        is_list: false,
         about: "What changed since the last commit.",
         settings: &[Setting {
             key: "marks",

@@ -22,7 +22,9 @@ fn an_empty_file_asks_for_nothing() {
     assert_eq!(settings.format, ladder_format::Options::default());
     assert!(settings.lint.levels.is_empty());
     assert_eq!(
-        settings.simulate.options(&Program::default()),
+        settings
+            .simulate
+            .options(&Program::default(), Path::new("a.clad")),
         ladder_simulator::Options::default()
     );
     assert!(settings.files.contain(Path::new("/plant/a.clad")));

@@ -137,13 +137,20 @@ fn convert(job: &Job, existing: Existing) -> Result<(Account, Outcome), Failure>
             let foreign = read(notation, job)?;
             let ladder = Source::new(job.input.display().to_string(), foreign.ladder().to_owned());
             let ladder = ladder.in_workspace()?;
-            let report = foreign.report(ladder.analyze().errors());
+            if job.to.is_ladder() && job.folder.is_some() {
+                files.clone_from(&foreign.converted().files);
+            }
+            let analysis = ladder.analyze();
+            let report = if files.is_empty() {
+                foreign.report(analysis.errors())
+            } else {
+                foreign.report_of_files(analysis.errors())
+            };
             account.add(Side::Source, &report, &foreign.converted().findings);
-            files.clone_from(&foreign.converted().files);
             ladder
         }
     };
-    if let (Form::Ladder, Some(folder), false) = (job.to, &job.folder, files.is_empty()) {
+    if let (Some(folder), false) = (&job.folder, files.is_empty()) {
         make_folder(folder, &job.root)?;
         files.extend(job.original());
         write_project(folder, &files, existing)?;

@@ -1,6 +1,7 @@
 //! Which files are compared with which.
 
-use super::side::{self, File, Side};
+use super::side::{File, Side};
+use crate::findings::is_settings;
 use crate::git::Git;
 use crate::outcome::Failure;
 use ladder_workspace::is_program;
@@ -60,7 +61,7 @@ pub(super) fn pairs(old: Side, new: Side, git: &Git) -> Result<Vec<Pair>, Failur
 impl Pair {
     /// Whether it is of settings files.
     pub(super) fn is_settings(&self) -> bool {
-        self.files().any(|file| side::is_settings(Path::new(&file.name)))
+        self.files().any(|file| is_settings(Path::new(&file.name)))
     }
 
     /// Whether it is of ladder programs by their names.

@@ -1,13 +1,13 @@
 //! What is compared: a file, a folder, or one of them as git has it in a revision.
 
-use crate::findings::Source;
+use crate::findings::{Source, is_settings};
 use crate::form::{self, Form};
 use crate::git::Git;
 use crate::git::objects::{self, Object, Objects};
 use crate::git::revision::parts;
 use crate::outcome::Failure;
 use ladder_notations::{Companion, Foreign, Notation, Reach};
-use ladder_workspace::{MAX_FILE_BYTES, SETTINGS_FILE, belonging, is_program};
+use ladder_workspace::{MAX_FILE_BYTES, belonging, is_program};
 use std::collections::{BTreeMap, HashMap};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -116,10 +116,6 @@ impl Side {
 /// Whether a file of a folder is compared: the programs and the settings.
 fn is_compared(path: &Path) -> bool {
     is_program(path) || is_settings(path)
-}
-
-pub(super) fn is_settings(path: &Path) -> bool {
-    path.file_name() == Some(OsStr::new(SETTINGS_FILE))
 }
 
 fn folder(folder: &Path) -> Result<BTreeMap<String, File>, Failure> {

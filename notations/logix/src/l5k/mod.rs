@@ -263,6 +263,8 @@ impl<'t> Reader<'t> {
             name,
             kind,
             inhibited: attributes.text("InhibitTask").eq_ignore_ascii_case("Yes"),
+            rate: Some(attributes.text("Rate")),
+            priority: attributes.text("Priority").parse().ok(),
             programs: Vec::new(),
         };
         self.block("END_TASK", |reader, _| {

@@ -61,23 +61,20 @@ fn a_project_is_the_files_of_a_folder() {
     expect![[r#"
         === Cell.clad
         # ladder: profile logix #
-        # ladder: cycle 5ms #
 
         VAR_GLOBAL
             all         : DINT;
             timer       : TIMER := (PRE := 100);
             Second_step : DINT;  # step #
         END_VAR
-
-        +-------------------------------------------------------<CALL>( Second_Main )--+
-
-        +--------------------------------------------------------<CALL>( First_Main )--+
         === First.clad
         # ladder: profile logix #
 
         VAR
             First_step : DINT;  # step #
         END_VAR
+
+        +--------------------------------------------------------<CALL>( First_Main )--+
 
         +--<FUN>( First_Main )---------------------------------------------------------+
 
@@ -90,6 +87,8 @@ fn a_project_is_the_files_of_a_folder() {
         +-------------------------------------------------------------[$TON]( timer )--+
         === Second.clad
         # ladder: profile logix #
+
+        +-------------------------------------------------------<CALL>( Second_Main )--+
 
         +--<FUN>( Second_Main )--------------------------------------------------------+
 
@@ -135,6 +134,12 @@ fn a_project_is_the_files_of_a_folder() {
         set-without-reset = "off"
         reset-without-set = "off"
         contact-after-coil = "off"
+
+        [[task]]
+        name = "Main"
+        interval = "5ms"
+        priority = 16
+        programs = ["Second.clad", "First.clad"]
     "#]]
     .assert_eq(&files.collect::<String>());
 }

@@ -20,11 +20,13 @@ mod units;
 mod unknown;
 
 use super::graph::{End, Kind};
-use super::model::{Body, Project, Unit, UnitKind};
+use super::model::{Body, Project, Task, Unit, UnitKind};
 use super::scope::{Scope, Shared};
 use ladder_format::Circuit;
 use ladder_format::program::{Block, Drawing, Element, Item, Network, Path, ProgramSketch};
-use ladder_notation::{Content, Names, ProjectFile, Reading, UnreadParts, is_function};
+use ladder_notation::{
+    Content, Names, ProjectFile, ProjectTask, Reading, UnreadParts, is_function, task_settings,
+};
 use std::collections::HashSet;
 use structured::Seen;
 use tasks::{Run, When, at_times, order, shortest};
@@ -108,6 +110,10 @@ pub fn reading(project: Project) -> Reading {
     if is_project {
         let parts = [("types", types), ("globals", globals), ("blocks", shared_blocks)];
         reading.files = files(&seen, &order, &mut unread, parts);
+        let periodic = project.tasks.iter().filter(|task| task.event.is_none());
+        reading.exact_in_files = periodic
+            .map(|task| (task.place, format!("task {}", task.name)))
+            .collect();
     }
     reading.report.entries.sort_by_key(|entry| entry.place);
     reading.findings.sort_by_key(|finding| finding.place);
@@ -241,6 +247,19 @@ fn together(
     }
 }
 
+/// A task, as the settings of a folder have it. None: an event starts it. One without an interval runs as often as the others.
+fn project_task(project: &Project, task: &Task) -> Option<ProjectTask> {
+    let own = task.interval.as_deref().and_then(duration::nanoseconds);
+    let interval = own.filter(|own| *own > 0).or_else(|| shortest(project));
+    let interval = interval.map_or_else(|| Some("10ms".to_owned()), duration::interval)?;
+    task.event.is_none().then(|| ProjectTask {
+        name: task.name.clone(),
+        interval,
+        priority: task.priority,
+        programs: Vec::new(),
+    })
+}
+
 /// The project as files: what is shared, each program, and the settings.
 fn files(
     seen: &Seen<'_>,
@@ -266,6 +285,7 @@ fn files(
             files.push(file(name, Content::Program(ProgramSketch { items })));
         }
     }
+    let mut tasks: Vec<ProjectTask> = Vec::new();
     for run in order {
         let unit = run.unit;
         let scope: Scope = shared.program(unit, None);
@@ -274,9 +294,19 @@ fn files(
         let mut items: Vec<Item> = unit.comment.iter().cloned().map(Item::Comment).collect();
         push_part(&mut items, inside.sections);
         items.extend(inside.items);
-        files.push(file(&unit.name, Content::Program(ProgramSketch { items })));
+        let file = file(&unit.name, Content::Program(ProgramSketch { items }));
+        if let Some(task) = run.task.and_then(|task| project_task(project, task)) {
+            let there = tasks.iter_mut().find(|other| other.name == task.name);
+            match there {
+                Some(other) => other.programs.push(file.name.clone()),
+                None => tasks.push(ProjectTask {
+                    programs: vec![file.name.clone()],
+                    ..task
+                }),
+            }
+        }
+        files.push(file);
     }
-    let interval = shortest(project).and_then(duration::interval);
     let mut settings = format!(
         "# {}\n",
         project
@@ -285,9 +315,7 @@ fn files(
             .map_or("A project", |told| told.trim())
             .replace(char::is_control, " ")
     );
-    if let Some(interval) = interval {
-        settings.push_str(&format!("\n[simulate]\ninterval = \"{interval}\"\n"));
-    }
+    settings.push_str(&task_settings(&tasks));
     files.push(ProjectFile {
         name: "ladder.toml".to_owned(),
         content: Content::Text(settings),

@@ -15,6 +15,8 @@ use std::collections::HashSet;
 pub(super) struct Run<'p> {
     pub(super) unit: &'p Unit,
     pub(super) when: When<'p>,
+    /// What runs it.
+    pub(super) task: Option<&'p Task>,
 }
 
 /// When a program runs there.
@@ -77,7 +79,11 @@ pub(super) fn order<'p>(project: &'p Project, report: &mut Report) -> Vec<Run<'p
                 continue;
             }
             report.translated(*place, shown);
-            order.push(Run { unit, when });
+            order.push(Run {
+                unit,
+                when,
+                task: Some(task),
+            });
         }
     }
     let when = if order.is_empty() {
@@ -91,7 +97,11 @@ pub(super) fn order<'p>(project: &'p Project, report: &mut Report) -> Vec<Run<'p
                 let why = "no task runs it: it is a function that nothing calls";
                 report.approximated(unit.place, format!("program {}", unit.name), why);
             }
-            order.push(Run { unit, when });
+            order.push(Run {
+                unit,
+                when,
+                task: None,
+            });
         }
     }
     order

@@ -255,8 +255,17 @@ fn several_programs_as_files() {
         == ladder.toml
         # A project
 
-        [simulate]
+        [[task]]
+        name = "fast"
         interval = "20ms"
+        priority = 1
+        programs = ["Second.clad", "Second_2.clad"]
+
+        [[task]]
+        name = "slow"
+        interval = "1s"
+        priority = 5
+        programs = ["First.clad"]
     "#]]
     .assert_eq(&all);
 }

@@ -9,7 +9,7 @@ use ladder_host::Work;
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, ScenarioError};
 use ladder_syntax::TextRange;
-use ladder_workspace::{Settings, folder_errors};
+use ladder_workspace::{Settings, errors_on_disk};
 use tower_lsp::ls_types::Diagnostic;
 
 use super::{diagnostics, foreign, pull, settings_file};
@@ -115,7 +115,7 @@ fn settings(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
     let text = revision.text();
     let (settings, errors) = Settings::examine(path.as_deref().unwrap_or(Path::new("")), &text);
     let disk = &shared.world().disk;
-    let of_folders = path.map_or_else(Vec::new, |_| folder_errors(&settings, &text, &**disk));
+    let of_folders = path.map_or_else(Vec::new, |_| errors_on_disk(&settings, &text, &**disk));
     let errors = errors.into_iter().chain(of_folders);
     errors
         .map(|error| error_at(revision, error.range, BAD_SETTING, error.message))
@@ -226,8 +226,8 @@ pub(crate) fn compiled_from(
             "a file that {name} uses has errors; its scenarios run when that has none"
         ))
     })?;
-    let mut options = shared.neighbours.simulate(path).options(&linked.program);
-    if let Some(interval) = interval {
+    let mut options = shared.neighbours.simulate(path).options(&linked.program, path);
+    if let Some(interval) = interval.filter(|_| !linked.program.has_tasks()) {
         options.interval = interval;
     }
     Simulation::new(linked.program, options).map_err(|_| errors(&name))
