@@ -34,7 +34,7 @@ pub(crate) struct Parts {
 pub(crate) struct Stems {
     types: String,
     blocks: String,
-    controller: String,
+    pub(crate) controller: String,
     /// Those of the programs.
     pub(crate) programs: Vec<String>,
 }

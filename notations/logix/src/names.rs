@@ -12,6 +12,8 @@ use std::collections::{HashMap, HashSet};
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Originals {
     pub(crate) controller: String,
+    /// What its file is called in a folder.
+    pub(crate) controller_stem: String,
     /// The programs, and what their files are called in a folder.
     pub(crate) programs: Vec<(String, String)>,
     /// The program and the routine that each function is.
@@ -39,11 +41,12 @@ impl Originals {
     fn asked(sketcher: &Sketcher<'_>, plan: &Plan) -> Originals {
         let project = sketcher.translator.project;
         let tags = &sketcher.translator.tags;
-        let stems = Stems::of(project).programs;
+        let stems = Stems::of(project);
         let names = project.programs.iter().map(|program| program.name.clone());
         let mut originals = Originals {
             controller: project.name.clone(),
-            programs: names.zip(stems).collect(),
+            controller_stem: stems.controller,
+            programs: names.zip(stems.programs).collect(),
             tasks: project.tasks.clone(),
             declared: project
                 .types

@@ -98,7 +98,7 @@ impl Writer<'_> {
                         );
                     }
                     let context = &self.input.analysis.context;
-                    if within.is_none() && layout.is_order(context, context.networks.at(number)) {
+                    if within.is_none() && layout.runs.orders.has(context, context.networks.at(number)) {
                         self.translated(network);
                         said_of_all.append(&mut waiting);
                         continue;
@@ -123,7 +123,7 @@ impl Writer<'_> {
                     if within.is_none() && homes.last() == Some(&None) && !layout.programs.is_empty() {
                         let place = self.at(start.into());
                         let why =
-                            "it runs outside of the programs there: put it into a function of one of them";
+                            "it runs outside of the programs there: put it into the file of one of them";
                         self.report.refused(place, "network", why);
                         waiting.clear();
                         continue;
@@ -267,7 +267,7 @@ impl Writer<'_> {
                 begin_with_all(program, &at.begins);
             }
         }
-        project.tasks = match &layout.tasks {
+        project.tasks = match &layout.runs.tasks {
             Some(tasks) => tasks.clone(),
             None => {
                 vec![Task {

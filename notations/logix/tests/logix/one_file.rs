@@ -373,11 +373,7 @@ fn what_no_program_of_a_controller_can_be_is_refused() {
                 "[/]( run )",
                 "+--[ ]( go )--<CALL>( Pump_Sub )--+\n\n+--[/]( run )--( )( shut )--+",
             ),
-            (
-                "Cell.clad",
-                "<CALL>( Pump_Main )",
-                "+--[ ]( go )--<CALL>( Pump_Main )--+",
-            ),
+            ("Cell.clad", "END_VAR", "END_VAR\n\n+--[ ]( go )--( )( run )--+"),
         ],
         expect![[r#"
             +<Comment>
@@ -390,10 +386,116 @@ fn what_no_program_of_a_controller_can_be_is_refused() {
             +</Text>
             +</Rung>
             +<Rung Number="1" Type="N">
-            Cell.clad:9:4: network: it runs outside of the programs there: put it into a function of one of them
-            Valve.clad:10:4: network: `<CALL>( Pump_Sub )`: `Pump_Sub` is in another program, whose routines this one cannot call
+            Cell.clad:8:4: network: it runs outside of the programs there: put it into the file of one of them
+            Valve.clad:12:4: network: `<CALL>( Pump_Sub )`: `Pump_Sub` is in another program, whose routines this one cannot call
         "#]],
     );
+}
+
+#[test]
+fn what_a_program_runs_first_is_its_main_routine() {
+    let pump = "Pump.clad";
+    let go = "+--[ ]( go )--<CALL>( Pump_Main )--+";
+    check(
+        &cell(),
+        &[(pump, "<CALL>( Pump_Main )", go)],
+        expect![[r#"
+        -<Program Name="Pump" MainRoutineName="Main" Disabled="false">
+        +<Program Name="Pump" MainRoutineName="MainRoutine" Disabled="false">
+        +<Routine Name="MainRoutine" Type="RLL">
+        +<RLLContent>
+        +<Rung Number="0" Type="N">
+        +<Text>
+        +<![CDATA[XIC(go)JSR(Main,0);]]>
+        +</Text>
+        +</Rung>
+        +</RLLContent>
+        +</Routine>
+    "#]],
+    );
+    // Of one that is not the first file, too.
+    let both = "+--<CALL>( Valve_Main )--+\n\n+--<CALL>( Valve_Sub )--+";
+    check(
+        &cell(),
+        &[("Valve.clad", "<CALL>( Valve_Main )", both)],
+        expect![[r#"
+        -<Program Name="Valve" MainRoutineName="Main" Disabled="false">
+        +<Program Name="Valve" MainRoutineName="MainRoutine" Disabled="false">
+        +<Routine Name="MainRoutine" Type="RLL">
+        +<RLLContent>
+        +<Rung Number="0" Type="N">
+        +<Text>
+        +<![CDATA[JSR(Main,0);]]>
+        +</Text>
+        +</Rung>
+        +<Rung Number="1" Type="N">
+        +<Text>
+        +<![CDATA[JSR(Sub,0);]]>
+        +</Text>
+        +</Rung>
+        +</RLLContent>
+        +</Routine>
+    "#]],
+    );
+    // Another routine is the first.
+    let sub = "+--<CALL>( Valve_Sub )--+";
+    check(
+        &cell(),
+        &[("Valve.clad", "<CALL>( Valve_Main )", sub)],
+        expect![[r#"
+        -<Program Name="Valve" MainRoutineName="Main" Disabled="false">
+        +<Program Name="Valve" MainRoutineName="Sub" Disabled="false">
+    "#]],
+    );
+}
+
+#[test]
+fn a_program_of_a_new_controller_begins_with_what_it_runs_first() {
+    let calls = "# ladder: profile logix #\nVAR n : DINT; END_VAR\n+--<CALL>( Main )--+\n\n+--<FUN>( Main )--+\n\n+--[MOV]( n, 1 )--+\n";
+    let files: Files = ["Fan.clad", "Pump.clad"]
+        .map(|name| (name.to_owned(), calls.to_owned()))
+        .to_vec();
+    let written = write_one_file(&L5x, &files, "plant", None).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(
+        written
+            .reports
+            .iter()
+            .map(|(_, report)| report.remarks().count())
+            .sum::<usize>(),
+        0
+    );
+    let again = folder(&text(&written));
+    let shown: Vec<String> = again
+        .iter()
+        .map(|(name, text)| format!("{name}\n{text}"))
+        .collect();
+    expect![[r#"
+        Fan.clad
+        # ladder: profile logix #
+
+        VAR
+            Fan_n : DINT;  # n #
+        END_VAR
+
+        +----------------------------------------------------------<CALL>( Fan_Main )--+
+
+        +--<FUN>( Fan_Main )-----------------------------------------------------------+
+
+        +-----------------------------------------------------------[MOV]( Fan_n, 1 )--+
+        Pump.clad
+        # ladder: profile logix #
+
+        VAR
+            Pump_n : DINT;  # n #
+        END_VAR
+
+        +---------------------------------------------------------<CALL>( Pump_Main )--+
+
+        +--<FUN>( Pump_Main )----------------------------------------------------------+
+
+        +----------------------------------------------------------[MOV]( Pump_n, 1 )--+
+    "#]]
+    .assert_eq(&shown.concat());
 }
 
 /// The files of a folder as a new export.
@@ -556,6 +658,6 @@ fn an_original_that_is_none_says_so() {
     expect![[r#"
         the file that the programs come from: it is XML, but no export of Logix Designer: those begin with <RSLogix5000Content>
         the file that the programs come from: 1:1: this is not XML as it must be: unknown token
-        the file that the programs come from: Pump.clad:20:69: there is no label `nowhere` to jump to
+        the file that the programs come from: Pump.clad:22:69: there is no label `nowhere` to jump to
     "#]].assert_eq(&[with("<a/>"), with("none"), with(&jump)].concat());
 }
