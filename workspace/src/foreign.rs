@@ -1,8 +1,8 @@
 //! Programs of other systems as their notations read them: with the files that belong to them.
 //!
 //! What belongs to a program lies in its folder, or anywhere in its project ([`Reach`]). The folder of a project is the nearest
-//! one above the program with a settings file of this project (LANGUAGE §4) or a project file of the other system; else the
-//! folder that a person opened or had searched; else the program's own.
+//! one above the program with a settings file (LANGUAGE §4); else the one that a person opened or had searched; else the nearest one
+//! with a project file of the other system; else the program's own.
 
 use crate::disk::{Disk, SystemDisk};
 use crate::error::{FileError, Problem};
@@ -130,23 +130,22 @@ impl ForeignPrograms {
     /// The folder of the project that a program belongs to.
     fn project_of(&self, program: &Path, mark: Option<&str>) -> PathBuf {
         let own = program.parent().unwrap_or(Path::new(""));
-        let settings = match self.disk.root_of(program) {
-            Ok(Root::Settings(folder)) => Some(folder),
-            _ => None,
-        };
+        if let Ok(Root::Settings(folder)) = self.disk.root_of(program) {
+            return folder;
+        }
         let opened = lock(&self.opened);
-        let is_project = |folder: &&Path| {
-            let is_marked = || {
-                let names = self.disk.names_in(folder, MOST_NAMES).into_iter();
-                mark.is_some_and(|mark| names.into_iter().any(|name| name.ends_with(mark)))
-            };
-            match &settings {
-                Some(settings) if settings == folder => true,
-                Some(_) => is_marked(),
-                None => opened.iter().any(|opened| opened == folder) || is_marked(),
-            }
+        if let Some(opened) = own
+            .ancestors()
+            .find(|folder| opened.iter().any(|opened| opened == folder))
+        {
+            return opened.to_owned();
+        }
+        let is_marked = |folder: &&Path| {
+            let names = self.disk.names_in(folder, MOST_NAMES);
+            mark.is_some_and(|mark| names.iter().any(|name| name.ends_with(mark)))
         };
-        own.ancestors().find(is_project).unwrap_or(own).to_owned()
+        let marked = mark.and_then(|_| own.ancestors().find(is_marked));
+        marked.unwrap_or(own).to_owned()
     }
 }
 

@@ -74,7 +74,8 @@ impl Plan<'_> {
                     .into_owned();
                 let function = Path::tag(functions.fresh(&stem));
                 calls.push(Block::of(Op::Call, [function.clone()])?);
-                stand_ins.push(network(Vec::new(), vec![Block::of(Op::Fun, [function])?]));
+                let told = format!("the main program of {stem}.clad");
+                stand_ins.push(network(vec![told], vec![Block::of(Op::Fun, [function])?]));
             }
             let every = self.every(task);
             let told = vec![format!("task {}: every {}", task.name, duration(task.interval))];

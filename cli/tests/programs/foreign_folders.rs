@@ -126,6 +126,21 @@ fn a_twincat_project_is_found_by_its_file() {
     ] {
         folder.write(name, text.as_bytes());
     }
+    folder.write("plc/lib/Lib.plcproj", b"");
+    folder.write(
+        "plc/lib/FB_Lib.TcPOU",
+        PUMP.replace("FB_Pump", "FB_Lib").as_bytes(),
+    );
+    // All of a folder are programs, also those of projects in it, which see what is around them.
+    let run = folder.ladder(&["convert", "plc", "-o", "out"]);
+    expect![[r#"
+        exit status 0
+        -- stderr
+        plc/POUs/MAIN.TcPOU: 11 translated, 0 approximated, 0 refused
+        plc/POUs/Pumps/FB_Pump.TcPOU: 5 translated, 0 approximated, 0 refused
+        plc/lib/FB_Lib.TcPOU: 5 translated, 0 approximated, 0 refused
+    "#]]
+    .assert_eq(&run.to_string());
     let run = folder.ladder(&["sim", "plc/POUs/MAIN.TcPOU", "--scans", "1"]);
     expect![[r#"
         exit status 0

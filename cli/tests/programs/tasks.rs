@@ -142,10 +142,13 @@ fn what_runs_in_a_scan_is_drawn() {
 
         +======================================[CALC]( slow_in, (slow_in + 1) MOD 5 )==+
 
+        # the main program of main.clad #
         +--<FUN>( main )---------------------------------------------------------------+
 
+        # the main program of out.clad #
         +--<FUN>( out )----------------------------------------------------------------+
 
+        # the main program of count.clad #
         +--<FUN>( count )--------------------------------------------------------------+
 
     "#]]

@@ -3,7 +3,7 @@
 use crate::findings::FOREIGN;
 use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
-use ladder_notations::{Companion, NOTATIONS, has_extension};
+use ladder_notations::{Companion, NOTATIONS, Reach, has_extension};
 use ladder_workspace::{find_files, is_program, read_bytes, shown};
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -131,11 +131,13 @@ fn folders_below<'p>(inputs: &[PathBuf], file: &'p Path) -> &'p Path {
 }
 
 /// What was found in a folder next to a program, and belongs to it, is read with that. Two that belong to each other are both
-/// programs, and so is one that is in another notation.
+/// programs, and so are one that is in another notation and all of a project.
 fn without_companions(jobs: &mut Vec<Job>, named: &HashSet<&Path>) {
     let belongs = |job: &Job, program: &Job| match program.from {
         Form::Foreign(notation) => {
-            job.from == program.from && FOREIGN.is_companion(notation, &program.input, &job.input)
+            !matches!(notation.reach(), Reach::Project(_))
+                && job.from == program.from
+                && FOREIGN.is_companion(notation, &program.input, &job.input)
         }
         Form::Ladder => false,
     };

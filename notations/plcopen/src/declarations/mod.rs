@@ -161,6 +161,11 @@ impl Declared<'_> {
             report.refused(at, statement, "this is not a declaration: `name : TYPE;` is one");
             return Vec::new();
         };
+        let given = statement.split_once(':').and_then(|(_, rest)| constructed(rest));
+        if let Some((ty, given, _)) = given.filter(|(_, given, _)| !given.trim().is_empty()) {
+            let why = "constructors are not run: what is handed to it is left out";
+            report.approximated(at, format!("{ty}({given})"), why);
+        }
         let told = self.comment_behind(offset + statement.len());
         for variable in &mut all {
             variable.comment.clone_from(&told);
@@ -197,7 +202,7 @@ fn told(text: &str) -> Option<String> {
 
 fn role(word: &str) -> Option<Role> {
     Some(match word {
-        "VAR" => Role::Local,
+        "VAR" | "VAR_INST" => Role::Local,
         "VAR_TEMP" => Role::Temp,
         "VAR_INPUT" => Role::Input,
         "VAR_OUTPUT" => Role::Output,
@@ -319,10 +324,15 @@ fn variables(
     let (names, rest) = text
         .split_once(':')
         .filter(|(names, _)| !names.trim().is_empty())?;
-    let (ty, initial) = match rest.split_once(":=") {
-        Some((ty, initial)) => (ty, Some(initial_of(initial))),
+    let (ty, rest) = match constructed(rest) {
+        Some((ty, _, after)) => (Some(ty), after),
+        None => (None, rest),
+    };
+    let (before_value, initial) = match rest.split_once(":=") {
+        Some((before, initial)) => (before, Some(initial_of(initial))),
         None => (rest, None),
     };
+    let ty = ty.unwrap_or(before_value);
     let (names, before) = at(names);
     let (ty, after) = at(ty);
     let address = before.or(after).map(str::to_owned);
@@ -341,6 +351,32 @@ fn variables(
         comment: None,
     };
     Some(names.filter(|name| !name.is_empty()).map(variable).collect())
+}
+
+/// A type with what is handed to its constructor, as in `pump : FB_Pump(2, name := 'P1')`: the type, that, and what is after it.
+fn constructed(rest: &str) -> Option<(&str, &str, &str)> {
+    let rest = rest.trim_start();
+    let is_name = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.');
+    let (ty, after) = rest.split_at(rest.find(|c| !is_name(c))?);
+    let inside = after.trim_start().strip_prefix('(')?;
+    let has_length = ["STRING", "WSTRING", "ARRAY"]
+        .iter()
+        .any(|own| own.eq_ignore_ascii_case(ty));
+    if ty.is_empty() || has_length {
+        return None;
+    }
+    let mut depth = 1_u32;
+    let end = inside.find(|c| {
+        match c {
+            '(' => depth += 1,
+            ')' => depth -= 1,
+            _ => {}
+        }
+        depth == 0
+    })?;
+    let given = &inside[..end];
+    // `INT(0..100)` is a part of a type.
+    (!given.contains("..")).then_some((ty, given, &inside[end + 1..]))
 }
 
 /// What is before `AT`, and the address after it.
@@ -412,10 +448,16 @@ fn type_in(text: &str, depth: usize) -> Type {
         let (Some(open), Some(close)) = (rest.find('['), rest.find(']')) else {
             return shown();
         };
-        let of = rest.find(" OF ").filter(|of| *of > close && open < close);
-        let Some(of) = of.filter(|_| depth < DEEPEST) else {
+        let after = rest.get(close + 1..).unwrap_or_default();
+        let blanks = after.len() - after.trim_start().len();
+        let is_of = after
+            .trim_start()
+            .strip_prefix("OF")
+            .is_some_and(|ty| ty.starts_with([' ', '\t', '\r', '\n']));
+        if !is_of || open > close || depth >= DEEPEST {
             return shown();
-        };
+        }
+        let of = close + 1 + blanks + "OF".len();
         let offset = text.len() - rest.len();
         let bounds: Option<Vec<(String, String)>> = rest[open + 1..close]
             .split(',')
@@ -425,14 +467,25 @@ fn type_in(text: &str, depth: usize) -> Type {
             })
             .collect();
         let Some(bounds) = bounds else { return shown() };
-        return Type::Array(
-            bounds,
-            Box::new(type_in(text[offset + of + 4..].trim(), depth + 1)),
-        );
+        return Type::Array(bounds, Box::new(type_in(text[offset + of..].trim(), depth + 1)));
     }
     if let Some(rest) = upper.strip_prefix("STRING") {
         let length = rest.trim().trim_matches(['[', ']', '(', ')']).trim();
         return Type::Text(length.parse().ok());
     }
-    Type::Named(text.to_owned())
+    if let Some((ty, range)) = text.strip_suffix(')').and_then(|text| text.split_once('('))
+        && let Some((low, high)) = range.split_once("..")
+    {
+        return Type::Range(
+            ty.trim().to_owned(),
+            low.trim().to_owned(),
+            high.trim().to_owned(),
+        );
+    }
+    // The name of a library is before the name in it.
+    let is_path = text
+        .chars()
+        .all(|c| c.is_alphanumeric() || matches!(c, '_' | '.'));
+    let name = text.rsplit('.').next().filter(|_| is_path).unwrap_or(text);
+    Type::Named(name.to_owned())
 }
