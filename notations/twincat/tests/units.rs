@@ -469,7 +469,9 @@ fn a_pin_whose_variable_is_not_filled_in_is_not_connected() {
 #[test]
 fn types_as_they_are_written() {
     let declaration = "PROGRAM Main\nVAR\n    a : ARRAY [0..2]OF INT;\n    b : ARRAY[1..2]\tOF \tTc2_Standard.TON;\n    c : Tc2_System.T_MaxString;\n    d : INT (0..100) := 7;\n    e : Tc2_Standard.TON(PT := T#1S, IN := TRUE);\n    f : STRING(80) := 'x:=(1..2)';\nEND_VAR\nVAR_INST\n    g : BOOL;\nEND_VAR";
-    check(&unit(declaration, ""), expect![[r#"
+    check(
+        &unit(declaration, ""),
+        expect![[r#"
         VAR
             a : ARRAY[0..2] OF INT;
             b : ARRAY[1..2] OF TON;
@@ -480,5 +482,6 @@ fn types_as_they_are_written() {
         END_VAR
         refused variable c: the project has no type `T_MaxString`, and neither has ladder text
         approximated Tc2_Standard.TON(PT := T#1S, IN := TRUE): constructors are not run: what is handed to it is left out
-    "#]]);
+    "#]],
+    );
 }

@@ -198,3 +198,29 @@ async fn scenarios_run_in_the_server_against_the_text_of_the_editor() {
     assert!(message.starts_with("line 4: "), "{message}");
     client.finish().await;
 }
+
+/// `program ladder.toml` is what the tasks run, with the texts that the editor shows.
+#[tokio::test]
+async fn scenarios_of_a_project() {
+    let task = "[[task]]\nname = \"t\"\ninterval = \"10ms\"\nprograms = [\"a.clad\", \"b.clad\"]\n";
+    let plant = Plant::with(&[
+        ("ladder.toml", task),
+        ("a.clad", SOUND),
+        ("b.clad", "+--[ ]( c )--( )( d )--+\n"),
+    ]);
+    let mut client = Client::new().await;
+    let test = plant.uri("plant.ladder-test");
+    let text =
+        "program ladder.toml\nstep 100ms\n\nscenario \"both\"\na.a    _-\nb.c    -_\na.y => _-\nb.d => -_\n";
+    open(&mut client, &test, "ladder-test", text).await;
+    assert_eq!(published(&mut client, &test).await, []);
+    let ask = json!({"command": "ladder.runScenarios", "arguments": [{"uri": test}]});
+    let run = client.request("workspace/executeCommand", ask).await.unwrap();
+    assert_eq!(run["scenarios"][0]["passed"], true, "{run}");
+    client
+        .open_as(&plant.uri("b.clad"), 1, "+--[ ]( c )--( )( other )--+\n")
+        .await;
+    let found = published(&mut client, &test).await;
+    assert_eq!(found[0].0, span([7, 0, 7, 3]), "{found:?}");
+    client.finish().await;
+}
