@@ -295,21 +295,32 @@ impl Neighbours {
         let others = folder.exported_for(&self.disk, &root, path).others_of(&name);
         let rules = folder.settings.rules_for(path);
         let known = folder.disk.get(path).cloned();
-        let settings = is_settings(path).then(|| folder.settings.clone());
         drop(state);
-        let parse = match (known, settings) {
-            (Some(file), _) => file.parse(),
-            (None, Some(settings)) => {
-                let text = Plan::of(&settings, path)?.text(&settings.format);
-                Arc::new(ladder_syntax::parse(&text))
-            }
+        let parse = match known {
+            Some(file) => file.parse(),
             // Excluded from the workspace, but a program all the same.
-            (None, None) => Arc::new(ladder_syntax::parse(&self.disk.read_own(path)?)),
+            None => Arc::new(ladder_syntax::parse(&self.text_on_disk(path)?)),
         };
         Ok(Arc::new(analyze(
             &parse,
             AnalyzeOptions::new(&name).among(&others).with_rules(&rules),
         )))
+    }
+
+    /// The ladder text of a file as it is on disk: of a settings file what its tasks run.
+    ///
+    /// # Errors
+    /// It cannot be read, or has no tasks.
+    pub fn text_on_disk(&self, path: &Path) -> Result<String, FileError> {
+        if !is_settings(path) {
+            return self.disk.read_own(path);
+        }
+        let settings = {
+            let mut state = self.loaded(path);
+            let (_, folder) = state.folder(path);
+            folder.settings.clone()
+        };
+        Ok(Plan::of(&settings, path)?.text(&settings.format))
     }
 
     /// All programs that were read and that no editor shows, sorted.

@@ -147,7 +147,7 @@ pub(super) fn shown(shared: &Shared, path: &Path) -> Option<Arc<Revision>> {
 }
 
 pub(super) fn on_disk(shared: &Shared, path: &Path) -> Option<Arc<Revision>> {
-    let text = shared.world().disk.read_own(path).ok()?;
+    let text = shared.neighbours.text_on_disk(path).ok()?;
     let place = Membership::new(path.to_owned(), &shared.neighbours);
     let uri = address::uri_of(path);
     Some(Arc::new(Revision::on_disk(
