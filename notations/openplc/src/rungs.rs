@@ -1,7 +1,7 @@
 //! The rungs: elements and the edges between their handles.
 
 use ladder_notation::{LineColumn, Lines, ReadError, Report};
-use ladder_notation_plcopen::graph::{Edge, End, Graph, Kind, Modifier, Node, Output, Pin, Storage};
+use ladder_notation_plcopen::graph::{Code, Edge, End, Graph, Kind, Modifier, Node, Output, Pin, Storage};
 use serde::Deserialize;
 use serde_json::Value;
 use serde_json::value::RawValue;
@@ -254,7 +254,10 @@ impl<P: Fn(&RawValue) -> LineColumn> Reader<'_, P> {
             "execute" => Kind::Block {
                 name: "EXECUTE".to_owned(),
                 instance: None,
-                code: Some(text(data, "/code")),
+                code: Some(Code {
+                    text: text(data, "/code"),
+                    place: None,
+                }),
             },
             "variable" => {
                 let is_input = variant != "output";

@@ -177,3 +177,31 @@ fn a_variable_without_a_name_is_nothing() {
     "#]]
     .assert_eq(&named);
 }
+
+/// A block that is written in ST runs where it stands.
+#[test]
+fn a_text_in_a_box() {
+    let json = r#"{"rungs":[{"nodes":[
+{"id":"l","type":"powerRail","data":{"variant":"left"}},
+{"id":"c","type":"contact","position":{"x":10,"y":0},"data":{"variant":"default","variable":{"name":"a"}}},
+{"id":"e","type":"execute","position":{"x":20,"y":0},"data":{"code":"n := n + 1;\nIF n > 9 THEN\n  n := 0;\nEND_IF;"}},
+{"id":"o","type":"coil","position":{"x":30,"y":0},"data":{"variant":"default","variable":{"name":"b"}}}],
+"edges":[{"source":"l","target":"c"},{"source":"c","target":"e","targetHandle":"EN"},{"source":"e","sourceHandle":"ENO","target":"o"}]}]}"#;
+    let file = format!("PROGRAM main\nVAR a, b : BOOL; n : INT; END_VAR\n{json}\nEND_PROGRAM\n");
+    expect![[r#"
+        VAR
+            a     : BOOL;
+            b     : BOOL;
+            n     : INT;
+            power : BOOL;  # the power after a block #
+        END_VAR
+
+        +--[ ]( a )--( )( power )--[NOT]-------------------------------<JMP>( past1 )--+
+
+        +----------------------------------------------------------[CALC]( n, n + 1 )--+
+        +--[GT]( n, 9 )-------------------------------------------------[MOV]( n, 0 )--+
+
+        +--<LBL>( past1 )--[ ]( power )--------------------------------------( )( b )--+
+    "#]]
+    .assert_eq(&text(&OpenPlc, file.as_bytes()));
+}

@@ -99,7 +99,7 @@ pub enum Kind {
         /// `T1`
         instance: Option<String>,
         /// The text of one that is written in ST.
-        code: Option<String>,
+        code: Option<Code>,
     },
     /// A value: its expression, and whether it is inverted.
     Value(String, bool),
@@ -117,6 +117,15 @@ pub enum Kind {
     Comment(String),
     /// What has no counterpart; what it is.
     Other(String),
+}
+
+/// The text of a block.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Code {
+    /// What it says.
+    pub text: String,
+    /// Where it begins, if its lines are lines of the file.
+    pub place: Option<LineColumn>,
 }
 
 /// What a coil does.
@@ -154,10 +163,11 @@ impl Graph {
         })
     }
 
-    /// The texts in ST that stand in it.
-    pub(crate) fn codes(&self) -> impl Iterator<Item = &str> {
-        self.nodes.iter().filter_map(|node| match &node.kind {
-            Kind::Block { code, .. } => code.as_deref(),
+    /// The elements that are texts in ST.
+    pub(crate) fn codes(&self) -> impl Iterator<Item = (usize, &Code)> {
+        let nodes = self.nodes.iter().enumerate();
+        nodes.filter_map(|(number, node)| match &node.kind {
+            Kind::Block { code, .. } => Some((number, code.as_ref()?)),
             _ => None,
         })
     }

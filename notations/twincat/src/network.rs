@@ -4,7 +4,7 @@ use crate::archive::Object;
 use crate::flag;
 use ladder_notation::xml::Xml;
 use ladder_notation::{LineColumn, Report};
-use ladder_notation_plcopen::graph::{Edge, End, Graph, Kind, Modifier, Node, Output, Pin, Storage};
+use ladder_notation_plcopen::graph::{Code, Edge, End, Graph, Kind, Modifier, Node, Output, Pin, Storage};
 use std::collections::{HashMap, HashSet};
 
 /// Trees are no deeper.
@@ -343,7 +343,10 @@ impl Reader<'_, '_> {
             .field("Instance")
             .map_or("", |instance| instance.text("Operand"));
         let kind = Kind::Block {
-            code: code.then(|| snippet(object)),
+            code: code.then(|| Code {
+                text: snippet(object),
+                place: None,
+            }),
             instance: Some(instance.to_owned()).filter(|instance| !instance.is_empty()),
             name: name.clone(),
         };

@@ -250,11 +250,10 @@ fn branches_wires_and_what_is_not_known() {
     check(
         &xml,
         expect![[r#"
-            # EXECUTE is not read: a scan runs past it, and what it may write is not known. #
-            FUNCTION_BLOCK [$EXECUTE]
-            # ladder: unread #
-            # x := 1; #
-            # y := 2; #
+            # line 2 of Main: a number is used as BOOL; it is not run here. #
+            FUNCTION_BLOCK [$line_2_of_Main]
+            # ladder: unread, writes y #
+            # y := 2 #
             END_FUNCTION_BLOCK
 
             # FB_Pump is not read: a scan runs past it, and what it may write is not known. #
@@ -266,11 +265,12 @@ fn branches_wires_and_what_is_not_known() {
             END_FUNCTION_BLOCK
 
             VAR
-                a : BOOL;
-                b : BOOL;
-                x : BOOL;
-                y : BOOL;
-                t : TON;
+                a     : BOOL;
+                b     : BOOL;
+                x     : BOOL;
+                y     : BOOL;
+                t     : TON;
+                power : BOOL;  # the power after a block #
             END_VAR
 
             +--[ ]( a )--\--[ ]( b )--\------------------------------------------( )( x )--+
@@ -281,7 +281,12 @@ fn branches_wires_and_what_is_not_known() {
 
             # A network is not read: a box that acts stands in a branch, whose power is not known: x := branches(TON(b, T\x231s)) #
             # A network is not read: AND has flags at its inputs, which may invert them: x := AND(a, b) #
-            +--[ ]( a )----------------------------------------------[$EXECUTE]--( )( y )--+
+            +--[ ]( a )--( )( power )--[NOT]-------------------------------<JMP>( past1 )--+
+
+            +------------------------------------------------------------[MOV]( x, TRUE )--+
+            +-----------------------------------------------------------[$line_2_of_Main]--+
+
+            +--<LBL>( past1 )--[ ]( power )--------------------------------------( )( y )--+
 
             # A network is not read: `y` has the flags 64, which are not known: y := wire #
             # A network is not read: a `BoxTreeWormhole` is not known: BoxTreeWormhole #
@@ -295,7 +300,7 @@ fn branches_wires_and_what_is_not_known() {
             # action Stop: #
             refused network: a box that acts stands in a branch, whose power is not known: x := branches(TON(b, T#1s))
             refused network: AND has flags at its inputs, which may invert them: x := AND(a, b)
-            approximated block EXECUTE: ST is not read: a scan runs past it, and what it may write is not known
+            approximated y := 2: a number is used as BOOL: it is not run
             refused network: `y` has the flags 64, which are not known: y := wire
             refused network: a `BoxTreeWormhole` is not known: BoxTreeWormhole
             approximated FB_Pump pump: neither the project nor ladder text has a block `FB_Pump`: a scan runs past it, and what it may write is not known

@@ -1,7 +1,7 @@
 //! Bodies: LD and FBD as graphs, ST and IL as texts.
 
 use super::Reader;
-use crate::graph::{Edge, End, Graph, Kind, Modifier, Node as Drawn, Output, Pin, Storage};
+use crate::graph::{Code, Edge, End, Graph, Kind, Modifier, Node as Drawn, Output, Pin, Storage};
 use crate::model::Body;
 use ladder_notation::LineColumn;
 use ladder_notation::xml::{Element, in_words};
@@ -156,7 +156,7 @@ impl<'x> Reader<'x, '_> {
                     .attribute("instanceName")
                     .map(str::to_owned)
                     .filter(|name| !name.is_empty()),
-                code: code(node),
+                code: self.code(node),
             },
             "inVariable" => Kind::Value(expression(), negated),
             "outVariable" => Kind::Variable(expression(), negated),
@@ -267,6 +267,23 @@ impl<'x> Reader<'x, '_> {
         }
     }
 
+    /// The text of a block in ST.
+    fn code(&self, node: Node<'x, '_>) -> Option<Code> {
+        let data = node.child("addData")?;
+        let is_code = |node: &Node<'_, '_>| node.is_element() && (node.is("STCode") || node.is("code"));
+        let code = data.descendants().find(is_code);
+        let is_execute = || {
+            let name = node.attribute("typeName");
+            name.is_some_and(|name| name.eq_ignore_ascii_case("EXECUTE"))
+        };
+        let found = code.or_else(|| Some(data).filter(|_| is_execute()))?;
+        let text = found.words();
+        (code.is_some() || !text.is_empty()).then(|| Code {
+            text,
+            place: Some(self.xml.place_of_words(found)),
+        })
+    }
+
     /// A variable that is written and read: one of each, of which the second is what others are wired to.
     fn in_out_variable(&mut self, node: Node<'x, '_>, reading: &mut Reading) {
         let place = self.xml.place(node);
@@ -373,22 +390,6 @@ fn position(node: Node<'_, '_>) -> (f64, f64) {
         number.filter(|number| number.is_finite()).unwrap_or(0.0)
     };
     (number("x"), number("y"))
-}
-
-/// The text of a block in ST.
-fn code(node: Node<'_, '_>) -> Option<String> {
-    let data = node.child("addData")?;
-    let code = data
-        .descendants()
-        .find(|node| node.is_element() && (node.is("STCode") || node.is("code")));
-    let whole = || data.words();
-    let is_code = node
-        .attribute("typeName")
-        .is_some_and(|name| name.eq_ignore_ascii_case("EXECUTE"));
-    match code {
-        Some(code) => Some(code.words()),
-        None => is_code.then(whole).filter(|code| !code.is_empty()),
-    }
 }
 
 /// The title of a network as CODESYS has it. None: something else of its own, which says nothing.

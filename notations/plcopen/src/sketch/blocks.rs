@@ -25,7 +25,9 @@ pub(super) enum Class {
     Standard(StandardBlock),
     /// A unit of the project.
     Unit(UnitKind),
-    /// Text in ST, or what neither the project nor ladder text has.
+    /// A text in ST that is read.
+    Text,
+    /// One that is not, or what neither the project nor ladder text has.
     Unknown,
 }
 
@@ -43,7 +45,8 @@ pub(super) fn class(body: &Body<'_>, node: usize) -> Option<Class> {
         return None;
     };
     if code.is_some() {
-        return Some(Class::Unknown);
+        let is_read = body.has_text(node);
+        return Some(if is_read { Class::Text } else { Class::Unknown });
     }
     if let Some(block) = body.shared.blocks.get(&name.to_lowercase()) {
         return Some(Class::Unit(block.unit.kind));
@@ -176,7 +179,9 @@ pub(super) fn power_output(body: &Body<'_>, node: usize) -> Option<usize> {
             is_only.then_some(0)
         }),
         Class::Gate(_) | Class::Compare(_) => result_output(&body.graph.nodes[node]),
-        Class::Unknown => named("ENO").or_else(|| is_text(&body.graph.nodes[node]).then_some(0)),
+        Class::Unknown | Class::Text => {
+            named("ENO").or_else(|| is_text(&body.graph.nodes[node]).then_some(0))
+        }
         _ => named("ENO")
             .or_else(|| {
                 let mut outputs = outputs.iter();
@@ -261,7 +266,7 @@ impl Body<'_> {
                 Function::Convert(ty) => named(ty),
                 _ => None,
             },
-            Class::Unknown => None,
+            Class::Unknown | Class::Text => None,
             Class::Value(mnemonic) => {
                 if matches!(mnemonic, "LEN" | "FIND") {
                     return named("INT");

@@ -4,6 +4,7 @@
 use super::blocks::{self, Class};
 use super::draw::{Drawn, Target};
 use super::state::{Facts, Next, State, Tags};
+use super::texts::Texts;
 use crate::expression::{self, Meaning, Typed};
 use crate::graph::{End, Graph, Kind};
 use crate::model::Evaluation;
@@ -27,6 +28,8 @@ pub(super) struct Made {
     pub(super) unread: UnreadParts,
     /// The texts of actions and methods that boxes call, by their names in small letters.
     pub(super) actions: HashMap<String, String>,
+    /// The texts of boxes.
+    pub(super) texts: Texts,
 }
 
 impl Made {
@@ -39,6 +42,7 @@ impl Made {
             needed: HashSet::new(),
             unread: UnreadParts::default(),
             actions: HashMap::new(),
+            texts: Texts::new(),
         }
     }
 }
@@ -87,6 +91,7 @@ impl<'b> Body<'b> {
             body.state.turn += 1;
         }
         body.flush();
+        body.last_labels();
         body.lost();
         let left = std::mem::take(&mut body.next.comments);
         if !left.is_empty() {
@@ -157,6 +162,7 @@ impl<'b> Body<'b> {
                     self.root(node);
                 }
             }
+            Kind::Block { .. } if self.has_text(node) => self.run_text(node),
             Kind::Block { .. } => {
                 if self.class(node).is_some_and(Class::acts) || unused {
                     self.root(node);
@@ -322,7 +328,7 @@ impl<'b> Body<'b> {
     /// Draws a network, if it can be drawn as one, and above it what sees the falls in it.
     pub(super) fn network(&mut self, targets: &[Target]) -> bool {
         let (items, helpers) = (self.made.items.len(), self.made.helpers.len());
-        let comments = self.next.comments.clone();
+        let (comments, labels) = (self.next.comments.clone(), self.next.labels.clone());
         let falls = self.see_falls(targets);
         let is_drawn = self.one_network(targets);
         for contact in falls {
@@ -332,6 +338,7 @@ impl<'b> Body<'b> {
             self.made.items.truncate(items);
             self.made.helpers.truncate(helpers);
             self.next.comments = comments;
+            self.next.labels = labels;
         }
         is_drawn
     }
@@ -440,6 +447,18 @@ impl<'b> Body<'b> {
     }
 
     pub(super) fn push(&mut self, circuit: Circuit<Element>) {
+        let mut parts = std::mem::take(&mut self.next.labels);
+        let circuit = match circuit {
+            circuit if parts.is_empty() => circuit,
+            Circuit::Series(own) => {
+                parts.extend(own);
+                Circuit::Series(parts)
+            }
+            own => {
+                parts.push(own);
+                Circuit::Series(parts)
+            }
+        };
         self.made.items.push(Item::Blank);
         self.made.items.push(Item::Network(Network {
             comments: std::mem::take(&mut self.next.comments),

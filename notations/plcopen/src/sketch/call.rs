@@ -78,7 +78,9 @@ impl Body<'_> {
                 Block::of(Op::Calc, [result, formula(function, self.values(node)?)?])?
             }
             Class::Unknown => self.unread(node)?,
-            Class::Gate(_) | Class::Compare(_) => return Err("it has no counterpart".to_owned()),
+            Class::Text | Class::Gate(_) | Class::Compare(_) => {
+                return Err("it has no counterpart".to_owned());
+            }
         };
         Ok(vec![block])
     }

@@ -501,6 +501,9 @@ impl Pencil<'_, '_> {
             });
         }
         let is_power = power_output(self.body, node) == Some(end.output);
+        if class == Class::Text && !self.body.state.executed[node] && !self.after.contains_key(&node) {
+            return Err((node, "its text would have to run within a network".to_owned()));
+        }
         if self.body.state.executed[node] || !is_power || start != RAIL {
             return self.referenced(end, start);
         }
@@ -537,6 +540,8 @@ impl Pencil<'_, '_> {
         }
         let point = if self.body.is_refused(node) {
             self.stand_in(point, node)
+        } else if self.body.has_text(node) {
+            self.text(node, point)
         } else {
             let mut blocks = at(node, self.body.blocks(node))?;
             blocks.extend(self.body.tags.moves.get(&node).into_iter().flatten().cloned());

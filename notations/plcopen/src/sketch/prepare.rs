@@ -160,7 +160,8 @@ impl Body<'_> {
                     return;
                 }
                 self.prepare_block(node, class, seen);
-                let stands_in_wire = inline && power_output(self, node) == Some(end.output);
+                let stands_in_wire =
+                    inline && class != Class::Text && power_output(self, node) == Some(end.output);
                 if !stands_in_wire && !self.state.executed[node] {
                     self.execute(node);
                 }
@@ -180,6 +181,7 @@ impl Body<'_> {
             self.in_pieces(Target::Root(node));
             self.state.executed[node] = true;
         }
+        self.statements(node);
     }
 
     /// The operands of a block, its instance and the tags of its results.

@@ -3,7 +3,8 @@
 use crate::expression::Typed;
 use crate::graph::{End, Graph, Kind};
 use crate::model::Type;
-use ladder_format::program::{Block, Path};
+use ladder_format::Circuit;
+use ladder_format::program::{Block, Element, Path};
 use ladder_notation::Outcome;
 use std::collections::{HashMap, HashSet};
 
@@ -74,6 +75,8 @@ pub(super) struct State {
     pub(super) executed: Vec<bool>,
     /// Variables that are written together with the block before them.
     pub(super) merged: Vec<bool>,
+    /// The boxes with texts that something jumps past.
+    pub(super) jumped: HashSet<usize>,
     /// The elements that stand somewhere, or are operands.
     pub(super) seen: Vec<bool>,
     /// How many elements had their turn.
@@ -92,6 +95,7 @@ impl State {
             outcomes: vec![None; count],
             executed: vec![false; count],
             merged: vec![false; count],
+            jumped: HashSet::new(),
             seen: vec![false; count],
             turn: 0,
             work: 0,
@@ -110,6 +114,8 @@ pub(super) struct Next {
     /// The comments above it, and above the one after it.
     pub(super) comments: Vec<String>,
     pub(super) further: Vec<String>,
+    /// The labels that it begins with.
+    pub(super) labels: Vec<Circuit<Element>>,
     /// The drawing is taken apart.
     pub(super) is_in_pieces: bool,
 }

@@ -31,17 +31,12 @@ pub(super) fn body(
     made: &mut Made,
     reading: &mut Reading,
 ) -> Result<(), String> {
-    let Seen { shared, project, .. } = seen;
+    let Seen { shared, .. } = seen;
     let scope = seen.in_text(&made.scope);
     let restarted = restarted(shared, unit);
-    let dialect = if shared.is_compiled || project.is_own {
-        Dialect::Iec
-    } else {
-        Dialect::Codesys
-    };
     let source = st::Source {
         text,
-        dialect,
+        dialect: seen.dialect(),
         unit: &unit.name,
         scope: &scope,
         restarted: &restarted,
@@ -116,6 +111,15 @@ impl<'s> Seen<'s> {
             shared,
             project,
             scopes: OnceCell::new(),
+        }
+    }
+
+    /// What its texts are written in.
+    pub(super) fn dialect(&self) -> Dialect {
+        if self.shared.is_compiled || self.project.is_own {
+            Dialect::Iec
+        } else {
+            Dialect::Codesys
         }
     }
 

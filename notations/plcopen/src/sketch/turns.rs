@@ -53,6 +53,7 @@ impl Body<'_> {
     pub(super) fn reads(&self, node: usize) -> Vec<String> {
         let mut all = match &self.graph.nodes[node].kind {
             Kind::Contact(text, _) | Kind::Value(text, _) => self.tags(text),
+            Kind::Block { code: Some(_), .. } => self.in_text(node, |(reads, _)| reads),
             _ => Vec::new(),
         };
         if !self.graph.feedback.is_empty() {
@@ -67,6 +68,7 @@ impl Body<'_> {
     pub(super) fn writes(&self, node: usize) -> Vec<String> {
         match &self.graph.nodes[node].kind {
             Kind::Coil(text, ..) | Kind::Variable(text, _) => self.tags(text),
+            Kind::Block { code: Some(_), .. } => self.in_text(node, |(_, writes)| writes),
             Kind::Block { .. } => {
                 let instance = self.tags.instances.get(&node).into_iter();
                 let held = self.tags.fed_back.iter().filter(|(end, _)| end.node == node);
@@ -75,6 +77,16 @@ impl Body<'_> {
             }
             _ => Vec::new(),
         }
+    }
+
+    /// The tags of a text in ST.
+    fn in_text<'b>(
+        &'b self,
+        node: usize,
+        which: impl Fn((&'b HashSet<String>, &'b HashSet<String>)) -> &'b HashSet<String>,
+    ) -> Vec<String> {
+        let tags = self.tags_of_text(node).map(which);
+        tags.into_iter().flatten().cloned().collect()
     }
 
     fn tags(&self, text: &str) -> Vec<String> {

@@ -5,6 +5,7 @@ use super::chart;
 use super::declare;
 use super::structured::{self, Seen};
 use super::tasks::{When, shortest};
+use super::texts;
 use crate::model::{Body, Part, Project, Type, Unit, UnitKind, WORKSHEET};
 use crate::scope::{Scope, Shared};
 use ladder_format::program::{Block, Drawing, Element, Item, Network, ProgramSketch};
@@ -82,11 +83,15 @@ pub(super) fn unit_items(
         _ => structured::text(unit).map(|text| structured::body(seen, unit, text, &mut made, reading)),
     };
     let is_read = matches!(structured, Some(Ok(())));
-    let why = structured.and_then(Result::err);
+    let boxes = match structured {
+        None => texts::read(seen, unit, &mut made, reading),
+        Some(_) => Ok(()),
+    };
+    let why = structured.and_then(Result::err).or(boxes.clone().err());
     let whole = if is_read {
         None
     } else {
-        whole(shared, unit, &made.scope, reading)
+        whole(shared, unit, (&made.scope, boxes.is_err()), reading)
     };
     let about = whole.as_ref().map(|(language, _)| {
         let what = format!("{} ({language})", unit.name);
@@ -131,6 +136,7 @@ pub(super) fn unit_items(
         needed,
         unread: parts,
         actions: _,
+        texts: _,
     } = made;
     *unread = parts;
     let is_needed = |name: &str| needed.contains(&name.to_lowercase());
@@ -164,7 +170,7 @@ pub(super) fn network(block: Block, place: ladder_notation::LineColumn, reading:
 fn whole(
     shared: &Shared<'_>,
     unit: &Unit,
-    scope: &Scope,
+    (scope, box_leaves): (&Scope, bool),
     reading: &mut Reading,
 ) -> Option<(&'static str, String)> {
     let sheets = unit.parts.iter().filter(|part| part.what == WORKSHEET);
@@ -175,7 +181,7 @@ fn whole(
             let lines: Vec<&str> = drawn.shown.iter().map(|(_, told)| told.as_str()).collect();
             ("SFC", lines.join("\n"))
         }
-        body if bodies.any(may_leave) => ("LD", text_of(shared, body, scope, reading)),
+        body if box_leaves || bodies.any(may_leave) => ("LD", text_of(shared, body, scope, reading)),
         _ => return None,
     };
     let shown = format!("body of {}", unit.name);
@@ -235,16 +241,7 @@ pub(super) fn action_name(name: &str) -> String {
 
 /// Whether a text in a body may end the run of the unit that it is in.
 fn may_leave(body: &Body) -> bool {
-    let leaves = |text: &str| {
-        let mut words = text.split(|c: char| !c.is_alphanumeric() && c != '_');
-        let ends = ["RETURN", "RET", "RETC", "RETCN", "JMP", "JMPC", "JMPCN"];
-        words.any(|word| ends.iter().any(|end| word.eq_ignore_ascii_case(end)))
-    };
-    match body {
-        Body::Text(_, text, _) => leaves(text),
-        Body::Graph(graph) => graph.codes().any(leaves),
-        _ => false,
-    }
+    matches!(body, Body::Text(_, text, _) if texts::may_leave(text))
 }
 
 /// What is in a body, as a text: of what is drawn the ladder that it is here.

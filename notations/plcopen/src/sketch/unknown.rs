@@ -16,7 +16,7 @@ impl Body<'_> {
             Kind::Block { name, code: None, .. } => {
                 format!("neither the project nor ladder text has a block `{name}`: {UNREAD}")
             }
-            _ => format!("ST is not read: {UNREAD}"),
+            _ => format!("{}: {UNREAD}", self.why_no_text(node).unwrap_or("ST is not read")),
         };
         self.note(node, &why);
     }
@@ -26,7 +26,10 @@ impl Body<'_> {
         let Kind::Block { name, instance, code } = &self.graph.nodes[node].kind else {
             return Err("it is not a block".to_owned());
         };
-        let about = format!("{name} is not read: {UNREAD}.");
+        let because = self
+            .why_no_text(node)
+            .map_or_else(String::new, |why| format!(" ({why})"));
+        let about = format!("{name} is not read{because}: {UNREAD}.");
         let part = |text| Unread {
             name,
             about: &about,
@@ -38,7 +41,7 @@ impl Body<'_> {
         let shared = self.shared;
         let is_taken = |name: &str| shared.has_block(name);
         if let Some(code) = code {
-            return Ok(self.made.unread.body(part(code), is_taken));
+            return Ok(self.made.unread.body(part(&code.text), is_taken));
         }
         let power = power_pins(self, node);
         let inputs = self.graph.nodes[node].inputs.iter().enumerate();

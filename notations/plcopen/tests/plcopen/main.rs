@@ -1,5 +1,6 @@
 //! PLCopen XML, read and run.
 
+mod boxes;
 mod broken;
 mod charts;
 mod corpus;

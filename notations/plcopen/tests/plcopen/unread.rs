@@ -56,25 +56,23 @@ fn a_text_that_may_end_the_unit_takes_it_along() {
     check(
         &of("b := FALSE;"),
         expect![[r#"
-        # EXECUTE is not read: a scan runs past it, and what it may write is not known. #
-        FUNCTION_BLOCK [$EXECUTE]
-        # ladder: unread #
-        # b := FALSE; #
-        END_FUNCTION_BLOCK
+            VAR
+                a     : BOOL;
+                b     : BOOL;
+                power : BOOL;  # the power after a block #
+            END_VAR
 
-        VAR
-            a : BOOL;
-            b : BOOL;
-        END_VAR
+            +--[ ]( a )--( )( power )--[NOT]-------------------------------<JMP>( past1 )--+
 
-        +--[ ]( a )----------------------------------------------[$EXECUTE]--( )( b )--+
-        approximated block EXECUTE: ST is not read: a scan runs past it, and what it may write is not known
-    "#]],
+            +-----------------------------------------------------------[MOV]( b, FALSE )--+
+
+            +--<LBL>( past1 )--[ ]( power )--------------------------------------( )( b )--+
+        "#]],
     );
     check(
         &of("IF a THEN RETURN; END_IF;"),
         expect![[r#"
-            # Main (LD) is not read: a scan runs past it, and what it may write is not known. #
+            # Main (LD) is not read (a RETURN, EXIT or GOTO may leave the text of a box): a scan runs past it, and what it may write is not known. #
             FUNCTION_BLOCK [$Main_LD]
             # ladder: unread #
             # \h EXECUTE is not read: a scan runs past it, and what it may write is not known. \h #

@@ -21,6 +21,10 @@ pub struct Body {
     pub entries: Vec<(Span, Outcome)>,
     /// The tags that are in the networks.
     pub used: HashSet<String>,
+    /// Of a text among others: the tags that it assigns or calls, in small letters.
+    pub writes: HashSet<String>,
+    /// The tags that it calls.
+    pub calls: HashSet<String>,
     /// The highest number that a label has.
     pub last_label: u32,
     /// Why the body cannot be read but as a whole.

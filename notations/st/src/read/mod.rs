@@ -30,7 +30,7 @@ pub use body::Body;
 pub use dialect::Dialect;
 use ladder_notation::{Lines, Names, UnreadParts};
 pub use lower::{Instructions, Restarted};
-pub use parts::{PartKind, PartText, read_parts};
+pub use parts::{FirstNumbers, PartKind, PartText, read_parts};
 pub(crate) use program::read;
 pub use scope::{Edge, Enumeration, Known, Parameter, ParameterRole, Scope, Shape, Structure, Type};
 pub use undeclared::{names_in_scl, undeclared};

@@ -1,13 +1,13 @@
-//! The texts of a chart in a file of another notation.
+//! The texts of a chart, or of the boxes of a drawing, in a file of another notation.
 
 use super::cursor::{Cursor, Parsed};
-use super::lower::{Piece, Surroundings, What, lower_pieces};
+use super::lower::{Piece, Surroundings, What, leaves, lower_pieces};
 use super::token::Comment;
 use super::tree::{Expression, Problem, Statement};
 use super::{Body, Dialect, Scope, units};
 use ladder_notation::{Lines, Names, UnreadParts};
 
-/// A text of a chart.
+/// A text of a chart or a drawing.
 #[derive(Debug, Clone, Copy)]
 pub struct PartText<'t> {
     /// What it says; places are bytes of it.
@@ -16,11 +16,13 @@ pub struct PartText<'t> {
     pub kind: PartKind,
 }
 
-/// What a text of a chart is.
+/// What such a text is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PartKind {
     /// The statements of an action.
     Statements,
+    /// The statements of a box, which end where the box does.
+    Enclosed,
     /// The condition of a transition: `a AND b`, `:= a AND b;`, `Go := a AND b;`.
     Condition,
 }
@@ -30,8 +32,17 @@ enum Read {
     Condition(Expression),
 }
 
-/// Reads the texts of a chart, each as a body; the last network of a condition has power if it holds. The tags that they need are
-/// those of the first. Origins are numbered from `first_origin` on, through all of them.
+/// What the numbers of some texts begin with.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct FirstNumbers {
+    /// The number of the first origin, through all of them.
+    pub origin: u32,
+    /// Labels have higher numbers than this.
+    pub label: u32,
+}
+
+/// Reads such texts, each as a body; the last network of a condition has power if it holds. The tags that they need are
+/// those of the first.
 ///
 /// # Errors
 ///
@@ -39,14 +50,14 @@ enum Read {
 pub fn read_parts(
     (parts, dialect): (&[PartText<'_>], Dialect),
     (unit, scope): (&str, &Scope),
-    first_origin: u32,
+    first: FirstNumbers,
     names: &mut Names,
     unread: &mut UnreadParts,
 ) -> Result<Vec<Body>, (Option<usize>, String)> {
     let mut all = Vec::new();
     for (number, part) in parts.iter().enumerate() {
         let (read, comments, problems) = match part.kind {
-            PartKind::Statements => {
+            PartKind::Statements | PartKind::Enclosed => {
                 let (statements, comments, problems) = units::body(part.text, dialect);
                 (Some(Read::Statements(statements)), comments, problems)
             }
@@ -56,6 +67,14 @@ pub fn read_parts(
         if let Some(problem) = problems.first() {
             let line = lines.place(part.text, problem.span.start).line;
             return Err((Some(number), problem.in_words(line)));
+        }
+        if let (PartKind::Enclosed, Some(Read::Statements(statements))) = (part.kind, &read)
+            && leaves(statements)
+        {
+            return Err((
+                Some(number),
+                "a RETURN, EXIT or GOTO may leave the text of a box".to_owned(),
+            ));
         }
         all.extend(read.map(|read| (read, comments, lines)));
     }
@@ -70,8 +89,8 @@ pub fn read_parts(
             scope,
             comments,
             instructions: None,
-            first_origin,
-            first_label: 0,
+            first_origin: first.origin,
+            first_label: first.label,
         })
         .collect();
     let pieces: Vec<Piece<'_>> = all

@@ -66,6 +66,17 @@ impl Uses<'_> {
         self.assigned.contains_key(&name.to_lowercase())
     }
 
+    /// The tags that are assigned, or whose state calls change; and those that are called. As they are called here, in small letters.
+    pub(super) fn written(&self) -> (HashSet<String>, HashSet<String>) {
+        let here = |name: &String| {
+            let known = self.scope.known(name);
+            known.map_or(name.clone(), |known| known.path.root.to_lowercase())
+        };
+        let called: HashSet<String> = self.called.keys().map(here).collect();
+        let assigned = self.assigned.keys().map(here);
+        (assigned.chain(called.iter().cloned()).collect(), called)
+    }
+
     pub(super) fn calls(&self, name: &str) -> u32 {
         self.called.get(&name.to_lowercase()).copied().unwrap_or(0)
     }

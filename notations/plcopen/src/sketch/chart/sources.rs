@@ -9,7 +9,7 @@ use crate::sketch::structured::within;
 use ladder_format::program::Expression;
 use ladder_notation::chart::{Association, Qualifier};
 use ladder_notation::{LineColumn, Lines};
-use ladder_notation_st::read::{self as st, Dialect, PartKind, PartText};
+use ladder_notation_st::read::{self as st, Dialect, FirstNumbers, PartKind, PartText};
 use std::collections::HashMap;
 
 impl<'u> Reader<'_, '_, 'u> {
@@ -205,7 +205,10 @@ impl<'u> Reader<'_, '_, 'u> {
         let bodies = st::read_parts(
             (&parts, Dialect::Iec),
             (&self.unit.name, &scope),
-            first_origin,
+            FirstNumbers {
+                origin: first_origin,
+                label: 0,
+            },
             made.scope.names_mut(),
             &mut made.unread,
         )

@@ -4,9 +4,35 @@ use super::{Pencil, RAIL};
 use crate::graph::End;
 use crate::sketch::blocks::{Class, power_output};
 use crate::standard::StandardBlock;
-use ladder_format::program::Block;
+use ladder_format::program::{Block, Path};
 
 impl Pencil<'_, '_> {
+    /// What decides whether a text runs: without power a jump goes past it. Comes back with the power that goes on.
+    pub(super) fn text(&mut self, node: usize, point: usize) -> usize {
+        let Some(past) = self.body.past(node).map(str::to_owned) else {
+            return point;
+        };
+        let output = power_output(self.body, node).unwrap_or(0);
+        let end = End { node, output };
+        let is_used = self.body.facts.uses.contains_key(&end);
+        let feeds_back = self.body.graph.feedback.iter().any(|(_, other)| *other == end);
+        if point == RAIL && !feeds_back {
+            self.held.push((end, Path::system("ON")));
+            return point;
+        }
+        let mut point = point;
+        if is_used {
+            let tag = self.body.holder(end);
+            point = self.series(point, [Block::coil(&tag)], node);
+            self.held.push((end, tag));
+        }
+        if point != RAIL {
+            self.series(point, [Block::inverter(), Block::jump(&past)], node);
+            self.body.state.jumped.insert(node);
+        }
+        point
+    }
+
     /// A coil on a tag for the power after a block, where nothing has it already.
     pub(super) fn hold(&mut self, end: End) {
         let has_tag = match self.body.class(end.node) {

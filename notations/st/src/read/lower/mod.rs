@@ -31,6 +31,7 @@ pub(super) use pieces::{Piece, What, lower_pieces};
 pub(super) use place::address;
 pub use restarted::Restarted;
 use std::collections::{HashMap, HashSet};
+pub(super) use unread::leaves;
 use value::Value;
 
 /// An instruction of the other system that is called like a function: its name, its operands, the whole text and the origin.

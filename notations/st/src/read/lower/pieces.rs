@@ -66,6 +66,11 @@ pub(in super::super) fn lower_pieces(
             unread.truncate(count);
             return Err(why);
         }
+        if let What::Statements(statements) = piece.what {
+            let mut own = Uses::none(piece.around.scope);
+            own.at_times(statements);
+            (body.writes, body.calls) = own.written();
+        }
         tags.append(&mut body.tags);
         bodies.push(body);
     }

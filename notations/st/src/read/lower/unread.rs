@@ -9,6 +9,7 @@ use ladder_format::program::Element;
 use ladder_notation::{Outcome, Power, Turn, Unread};
 
 /// The names that an unread part may write.
+#[derive(Default)]
 struct Writes {
     roots: Vec<String>,
     /// It may write anything.
@@ -50,6 +51,13 @@ pub(super) fn no_counterpart(name: &str) -> String {
     }
 }
 
+/// Whether statements may leave the body that they are, or jump in it.
+pub(in super::super) fn leaves(statements: &[Statement]) -> bool {
+    let mut writes = Writes::default();
+    writes.all(statements);
+    writes.leaves
+}
+
 impl Lowering<'_, '_> {
     /// The whole body is unread.
     pub(super) fn unread_whole(&mut self, why: &str) {
@@ -58,12 +66,7 @@ impl Lowering<'_, '_> {
 
     /// A statement without a counterpart.
     pub(super) fn unread(&mut self, statement: &Statement, why: &str) {
-        let mut writes = Writes {
-            roots: Vec::new(),
-            is_open: false,
-            leaves: false,
-            loops: 0,
-        };
+        let mut writes = Writes::default();
         writes.statement(statement);
         if writes.leaves {
             self.unread_whole(why);
