@@ -7,8 +7,10 @@ use ladder_workspace::shown;
 /// `motor.clad:3:12: error[double-coil] message`
 pub(crate) fn line(source: &Source, finding: &Diagnostic) -> String {
     let place = source.place(finding.range.start());
+    let part = source.name_of(finding.range);
+    let part = part.map_or_else(String::new, |name| format!(" ({})", shown::line(name)));
     format!(
-        "{}:{}:{}: {}[{}] {}",
+        "{}:{}:{}: {}[{}] {}{part}",
         shown::line(&source.file),
         place.line,
         place.column,

@@ -62,6 +62,9 @@ pub(crate) fn render(source: &Source, finding: &Diagnostic, renderer: &Renderer)
                 .element(origin(source, place.range))
         };
     }
+    if let Some(name) = source.name_of(finding.range) {
+        group = group.element(Level::NOTE.message(shown::line(name)));
+    }
     if let Some(help) = &finding.help {
         group = group.element(Level::HELP.message(shown::line(help)));
     }

@@ -16,6 +16,8 @@ pub(crate) struct Finding<'a> {
     #[serde(flatten)]
     place: LineColumnRange,
     #[serde(skip_serializing_if = "Option::is_none")]
+    part: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     help: Option<&'a str>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     related: Vec<RelatedPlace<'a>>,
@@ -53,6 +55,7 @@ impl<'a> Finding<'a> {
             severity: finding.severity.name(),
             message: &finding.message,
             place: place(source, finding.range),
+            part: source.name_of(finding.range),
             help: finding.help.as_deref(),
             related: finding
                 .related

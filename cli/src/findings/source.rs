@@ -205,6 +205,11 @@ impl Source {
             .map_or(range, |foreign| foreign.range(range))
     }
 
+    /// What the other system calls the part of the file that a range is in, where it is one of another system.
+    pub(crate) fn name_of(&self, range: TextRange) -> Option<&str> {
+        self.foreign.as_ref()?.name_at(range.start())
+    }
+
     /// What runs: the program with what it uses of other files.
     pub(crate) fn program(&self) -> Result<Arc<Program>, NotWhole> {
         self.linked().map(|linked| linked.program)

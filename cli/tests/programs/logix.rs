@@ -69,7 +69,7 @@ fn a_file_is_checked_run_and_tested_as_it_is() {
     expect![[r#"
         exit status 0
         -- stdout
-        cell.L5X:4:74: warning[unread-part] `MSG` is an unread part: it is not run, and may write any tag that it sees
+        cell.L5X:4:74: warning[unread-part] `MSG` is an unread part: it is not run, and may write any tag that it sees (routine Main of program First, rung 0)
         Checked 1 file: 1 warning.
     "#]]
     .assert_eq(
@@ -138,4 +138,63 @@ possible c within 20ms
     .assert_eq(&without_times(
         &folder.ladder(&["prove", "prog.ladder-test"]).to_string(),
     ));
+}
+
+/// Findings name the part of the file as Studio 5000 does.
+#[test]
+fn findings_name_routine_and_rung() {
+    let rungs = "XIC(go)OTE(lamp);]]></Text></Rung>\n<Rung Number=\"1\" Type=\"N\"><Text><![CDATA[XIC(stop)OTE(lamp);";
+    let text = project().replace("ADD(step,\\First.step,all)ADD(step,1,step);", rungs);
+    let tag = |name: &str| format!("<Tag Name=\"{name}\" TagType=\"Base\" DataType=\"BOOL\"/>");
+    let tags = format!("<Tags>{}{}{}", tag("go"), tag("stop"), tag("lamp"));
+    let folder = Folder::with(&[("cell.L5X", &text.replacen("<Tags>", &tags, 1))]);
+    for format in ["concise", "full", "json"] {
+        let expected = match format {
+            "concise" => expect![[r#"
+                exit status 0
+                -- stdout
+                cell.L5X:4:74: warning[unread-part] `MSG` is an unread part: it is not run, and may write any tag that it sees (routine Main of program First, rung 0)
+                cell.L5X:8:51: warning[double-coil] `lamp` is written by 2 coils: the last one alone decides (routine Main of program Second, rung 1)
+                Checked 1 file: 2 warnings.
+            "#]],
+            "full" => expect![[r#"
+                exit status 0
+                -- stdout
+                warning[unread-part]: `MSG` is an unread part: it is not run, and may write any tag that it sees
+                 --> cell.L5X:4:74
+                  |
+                4 | <Rung Number="0" Type="N"><Text><![CDATA[ADD(step,1,step)TON(timer,100,0)MSG(m);]]></Text></Rung>
+                  |                                                                          ^^^^^^
+                  |
+                  = note: routine Main of program First, rung 0
+                  = help: look in the program that it comes from, or write in its place what it does
+
+                warning[double-coil]: `lamp` is written by 2 coils: the last one alone decides
+                 --> cell.L5X:8:51
+                  |
+                7 | <Rung Number="0" Type="N"><Text><![CDATA[XIC(go)OTE(lamp);]]></Text></Rung>
+                  |                                                 --------- `lamp` is written here as well
+                8 | <Rung Number="1" Type="N"><Text><![CDATA[XIC(stop)OTE(lamp);]]></Text></Rung>
+                  |                                                   ^^^^^^^^^
+                  |
+                  = note: routine Main of program Second, rung 1
+                  = help: combine all conditions into one coil, joined with \ and /; or use (S) and (R)
+
+                Checked 1 file: 2 warnings.
+            "#]],
+            _ => expect![[r#"
+                exit status 0
+                -- stdout
+                [
+                  {"file":"cell.L5X","rule":"unread-part","severity":"warning","message":"`MSG` is an unread part: it is not run, and may write any tag that it sees","line":4,"column":74,"end_line":4,"end_column":80,"part":"routine Main of program First, rung 0","help":"look in the program that it comes from, or write in its place what it does"},
+                  {"file":"cell.L5X","rule":"double-coil","severity":"warning","message":"`lamp` is written by 2 coils: the last one alone decides","line":8,"column":51,"end_line":8,"end_column":60,"part":"routine Main of program Second, rung 1","help":"combine all conditions into one coil, joined with \\ and /; or use (S) and (R)","related":[{"file":"cell.L5X","message":"`lamp` is written here as well","line":7,"column":49,"end_line":7,"end_column":58}]}
+                ]
+            "#]],
+        };
+        expected.assert_eq(
+            &folder
+                .ladder(&["check", "--format", format, "cell.L5X"])
+                .to_string(),
+        );
+    }
 }

@@ -24,6 +24,8 @@ pub struct Converted {
     pub written: WrittenProgram,
     /// Where in the foreign file that something is.
     pub places: Vec<LineColumn>,
+    /// See [`Reading::names`]; in their order.
+    pub names: Vec<(LineColumn, String)>,
     /// What became of each element.
     pub report: Report,
     /// What the other system itself would complain about.
@@ -58,6 +60,7 @@ pub fn convert(
     let Reading {
         mut program,
         places,
+        mut names,
         report,
         findings,
         mut files,
@@ -89,9 +92,10 @@ pub fn convert(
         });
         written = program.write(options);
     }
-    let mut names = HashSet::new();
+    names.sort_by_key(|(place, _)| *place);
+    let mut taken = HashSet::new();
     let files = files.into_iter().map(|file| Companion {
-        name: file_name(&file.name, &mut names),
+        name: file_name(&file.name, &mut taken),
         bytes: match file.content {
             Content::Program(program) => program.write(options).text.into(),
             Content::Text(text) => text.into(),
@@ -102,6 +106,7 @@ pub fn convert(
         exact_in_files,
         written,
         places,
+        names,
         report,
         findings,
     })

@@ -164,6 +164,15 @@ impl Foreign {
         uses
     }
 
+    /// What the other system calls the part of the file that an offset of the shown text is in, where it has a name.
+    pub fn name_at(&self, offset: TextSize) -> Option<&str> {
+        let place = self.lines.place(&self.text, usize::from(offset));
+        let names = &self.converted.names;
+        let before = names.partition_point(|(start, _)| *start <= place);
+        let (_, name) = names.get(before.checked_sub(1)?)?;
+        Some(name)
+    }
+
     /// Line and column that a part of the ladder text was made from.
     pub fn place(&self, of_ladder: TextRange) -> LineColumn {
         let start = usize::from(self.range(of_ladder).start());

@@ -10,6 +10,8 @@ pub struct Reading {
     pub program: ProgramSketch,
     /// Where in the foreign file things are: the origins in the sketch are indices into this.
     pub places: Vec<LineColumn>,
+    /// What the other system calls the parts of the file, each with where it begins: `routine Main of program Pump, rung 3`.
+    pub names: Vec<(LineColumn, String)>,
     /// What became of each element.
     pub report: Report,
     /// What the other system itself would complain about.

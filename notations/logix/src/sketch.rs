@@ -155,6 +155,7 @@ impl<'p> Sketcher<'p> {
             self.reading.files = self.files(parts, plan);
         }
         self.idle_programs(plan);
+        self.name_parts();
         self.protected();
         self.accounts();
     }
@@ -169,6 +170,34 @@ impl<'p> Sketcher<'p> {
         items.extend(first);
         items.extend(self.unit(number));
         items
+    }
+
+    /// What a person who has the project open calls its parts; rungs count from 0 there.
+    fn name_parts(&mut self) {
+        let project = self.translator.project;
+        let mut names = Vec::new();
+        for program in &project.programs {
+            names.push((program.at, format!("program {}", program.name)));
+        }
+        for aoi in project.aois.iter().filter(|aoi| aoi.sized_from.is_none()) {
+            names.push((aoi.at, format!("Add-On Instruction {}", aoi.name)));
+        }
+        for unit in self.units {
+            // The sizes of one instruction are one there.
+            let is_size = |number: usize| project.aois[number].sized_from.is_some();
+            let owner = match unit.owner {
+                Owner::Aoi(number) if is_size(number) => continue,
+                Owner::Program(number) => format!("program {}", project.programs[number].name),
+                Owner::Aoi(number) => format!("Add-On Instruction {}", project.aois[number].name),
+            };
+            let routine = format!("routine {} of {owner}", unit.routine.name);
+            names.push((unit.routine.at, routine.clone()));
+            for (number, rung) in unit.routine.rungs.iter().enumerate() {
+                names.push((rung.at, format!("{routine}, rung {number}")));
+            }
+        }
+        let names = names.into_iter().map(|(at, name)| (self.place(at), name));
+        self.reading.names = names.collect();
     }
 
     /// Programs that no task runs.
