@@ -11,8 +11,8 @@ pub use conversion::{CONVERSION, conversion_of_cplc_draft};
 pub use form::Form;
 pub use ladder_notation::{
     Companion, Converted, Entry, Finding, Foreign, LineColumn, Lines, Mark, Notation, OneFile, Outcome,
-    Reach, ReadError, Remark, Report, Source, Tally, WriteError, Writing, convert, has_extension, remarks,
-    write_checked, write_one_file,
+    ProjectTask, Reach, ReadError, Remark, Report, Source, Tally, WriteError, Writing, convert,
+    has_extension, remarks, write_checked, write_one_file,
 };
 
 use ladder_notation::in_utf8;

@@ -5,8 +5,10 @@ use super::file_name::file_name;
 use super::functions::again::functions_again;
 use super::loops::again::loops_again;
 use super::system::again::system_tags_again;
+use super::tasks::task_settings;
 use super::{
-    Companion, Content, Finding, LineColumn, Notation, ProjectFile, ReadError, Reading, Report, Source,
+    Companion, Content, Finding, LineColumn, Notation, ProjectFile, ProjectTask, ReadError, Reading, Report,
+    Source,
 };
 use ladder_format::program::{Item, ProgramSketch, WrittenProgram};
 use ladder_syntax::TextSize;
@@ -32,6 +34,8 @@ pub struct Converted {
     pub findings: Vec<Finding>,
     /// The files of a project, for a folder; empty: the program is one file.
     pub files: Vec<Companion>,
+    /// The tasks that run its programs, which the settings among the files have.
+    pub tasks: Vec<ProjectTask>,
     /// See [`Reading::exact_in_files`].
     pub exact_in_files: Vec<(LineColumn, String)>,
 }
@@ -94,15 +98,20 @@ pub fn convert(
     }
     names.sort_by_key(|(place, _)| *place);
     let mut taken = HashSet::new();
+    let mut tasks = Vec::new();
     let files = files.into_iter().map(|file| Companion {
         name: file_name(&file.name, &mut taken),
         bytes: match file.content {
             Content::Program(program) => program.write(options).text.into(),
-            Content::Text(text) => text.into(),
+            Content::Settings(text, all) => {
+                tasks = all;
+                (text + &task_settings(&tasks)).into()
+            }
         },
     });
     Ok(Converted {
         files: files.collect(),
+        tasks,
         exact_in_files,
         written,
         places,
@@ -115,7 +124,7 @@ pub fn convert(
 fn programs(files: &mut [ProjectFile]) -> impl Iterator<Item = &mut ProgramSketch> {
     files.iter_mut().filter_map(|file| match &mut file.content {
         Content::Program(program) => Some(program),
-        Content::Text(_) => None,
+        Content::Settings(..) => None,
     })
 }
 

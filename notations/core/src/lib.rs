@@ -73,6 +73,6 @@ pub use remark::{Remark, remarks};
 pub use report::{Entry, Outcome, Report, Tally};
 pub use source::{Bytes, Companion, Source, text_of};
 pub use target::{Stays, Target, Unwritable};
-pub use tasks::{ProjectTask, task_settings};
+pub use tasks::ProjectTask;
 pub use unread::{Power, Turn, Unread, UnreadParts, foreign_text_of, unread_body, unread_operands};
 pub use written::{refuse_unread, write_checked};

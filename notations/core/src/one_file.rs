@@ -1,7 +1,8 @@
 //! A whole project in one file, out of the files of a folder.
 
 use crate::{
-    Companion, Converted, Entry, LineColumn, Lines, Notation, Project, Report, Source, WriteError, convert,
+    Companion, Converted, Entry, LineColumn, Lines, Notation, Project, ProjectTask, Report, Source,
+    WriteError, convert,
 };
 use ladder_analysis::Analysis;
 use std::collections::{BTreeMap, HashMap};
@@ -35,8 +36,8 @@ pub struct OneFile {
     pub reports: Vec<(String, Report)>,
 }
 
-/// Writes the files of a folder, each with its name and its text, as one file, whose name has this stem. `original`: the file that they
-/// come from. What is written is read again: an error in that is refused in the report.
+/// Writes the files of a folder, each with its name and its text, as one file, whose name has this stem. `tasks`: what runs them; none:
+/// what runs those of the original, else one task. `original`: the file that they come from. What is written is read again: an error in that is refused in the report.
 ///
 /// # Errors
 ///
@@ -44,11 +45,12 @@ pub struct OneFile {
 pub fn write_one_file(
     notation: &'static dyn Notation,
     files: &[(String, String)],
+    tasks: &[ProjectTask],
     stem: &str,
     original: Option<&Source<'_>>,
 ) -> Result<OneFile, WriteError> {
     let Some(source) = original else {
-        let mut project = Project::of(files)?;
+        let mut project = Project::of(files, tasks)?;
         Arc::make_mut(&mut project.analysis.context).name = stem.into();
         let mut writing = notation.write_project(&project, None)?;
         refuse_errors(notation, &mut writing, stem, None);
@@ -58,14 +60,17 @@ pub fn write_one_file(
     let before = convert(notation, source, &ladder_format::Options::default())
         .map_err(|error| wrong(error.to_string()))?;
     let read = files_of(&before, files);
-    if is_same(&read, files) {
+    let mut known = before.tasks.clone();
+    known.sort_by_key(|task| task.priority);
+    let tasks = if tasks.is_empty() { &known } else { tasks };
+    if is_same(&read, files) && known == tasks {
         return Ok(OneFile {
             bytes: source.bytes.to_vec(),
             reports: Vec::new(),
         });
     }
-    let was = Project::of(&read).map_err(|error| wrong(error.message))?;
-    let project = Project::of(files)?;
+    let was = Project::of(&read, &known).map_err(|error| wrong(error.message))?;
+    let project = Project::of(files, tasks)?;
     let kept = Kept { source, before: &was };
     let mut writing = notation.write_project(&project, Some(&kept))?;
     refuse_errors(notation, &mut writing, stem, Some(&before));

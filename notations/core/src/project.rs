@@ -6,7 +6,7 @@
 use crate::elements::{change, is_comment, rename, rung};
 use crate::functions::taken_out;
 use crate::whole::{called_name, declaration, is_shared};
-use crate::{LineColumn, Lines, Names, Report, WriteError};
+use crate::{LineColumn, Lines, Names, ProjectTask, Report, WriteError};
 use ladder_analysis::context::{Body, Callee, Context};
 use ladder_analysis::{Analysis, AnalyzeOptions, Exported, analyze, exports, link_files};
 use ladder_format::Options;
@@ -27,6 +27,8 @@ pub struct Project {
     functions: HashMap<Name, (usize, String)>,
     /// The file of each tag that only its file sees, and what it is called there.
     tags: HashMap<Name, (usize, String)>,
+    /// The tasks that run the files; none: each runs in each scan.
+    tasks: Vec<ProjectTask>,
     /// The files, each among the others.
     analyses: Vec<Arc<Analysis>>,
     written: WrittenProgram,
@@ -46,13 +48,13 @@ struct File {
 }
 
 impl Project {
-    /// The project of some files, each with its name in the folder and its text.
+    /// The project of some files, each with its name in the folder and its text, and of the tasks that run them.
     ///
     /// # Errors
     ///
     /// If one has errors, or they cannot be one program: they count and time in different ways, or two declare a block, a type or a global
     /// of one name.
-    pub fn of(files: &[(String, String)]) -> Result<Project, WriteError> {
+    pub fn of(files: &[(String, String)], tasks: &[ProjectTask]) -> Result<Project, WriteError> {
         let analyses = analysed(files)?;
         let order = order(&analyses);
         let mut project = Project {
@@ -60,6 +62,7 @@ impl Project {
             files: Vec::new(),
             functions: HashMap::new(),
             tags: HashMap::new(),
+            tasks: tasks.to_vec(),
             analyses: Vec::new(),
             written: WrittenProgram::default(),
             lines: Lines::of(""),
@@ -99,6 +102,16 @@ impl Project {
             )));
         }
         Ok(project)
+    }
+
+    /// The tasks, in the order in which those run that are due together. None: each file runs in each scan.
+    pub fn tasks(&self) -> &[ProjectTask] {
+        &self.tasks
+    }
+
+    /// The file of this name.
+    pub fn number_of(&self, name: &str) -> Option<usize> {
+        self.files.iter().position(|file| file.name == name)
     }
 
     /// How many files there are.

@@ -1,6 +1,6 @@
 //! What a notation makes of a file, and of a program.
 
-use super::{Companion, Finding, LineColumn, Report};
+use super::{Companion, Finding, LineColumn, ProjectTask, Report};
 use ladder_format::program::ProgramSketch;
 
 /// What was read.
@@ -37,8 +37,8 @@ pub struct ProjectFile {
 pub enum Content {
     /// A program, or types and blocks that programs share.
     Program(ProgramSketch),
-    /// Settings, as they are written.
-    Text(String),
+    /// Settings: what comes first, as it is written, and the tasks.
+    Settings(String, Vec<ProjectTask>),
 }
 
 impl Reading {

@@ -14,7 +14,7 @@ use crate::scope::CONTROLLER;
 use crate::sketch::Sketcher;
 use ladder_format::program::{Item, ProgramSketch, SectionKind};
 use ladder_notation::names::Names;
-use ladder_notation::{Content, ProjectFile, ProjectTask, task_settings};
+use ladder_notation::{Content, ProjectFile, ProjectTask};
 
 /// The parts of a program.
 pub(crate) struct Parts {
@@ -110,12 +110,12 @@ impl Sketcher<'_> {
             add(name, items);
         }
         let first = begins.then(|| format!("{controller}.clad"));
-        let settings = SETTINGS.to_owned() + &task_settings(&tasks(project, &runs, first, is_one));
+        let tasks = tasks(project, &runs, first, is_one);
         add(&types, parts.types);
         add(&blocks, parts.blocks);
         files.push(ProjectFile {
             name: "ladder.toml".to_owned(),
-            content: Content::Text(settings),
+            content: Content::Settings(SETTINGS.to_owned(), tasks),
         });
         files
     }
@@ -142,26 +142,20 @@ fn tasks(
     // A continuous task runs whenever no other does.
     let shortest = project
         .rate
-        .as_ref()
-        .filter(|rate| rate.parse::<u32>().is_ok_and(|rate| rate > 0));
-    let shortest = shortest.map_or("10ms".to_owned(), |rate| format!("{rate}ms"));
+        .as_deref()
+        .and_then(nanoseconds)
+        .unwrap_or(10_000_000);
     let planned = project
         .tasks
         .iter()
         .filter(|task| !task.inhibited && task.kind != TaskKind::Event);
     let mut tasks: Vec<ProjectTask> = planned
         .map(|task| {
-            let rate = task
-                .rate
-                .as_ref()
-                .filter(|rate| rate.parse::<f64>().is_ok_and(|rate| rate > 0.0));
+            let rate = task.rate.as_deref().and_then(nanoseconds);
             let is_periodic = task.kind == TaskKind::Periodic;
             ProjectTask {
                 name: task.name.clone(),
-                interval: match rate.filter(|_| is_periodic) {
-                    Some(rate) => format!("{rate}ms"),
-                    None => shortest.clone(),
-                },
+                interval: rate.filter(|_| is_periodic).unwrap_or(shortest),
                 priority: task.priority.filter(|_| is_periodic).unwrap_or(LAST),
                 programs: task.programs.iter().filter_map(file_of).collect(),
             }
@@ -189,6 +183,14 @@ fn tasks(
     }
     tasks.retain(|task| !is_one || task.programs.len() == 1);
     tasks
+}
+
+/// A rate, which is in milliseconds. None: there is no time between two runs, or it is longer than some months.
+fn nanoseconds(rate: &str) -> Option<i64> {
+    let nanoseconds = rate.parse::<f64>().ok()? * 1e6;
+    (1.0..1e16)
+        .contains(&nanoseconds)
+        .then_some(nanoseconds.round() as i64)
 }
 
 /// The priority of a continuous task: after all others.

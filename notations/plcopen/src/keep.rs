@@ -52,7 +52,12 @@ pub(crate) fn write(files: &Files, kept: &Kept<'_>) -> Result<WrittenProject, Wr
     keep_globals(original, &mut before, &mut after, &mut reports)?;
     for project in [&mut before, &mut after] {
         name_as_there(&there, project);
-        project.tasks = tasks(&there, project);
+    }
+    let [was, now] = [&before, &after].map(|project| project.tasks.clone());
+    before.tasks = tasks(&there, &before);
+    after.tasks = tasks(&there, &after);
+    if files.tasks() != kept.before.tasks() {
+        change_tasks(&mut after.tasks, &was, &now);
     }
     let program = |number: usize| name(files, number);
     let broken_units = keep_broken(
@@ -299,6 +304,11 @@ fn name_as_there(there: &Project, project: &mut Project) {
     for global in &mut project.globals {
         rename(&mut global.ty, &names);
     }
+    for (_, program) in project.tasks.iter_mut().flat_map(|task| &mut task.programs) {
+        if let Some(own) = names.get(&program.to_lowercase()) {
+            program.clone_from(own);
+        }
+    }
 }
 
 fn is(unit: &Unit, name: &str) -> bool {
@@ -422,6 +432,53 @@ fn tasks(there: &Project, project: &Project) -> Vec<Task> {
             .extend(new.map(|unit| (LineColumn::START, unit.name.clone())));
     }
     tasks
+}
+
+/// Tasks with what of them is otherwise now.
+fn change_tasks(tasks: &mut Vec<Task>, was: &[Task], now: &[Task]) {
+    let find = |tasks: &[Task], name: &str| {
+        let mut tasks = tasks.iter();
+        tasks.position(|task| task.name.eq_ignore_ascii_case(name))
+    };
+    tasks.retain(|task| find(was, &task.name).is_none() || find(now, &task.name).is_some());
+    let names = |task: &Task| -> Vec<String> {
+        let names = task.programs.iter().map(|(_, name)| name.to_lowercase());
+        names.collect()
+    };
+    let known: HashSet<String> = was.iter().chain(now).flat_map(names).collect();
+    for own in now {
+        let before = find(was, &own.name).map(|at| &was[at]);
+        let Some(at) = find(tasks, &own.name) else {
+            tasks.push(own.clone());
+            continue;
+        };
+        let task = &mut tasks[at];
+        if before.is_none_or(|before| before.interval != own.interval) {
+            task.interval.clone_from(&own.interval);
+            task.event = None;
+        }
+        if before.is_none_or(|before| before.priority != own.priority) {
+            task.priority = own.priority;
+        }
+        // What no file of the folder is stays.
+        if before.is_none_or(|before| names(before) != names(own)) {
+            let rest = task.programs.drain(..);
+            let rest: Vec<_> = rest
+                .filter(|(_, name)| !known.contains(&name.to_lowercase()))
+                .collect();
+            task.programs.clone_from(&own.programs);
+            task.programs.extend(rest);
+        }
+    }
+    // A program that has moved to another task.
+    for task in tasks {
+        let own: Vec<String> = find(now, &task.name).map_or_else(Vec::new, |at| names(&now[at]));
+        let others: HashSet<String> = now.iter().flat_map(names).collect();
+        task.programs.retain(|(_, name)| {
+            let name = name.to_lowercase();
+            own.contains(&name) || !others.contains(&name)
+        });
+    }
 }
 
 /// The units that are written anew, in small letters: those that are changed, and those that call one of them or are called by one, where the file

@@ -7,8 +7,8 @@ use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
 use crate::output::Existing;
 use crate::terminal;
-use ladder_notations::{Notation, Source, recognise, write_one_file};
-use ladder_workspace::{find_programs, read_bytes, shown};
+use ladder_notations::{Notation, ProjectTask, Source, recognise, write_one_file};
+use ladder_workspace::{Settings, find_programs, read_bytes, shown};
 use std::path::{Path, PathBuf};
 
 /// A folder, and the file that its programs go into.
@@ -70,9 +70,9 @@ impl<'a> Target<'a> {
         for path in &paths {
             let text = ladder_workspace::decode(path, read_bytes(path)?)?;
             let below = path.strip_prefix(self.folder).unwrap_or(path);
-            let parts: Vec<_> = below.iter().map(|part| part.to_string_lossy()).collect();
-            files.push((parts.join("/"), text));
+            files.push((name_in(below), text));
         }
+        let tasks = self.tasks(&paths[0], &files)?;
         let kept = self.original()?;
         let bytes = kept.as_deref().map(read_bytes).transpose()?;
         let source = match (&kept, &bytes) {
@@ -80,13 +80,14 @@ impl<'a> Target<'a> {
             _ => None,
         };
         let stem = self.output.file_stem().unwrap_or_default().to_string_lossy();
-        let written = write_one_file(self.notation, &files, &stem, source.as_ref()).map_err(|error| {
-            Failure::new(format!(
-                "{}: this cannot be written as one {}: {error}",
-                shown::path(self.folder),
-                self.notation.title()
-            ))
-        })?;
+        let written =
+            write_one_file(self.notation, &files, &tasks, &stem, source.as_ref()).map_err(|error| {
+                Failure::new(format!(
+                    "{}: this cannot be written as one {}: {error}",
+                    shown::path(self.folder),
+                    self.notation.title()
+                ))
+            })?;
         finish(Vec::from_iter(open(Some(self.output), &written.bytes, existing)?))?;
         if let (Some(kept), true) = (&kept, written.reports.is_empty()) {
             terminal::note(&format!(
@@ -108,6 +109,54 @@ impl<'a> Target<'a> {
         });
         let accounts = accounts.collect();
         Ok((accounts, outcome))
+    }
+
+    /// The tasks of the settings that run programs of the folder, which are these files. `program`: one of them.
+    fn tasks(&self, program: &Path, files: &[(String, String)]) -> Result<Vec<ProjectTask>, Failure> {
+        let folder = self
+            .folder
+            .canonicalize()
+            .unwrap_or_else(|_| self.folder.to_owned());
+        let settings = Settings::of(program)?;
+        let mut tasks = Vec::new();
+        for task in settings.simulate.tasks {
+            let (mut programs, mut outside) = (Vec::new(), None);
+            for (program, _) in &task.programs {
+                let path = program.locate()?;
+                match path.strip_prefix(&folder) {
+                    Ok(below) if files.iter().any(|(name, _)| *name == name_in(below)) => {
+                        programs.push(name_in(below));
+                    }
+                    Ok(below) => {
+                        return Err(Failure::new(format!(
+                            "{}: task {} runs {}, which is not among the programs of this folder",
+                            shown::path(self.folder),
+                            task.name,
+                            shown::path(below)
+                        )));
+                    }
+                    Err(_) => outside = Some(program.path()),
+                }
+            }
+            match outside {
+                Some(path) if !programs.is_empty() => {
+                    return Err(Failure::new(format!(
+                        "{}: task {} runs {}, too, which is not in this folder: name the folder that all its programs are in",
+                        shown::path(self.folder),
+                        task.name,
+                        shown::path(&path)
+                    )));
+                }
+                Some(_) => {}
+                None => tasks.push(ProjectTask {
+                    name: task.name,
+                    interval: task.interval,
+                    priority: task.priority,
+                    programs,
+                }),
+            }
+        }
+        Ok(tasks)
     }
 
     /// The file that the programs come from: the one that is named, else the one of the notation that is in the folder.
@@ -145,6 +194,12 @@ impl<'a> Target<'a> {
         }
         Ok(FOREIGN.source(self.notation, path, bytes)?)
     }
+}
+
+/// What a file is called in its folder.
+fn name_in(below: &Path) -> String {
+    let parts: Vec<_> = below.iter().map(|part| part.to_string_lossy()).collect();
+    parts.join("/")
 }
 
 /// The notation of a file that is to hold a whole project.

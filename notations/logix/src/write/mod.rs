@@ -248,6 +248,10 @@ fn file(
         writer.report.approximated(LineColumn::START, "program", why);
     }
     writer.know_originals();
+    for (task, why) in &layout.runs.told {
+        let task = format!("task {task}");
+        writer.report.approximated(LineColumn::START, task, why.as_str());
+    }
     let project = writer.project(unwritable);
     let mut report = writer.report;
     for (name, spelled) in &writer.names.changed {

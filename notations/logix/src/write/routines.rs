@@ -128,8 +128,8 @@ impl Writer<'_> {
                         waiting.clear();
                         continue;
                     }
-                    // The file says when its programs run.
-                    if layout.originals.is_some() && self.is_of_a_task(network) {
+                    // The tasks say when their programs run.
+                    if layout.runs.tasks.is_some() && self.is_of_a_task(network) {
                         self.translated(network);
                         continue;
                     }
@@ -531,7 +531,8 @@ fn comment(waiting: &mut Vec<String>) -> Option<String> {
 }
 
 /// A period in milliseconds.
-fn rate(nanoseconds: i64) -> String {
+/// Nanoseconds as a rate, which is in milliseconds.
+pub(super) fn rate(nanoseconds: i64) -> String {
     let milliseconds = nanoseconds as f64 / 1e6;
     format!("{milliseconds}")
 }

@@ -371,17 +371,23 @@ impl Out {
         } else {
             &project.tasks
         };
+        // The one that runs as often as the program says.
         let is_timed = |task: &&Task| task.kind == TaskKind::Periodic;
         let timed = tasks.iter().find(is_timed).or(tasks.first());
         for task in tasks {
-            let rate = project
-                .rate
-                .as_ref()
-                .filter(|_| timed.is_some_and(|timed| timed.name == task.name));
-            let kind = if rate.is_some() { "PERIODIC" } else { "CONTINUOUS" };
+            let of_program = project.rate.as_ref();
+            let of_program = of_program.filter(|_| timed.is_some_and(|timed| timed.name == task.name));
+            let rate = task.rate.as_ref().or(of_program);
+            let kind = match task.kind {
+                TaskKind::Event => "EVENT",
+                TaskKind::Periodic => "PERIODIC",
+                TaskKind::Continuous if rate.is_some() => "PERIODIC",
+                TaskKind::Continuous => "CONTINUOUS",
+            };
+            let priority = task.priority.unwrap_or(10).to_string();
             let mut attributes = vec![("Name", task.name.as_str()), ("Type", kind)];
             attributes.extend(rate.map(|rate| ("Rate", rate.as_str())));
-            attributes.extend([("Priority", "10"), ("Watchdog", "500")]);
+            attributes.extend([("Priority", priority.as_str()), ("Watchdog", "500")]);
             attributes.extend([("DisableUpdateOutputs", "false"), ("InhibitTask", "false")]);
             self.open("Task", &attributes);
             self.open("ScheduledPrograms", &[]);

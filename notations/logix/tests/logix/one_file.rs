@@ -4,7 +4,7 @@ use crate::exports::routine;
 use crate::files::corpus_files;
 use expect_test::{Expect, expect};
 use ladder_format::Options;
-use ladder_notation::{OneFile, Outcome, Source, convert, write_one_file};
+use ladder_notation::{OneFile, Outcome, ProjectTask, Source, convert, write_one_file};
 use ladder_notation_logix::L5x;
 
 type Files = Vec<(String, String)>;
@@ -27,7 +27,7 @@ fn folder(export: &str) -> Files {
 /// Writes files into the export that they come from.
 fn back(export: &str, files: &Files) -> OneFile {
     let source = Source::alone("cell", export.as_bytes());
-    write_one_file(&L5x, files, "cell", Some(&source)).unwrap_or_else(|error| panic!("{error}"))
+    write_one_file(&L5x, files, &[], "cell", Some(&source)).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn text(written: &OneFile) -> String {
@@ -455,7 +455,7 @@ fn a_program_of_a_new_controller_begins_with_what_it_runs_first() {
     let files: Files = ["Fan.clad", "Pump.clad"]
         .map(|name| (name.to_owned(), calls.to_owned()))
         .to_vec();
-    let written = write_one_file(&L5x, &files, "plant", None).unwrap_or_else(|error| panic!("{error}"));
+    let written = write_one_file(&L5x, &files, &[], "plant", None).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(
         written
             .reports
@@ -498,6 +498,54 @@ fn a_program_of_a_new_controller_begins_with_what_it_runs_first() {
     .assert_eq(&shown.concat());
 }
 
+/// The tasks of an export, written with other tasks.
+fn with_tasks(export: &str, change: impl Fn(&mut Vec<ProjectTask>)) -> String {
+    let source = Source::alone("cell", export.as_bytes());
+    let converted = convert(&L5x, &source, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
+    let mut tasks = converted.tasks;
+    change(&mut tasks);
+    let files = folder(export);
+    let written = write_one_file(&L5x, &files, &tasks, "cell", Some(&source));
+    difference(export, &written.unwrap_or_else(|error| panic!("{error}")))
+}
+
+#[test]
+fn a_continuous_task_with_another_interval_is_periodic() {
+    let export = cell().replace(
+        "Type=\"PERIODIC\" Rate=\"5\" Priority=\"3\"",
+        "Type=\"CONTINUOUS\" Watchdog=\"80\"",
+    );
+    expect![[r#""#]].assert_eq(&with_tasks(&export, |_| {}));
+    let slower = |tasks: &mut Vec<ProjectTask>| tasks[0].interval *= 2;
+    expect![[r#"
+        -<Task Name="Fast" Type="CONTINUOUS" Watchdog="80">
+        +<Task Name="Fast" Type="PERIODIC" Watchdog="80" Priority="15" Rate="20">
+        Pump.clad:1:1: task Fast: its priority is 15 there: those of tasks are 1 to 15
+    "#]]
+    .assert_eq(&with_tasks(&export, slower));
+}
+
+#[test]
+fn events_and_inhibited_tasks_stay() {
+    let event = "<Task Name=\"Event\" Type=\"EVENT\">\n<ScheduledPrograms>\n<ScheduledProgram Name=\"Valve\"/>\n</ScheduledPrograms>\n</Task>\n</Tasks>";
+    let export = cell()
+        .replace("<ScheduledProgram Name=\"Valve\"/>\n", "")
+        .replace("</Tasks>", event);
+    let slower = |tasks: &mut Vec<ProjectTask>| tasks[0].interval *= 2;
+    expect![[r#"
+        -<Task Name="Fast" Type="PERIODIC" Rate="5" Priority="3">
+        +<Task Name="Fast" Type="PERIODIC" Rate="10" Priority="3">
+    "#]]
+    .assert_eq(&with_tasks(&export, slower));
+    // What a task runs now is run by no other.
+    let more = |tasks: &mut Vec<ProjectTask>| tasks[0].programs.push("Valve.clad".to_owned());
+    expect![[r#"
+        +<ScheduledProgram Name="Valve"/>
+        -<ScheduledProgram Name="Valve"/>
+    "#]]
+    .assert_eq(&with_tasks(&export, more));
+}
+
 /// The files of a folder as a new export.
 #[track_caller]
 fn written(files: &[(&str, &str)], expected: Expect) {
@@ -505,7 +553,7 @@ fn written(files: &[(&str, &str)], expected: Expect) {
         .iter()
         .map(|(name, text)| ((*name).to_owned(), (*text).to_owned()))
         .collect();
-    let written = write_one_file(&L5x, &files, "plant", None).unwrap_or_else(|error| panic!("{error}"));
+    let written = write_one_file(&L5x, &files, &[], "plant", None).unwrap_or_else(|error| panic!("{error}"));
     expected.assert_eq(&difference("", &written));
 }
 
@@ -623,7 +671,7 @@ fn why(files: &[(&str, &str)]) -> String {
         .iter()
         .map(|(name, text)| ((*name).to_owned(), (*text).to_owned()))
         .collect();
-    let error = write_one_file(&L5x, &files, "plant", None).expect_err("it cannot be written");
+    let error = write_one_file(&L5x, &files, &[], "plant", None).expect_err("it cannot be written");
     format!("{error}\n")
 }
 
@@ -651,7 +699,8 @@ fn an_original_that_is_none_says_so() {
     let files = folder(&cell());
     let with = |original: &str| {
         let source = Source::alone("cell", original.as_bytes());
-        let error = write_one_file(&L5x, &files, "cell", Some(&source)).expect_err("it cannot be written");
+        let error =
+            write_one_file(&L5x, &files, &[], "cell", Some(&source)).expect_err("it cannot be written");
         format!("{error}\n")
     };
     let jump = cell().replace("XIC(go)OTE(run);", "XIC(go)JMP(nowhere);");

@@ -26,9 +26,7 @@ use super::model::{Body, Project, Task, Unit, UnitKind};
 use super::scope::{Scope, Shared};
 use ladder_format::Circuit;
 use ladder_format::program::{Block, Drawing, Element, Item, Network, Path, ProgramSketch};
-use ladder_notation::{
-    Content, Names, ProjectFile, ProjectTask, Reading, UnreadParts, is_function, task_settings,
-};
+use ladder_notation::{Content, Names, ProjectFile, ProjectTask, Reading, UnreadParts, is_function};
 use std::collections::HashSet;
 use structured::Seen;
 use tasks::{Run, When, at_times, order, shortest};
@@ -253,7 +251,10 @@ fn together(
 fn project_task(project: &Project, task: &Task) -> Option<ProjectTask> {
     let own = task.interval.as_deref().and_then(duration::nanoseconds);
     let interval = own.filter(|own| *own > 0).or_else(|| shortest(project));
-    let interval = interval.map_or_else(|| Some("10ms".to_owned()), duration::interval)?;
+    let interval = i64::try_from(interval.unwrap_or(10_000_000)).ok()?;
+    if interval % 1_000 != 0 {
+        return None;
+    }
     task.event.is_none().then(|| ProjectTask {
         name: task.name.clone(),
         interval,
@@ -309,7 +310,7 @@ fn files(
         }
         files.push(file);
     }
-    let mut settings = format!(
+    let settings = format!(
         "# {}\n",
         project
             .comments
@@ -317,10 +318,9 @@ fn files(
             .map_or("A project", |told| told.trim())
             .replace(char::is_control, " ")
     );
-    settings.push_str(&task_settings(&tasks));
     files.push(ProjectFile {
         name: "ladder.toml".to_owned(),
-        content: Content::Text(settings),
+        content: Content::Settings(settings, tasks),
     });
     files
 }

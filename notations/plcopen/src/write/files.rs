@@ -2,10 +2,10 @@
 
 use super::compiler::Compiler;
 use crate::emit;
-use crate::model::{Project, Unit, UnitKind};
+use crate::model::{Project, Task, Unit, UnitKind};
 use ladder_analysis::context::Body;
 use ladder_analysis::names::scope::{Origin, SectionKind};
-use ladder_notation::{LineColumn, Project as Files, Report, Target, WriteError, Writing};
+use ladder_notation::{LineColumn, Project as Files, ProjectTask, Report, Target, WriteError, Writing};
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -30,6 +30,7 @@ pub(crate) fn project(
             order.push((number, analysis));
         }
     }
+    let mut programs_of: HashMap<usize, String> = HashMap::new();
     let first_program = order.len();
     order.append(&mut programs);
     reports.resize(files.count(), Report::default());
@@ -50,9 +51,32 @@ pub(crate) fn project(
             })
         })?;
         reports[number] = writing.report;
-        joined.add(made.into_inner(), &own, is_program, files.file(number))?;
+        let program = joined.add(made.into_inner(), &own, is_program, files.file(number))?;
+        programs_of.extend(program.map(|program| (number, program)));
+    }
+    if !files.tasks().is_empty() {
+        let tasks = files.tasks().iter();
+        joined.project.tasks = tasks.map(|task| scheduled(files, task, &programs_of)).collect();
     }
     Ok((joined.project, reports))
+}
+
+/// A task with the programs that its files are.
+fn scheduled(files: &Files, task: &ProjectTask, programs_of: &HashMap<usize, String>) -> Task {
+    let programs = task
+        .programs
+        .iter()
+        .filter_map(|file| programs_of.get(&files.number_of(file)?));
+    Task {
+        place: LineColumn::START,
+        name: super::names::identifier(&task.name),
+        interval: Some(super::text::time(task.interval)),
+        event: None,
+        priority: task.priority,
+        programs: programs
+            .map(|program| (LineColumn::START, program.clone()))
+            .collect(),
+    }
 }
 
 /// Whether a file has tags of its own, which are a program's.
@@ -84,7 +108,14 @@ struct Joined {
 }
 
 impl Joined {
-    fn add(&mut self, more: Project, own: &[String], is_program: bool, file: &str) -> Result<(), WriteError> {
+    /// Comes back with the program that a file is.
+    fn add(
+        &mut self,
+        more: Project,
+        own: &[String],
+        is_program: bool,
+        file: &str,
+    ) -> Result<Option<String>, WriteError> {
         let Project {
             types,
             globals,
@@ -124,16 +155,17 @@ impl Joined {
                 self.project.units.insert(at, unit);
             }
         }
-        let Some(program) = program else { return Ok(()) };
+        let Some(program) = program else { return Ok(None) };
+        let name = program.name.clone();
         let text = emit::unit_text(program.clone());
         if self.is_new("program", &program.name, text, file)? {
             self.schedule(&program, tasks);
             self.project.units.push(program);
         }
-        Ok(())
+        Ok(Some(name))
     }
 
-    fn schedule(&mut self, program: &Unit, mut tasks: Vec<crate::model::Task>) {
+    fn schedule(&mut self, program: &Unit, mut tasks: Vec<Task>) {
         match (self.project.tasks.first_mut(), tasks.pop()) {
             (Some(task), _) => task.programs.push((LineColumn::START, program.name.clone())),
             (None, Some(task)) => self.project.tasks.push(task),

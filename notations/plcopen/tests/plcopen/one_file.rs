@@ -82,7 +82,7 @@ fn told(written: &OneFile) -> String {
 
 fn back(project: &str, files: &Files) -> OneFile {
     let source = Source::alone("cell", project.as_bytes());
-    write_one_file(&Plcopen, files, "cell", Some(&source)).unwrap_or_else(|error| panic!("{error}"))
+    write_one_file(&Plcopen, files, &[], "cell", Some(&source)).unwrap_or_else(|error| panic!("{error}"))
 }
 
 #[test]
@@ -384,7 +384,8 @@ fn files_are_the_programs_of_a_project() {
         .iter()
         .map(|(name, text)| ((*name).to_owned(), (*text).to_owned()))
         .collect();
-    let written = write_one_file(&Plcopen, &files, "plant", None).unwrap_or_else(|error| panic!("{error}"));
+    let written =
+        write_one_file(&Plcopen, &files, &[], "plant", None).unwrap_or_else(|error| panic!("{error}"));
     let again = folder(&text(&written)).expect("it can be read");
     let shown = again.iter().map(|(name, text)| match name.as_str() {
         "blocks.clad" => format!("=== {name}\n"),

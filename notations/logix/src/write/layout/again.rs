@@ -2,7 +2,6 @@
 
 use super::orders::{First, called, ordered};
 use super::{Layout, ProgramAt, TagAt, bare, free_main};
-use crate::model::{Task, TaskKind};
 use crate::names::Originals;
 use ladder_analysis::context::Body;
 use ladder_notation::Project;
@@ -46,6 +45,19 @@ impl Homes {
     fn is_controller(&self, project: &Project, file: usize) -> bool {
         let stem = project.stem(file).to_lowercase();
         !self.is_alone && !self.stems.contains_key(&stem) && (file == 0 || stem == self.controller)
+    }
+
+    /// The program that a file is.
+    fn known(&self, project: &Project, file: usize, programs: &[ProgramAt]) -> Option<usize> {
+        let stem = project.stem(file).to_lowercase();
+        if self.is_alone && file == 0 && !programs.is_empty() {
+            return Some(0);
+        }
+        let new = || {
+            let name = ProgramAt::of_file(project.stem(file)).name;
+            programs.iter().position(|program| program.name == name)
+        };
+        self.stems.get(&stem).copied().or_else(new)
     }
 
     /// The program of a file, a new one if there is none.
@@ -100,10 +112,8 @@ impl Layout {
             }
             let number = homes.program(project, file, &mut layout);
             let bare = bare(&layout.programs[number].name, own);
-            let routine = match layout.is_taken(originals, number, bare) {
-                false => bare,
-                true => own,
-            };
+            let is_taken = layout.is_taken(originals, number, bare);
+            let routine = if is_taken { own } else { bare };
             layout.functions.insert(key, (number, routine.to_owned()));
         }
         for file in 0..project.count() {
@@ -136,7 +146,12 @@ impl Layout {
             };
             layout.tags.insert(Name::new(&tag.name), at);
         }
-        layout.runs.tasks = Some(layout.tasks_of(originals));
+        layout.add_tasks_again(project, before, originals, |layout, project, file| {
+            if homes.is_controller(project, file) {
+                return layout.main.iter().map(|(program, _)| *program).collect();
+            }
+            homes.known(project, file, &layout.programs).into_iter().collect()
+        });
         layout.originals = Some(originals.clone());
         layout
     }
@@ -225,36 +240,5 @@ impl Layout {
         let known = originals.functions.values().chain(self.functions.values());
         let mut own = known.filter(|(of, _)| *of == program);
         own.any(|(_, known)| known.eq_ignore_ascii_case(routine))
-    }
-
-    /// The tasks as they were, with what runs now: what is new is run by the one that is the scan.
-    fn tasks_of(&self, originals: &Originals) -> Vec<Task> {
-        let mut tasks = originals.tasks.clone();
-        let known: HashSet<String> = originals
-            .programs
-            .iter()
-            .map(|(name, _)| name.to_ascii_uppercase())
-            .collect();
-        let is_run = |name: &String| {
-            let mut programs = self.programs.iter();
-            programs.any(|program| program.name.eq_ignore_ascii_case(name) && !program.begins.is_empty())
-        };
-        for task in &mut tasks {
-            task.programs
-                .retain(|name| !known.contains(&name.to_ascii_uppercase()) || is_run(name));
-        }
-        let scan = tasks
-            .iter()
-            .position(|task| task.kind == TaskKind::Continuous && !task.inhibited);
-        let scan = scan.or((!tasks.is_empty()).then_some(0));
-        if let Some(scan) = scan {
-            let new = self
-                .run()
-                .filter(|program| !known.contains(&program.name.to_ascii_uppercase()));
-            tasks[scan]
-                .programs
-                .extend(new.map(|program| program.name.clone()));
-        }
-        tasks
     }
 }

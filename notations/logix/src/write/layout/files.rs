@@ -79,6 +79,7 @@ impl Layout {
         for order in &orders {
             layout.begin(&order.function, order.is_run);
         }
+        let of_first = layout.runs.order.clone();
         for (file, first) in firsts.iter().enumerate().skip(1) {
             let Some(number) = numbers.get(&file) else {
                 continue;
@@ -104,6 +105,10 @@ impl Layout {
                 layout.tags.insert(Name::new(&tag.name), at);
             }
         }
+        layout.add_tasks(project, |_, file| match file {
+            0 => of_first.clone(),
+            _ => numbers.get(&file).copied().into_iter().collect(),
+        });
         layout
     }
 

@@ -7,6 +7,7 @@
 mod again;
 mod files;
 mod orders;
+mod tasks;
 
 use crate::model::Task;
 use crate::names::Originals;
@@ -43,6 +44,8 @@ pub(super) struct Runs {
     /// The programs in the order in which they run.
     order: Vec<usize>,
     pub(super) tasks: Option<Vec<Task>>,
+    /// What is otherwise there of a task, each with its name.
+    pub(super) told: Vec<(String, String)>,
 }
 
 /// Where a tag is.

@@ -116,9 +116,9 @@ impl First {
                 _ => return First::Rungs,
             }
         }
-        match calls.is_empty() {
-            true => First::Nothing,
-            false => First::Calls(calls),
+        if calls.is_empty() {
+            return First::Nothing;
         }
+        First::Calls(calls)
     }
 }
