@@ -257,7 +257,7 @@ fn what_cannot_run_says_why() {
     "#]].assert_eq(&told(
         "[[task]]\nname = \"a\"\ninterval = \"10ms\"\nprograms = [\"x.txt\", \"../main.clad\"]\n
 [[task]]\nname = \"b\"\nprograms = [\"main.clad\"]\n
-[[task]]\nname = \"c\"\ninterval = \"7ns\"\nprograms = [\"main.clad\", \"count.clad\", \"main.clad\"]\n
+[[task]]\nname = \"c\"\ninterval = \"7ns\"\nprograms = [\"main.clad\", \"count.clad\", \"lines/../main.clad\"]\n
 [[task]]\nname = \"C\"\ninterval = \"1s\"\nprograms = [\"lines/out.clad\"]\n"
     ));
     expect![[r#"

@@ -43,7 +43,10 @@ pub(super) fn read(tables: Vec<Table>, folder: &Path, reader: &mut Reader) -> Ve
         }
         for (program, at) in &task.programs {
             let mut others = tasks.iter().flat_map(|task| &task.programs).chain(&task.programs);
-            if others.any(|(other, before)| before.start < at.start && other == program) {
+            // `./motor.clad` is `motor.clad`.
+            let file = program.locate_without_links().ok();
+            let is_it = |other: &Named| file.is_some() && other.locate_without_links().ok() == file;
+            if others.any(|(other, before)| before.start < at.start && is_it(other)) {
                 let path = program.path();
                 let name = path.file_name().unwrap_or_default().to_string_lossy();
                 reader.wrong(
