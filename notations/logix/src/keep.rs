@@ -1,4 +1,4 @@
-//! An export in which only what was changed in its ladder text is written anew.
+//! An export in which only what was changed in its ladder text is written again.
 
 use crate::mnemonic::{instruction, operands_in_ascii};
 use crate::names::Originals;

@@ -79,7 +79,7 @@ fn drawn(text: &str, report: &mut Report) -> Result<Unit, ReadError> {
     Ok(unit)
 }
 
-/// A unit in Structured Text: its statements are behind the last section of variables.
+/// A unit in Structured Text: its statements come after the last section of variables.
 fn written(text: &str, report: &mut Report) -> Result<Unit, ReadError> {
     let upper = without_comments(text).to_ascii_uppercase();
     let line = upper

@@ -178,7 +178,7 @@ fn a_variable_without_a_name_is_nothing() {
     .assert_eq(&named);
 }
 
-/// A block that is written in ST runs where it stands.
+/// A block that is written in ST runs where it is drawn.
 #[test]
 fn a_text_in_a_box() {
     let json = r#"{"rungs":[{"nodes":[

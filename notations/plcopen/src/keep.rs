@@ -1,6 +1,6 @@
-//! A project in which only what was changed in its ladder text is written anew.
+//! A project in which only what was changed in its ladder text is written again.
 //!
-//! A drawing has its own numbers and places, so a unit of which anything is changed is written anew as a whole; and so are those that
+//! A drawing has its own numbers and places, so a unit of which anything is changed is written again as a whole; and so are those that
 //! call it, or that it calls, where its pins are others now. All else stays to the letter.
 
 use crate::graph::Kind;
@@ -72,7 +72,7 @@ pub(crate) fn write(files: &Files, kept: &Kept<'_>) -> Result<WrittenProject, Wr
     for (number, report) in reports.iter_mut().enumerate() {
         let was = (0..kept.before.count()).find(|was| kept.before.file(*was) == files.file(number));
         let Some(was) = was else { continue };
-        // What is not drawn anew is as it was, whatever there is to say of it.
+        // What is not drawn again is as it was, whatever there is to say of it.
         let analysis = files.analysis_of(number);
         let is_drawn = |entry: &&Entry| {
             let unit = unit_at(entry, analysis, &program(number));
@@ -91,12 +91,12 @@ pub(crate) fn write(files: &Files, kept: &Kept<'_>) -> Result<WrittenProject, Wr
         let (own, now) = (unit_of(&there, name), unit_of(&after, name));
         let Some((own, now)) = own.zip(now) else { continue };
         if unit_of(&before, name).is_some_and(|was| text_of(was) == text_of(now)) {
-            let why = "it is drawn anew, as the pins of what it calls, or its own, are others now";
+            let why = "it is drawn again, as the pins of what it calls, or its own, are others now";
             reports[0].approximated(LineColumn::START, format!("unit {}", own.name), why);
         }
         if let Some(unit) = before.units.iter_mut().find(|unit| is(unit, name)) {
             // So it is another one.
-            unit.comment = Some("written anew".to_owned());
+            unit.comment = Some("written again".to_owned());
         }
     }
     let [old, new] = [before, after].map(emit::project);
@@ -218,7 +218,7 @@ fn keep_broken(
         if found.is_empty() {
             return broken;
         }
-        // One that is only called by what is changed cannot be drawn anew either: then nothing is.
+        // One that is only called by what is changed cannot be drawn again either: then nothing is.
         let back: Vec<String> = if found.iter().all(is_changed) {
             found
         } else {
@@ -230,7 +230,7 @@ fn keep_broken(
         for name in back {
             let was = unit_of(before, &name).cloned();
             if let (Some(now), Some(was)) = (after.units.iter_mut().find(|unit| is(unit, &name)), was) {
-                let why = "not all of it, or of what is drawn anew with it, can be written: it stays as the file has it; change it there";
+                let why = "not all of it, or of what is drawn again with it, can be written: it stays as the file has it; change it there";
                 reports[0].refused(LineColumn::START, format!("unit {}", was.name), why);
                 *now = was;
             }
@@ -481,7 +481,7 @@ fn change_tasks(tasks: &mut Vec<Task>, was: &[Task], now: &[Task]) {
     }
 }
 
-/// The units that are written anew, in small letters: those that are changed, and those that call one of them or are called by one, where the file
+/// The units that are written again, in small letters: those that are changed, and those that call one of them or are called by one, where the file
 /// has other pins.
 fn drawn_anew(there: &Project, before: &Project, after: &Project) -> HashSet<String> {
     let index = |project: &Project| -> HashMap<String, Unit> {
@@ -503,25 +503,25 @@ fn drawn_anew(there: &Project, before: &Project, after: &Project) -> HashSet<Str
     };
     let calls: HashMap<&String, HashSet<String>> =
         now.iter().map(|(name, unit)| (name, called(unit))).collect();
-    let mut anew: HashSet<String> = now.keys().filter(|name| is_changed(name)).cloned().collect();
+    let mut again: HashSet<String> = now.keys().filter(|name| is_changed(name)).cloned().collect();
     loop {
         let more: Vec<String> = calls
             .iter()
             .flat_map(|(caller, called)| called.iter().map(move |called| (*caller, called)))
             .filter(|(_, called)| has_other_pins(called))
             .flat_map(|(caller, called)| {
-                let of_called = anew.contains(caller).then(|| called.clone());
-                let of_caller = anew.contains(called).then(|| caller.clone());
+                let of_called = again.contains(caller).then(|| called.clone());
+                let of_caller = again.contains(called).then(|| caller.clone());
                 of_called.into_iter().chain(of_caller)
             })
-            .filter(|name| !anew.contains(name))
+            .filter(|name| !again.contains(name))
             .collect();
         if more.is_empty() {
             break;
         }
-        anew.extend(more);
+        again.extend(more);
     }
-    anew
+    again
 }
 
 /// How a unit looks from outside.

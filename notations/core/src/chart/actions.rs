@@ -424,7 +424,7 @@ fn all_need_power(circuit: &Circuit<Element>) -> bool {
                     | Op::ResetCoil
             )
         ),
-        // Behind a set coil there is power whatever comes in.
+        // After a set coil there is power whatever comes in.
         Circuit::Series(parts) => {
             let before = parts.len().saturating_sub(1);
             parts.iter().all(all_need_power) && !parts[..before].iter().any(has_set_coil)

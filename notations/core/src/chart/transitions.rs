@@ -85,7 +85,7 @@ pub(super) fn lower(
             let elapsed = Path::tag(&steps[*step].elapsed);
             parts.push(block(Op::Mov, [elapsed.into(), zero()?], *origin)?);
         }
-        // Power goes on behind a set coil whatever comes in.
+        // Power goes on after a set coil whatever comes in.
         let sets = to.iter().map(|step| Path::tag(&steps[*step].active));
         let sets = sets.map(|tag| block(Op::SetCoil, [tag.into()], *origin));
         parts.push(any(sets.collect::<Result<_, String>>()?));

@@ -1,4 +1,4 @@
-//! An XML file in which only what was changed is written anew.
+//! An XML file in which only what was changed is written again.
 //!
 //! ```text
 //! original --read, written--> before --.
@@ -25,11 +25,11 @@ pub struct Rules {
     pub key: fn(Node<'_, '_>) -> Option<String>,
     /// What an element says that is known again by that, in the order in which they are: rungs and lines.
     pub says: fn(Node<'_, '_>) -> Option<String>,
-    /// Whether what is in an element of the original is not known again in what is written of it: it is written anew if any of it is
+    /// Whether what is in an element of the original is not known again in what is written of it: it is written again if any of it is
     /// changed.
     pub is_whole: fn(own: Node<'_, '_>, written: Node<'_, '_>) -> bool,
     /// The text of an element that is changed: out of what the original has, what is written of it, and what is written now. None: it
-    /// is written anew with its element.
+    /// is written again with its element.
     pub text: fn(node: Node<'_, '_>, own: &str, written: &str, now: &str) -> Option<String>,
     /// The attribute with the number of an element in an order, which says nothing.
     pub number: &'static str,
@@ -476,7 +476,7 @@ impl<'a, 't> Merge<'a, 't> {
         element
     }
 
-    /// Gives an element that stays another number, if it had that of its place.
+    /// Renumbers an element that stays, if it had that of its place.
     fn renumber(&mut self, part: Node<'_, '_>, all: &[(String, Node<'_, '_>)], number: usize) {
         let first = all
             .first()
