@@ -1,7 +1,7 @@
 //! The parts of a program as routines, with what comments say.
 
 use super::data::Home;
-use super::layout::{MAIN, PROGRAM};
+use super::layout::{MAIN, PROGRAM, rate};
 use super::names::{Kind, Names};
 use super::native::Known;
 use super::rung::{Piece, Series, it, text};
@@ -528,11 +528,4 @@ fn controller(told: &str) -> Option<&str> {
 fn comment(waiting: &mut Vec<String>) -> Option<String> {
     let told = std::mem::take(waiting).join("\n").trim().to_owned();
     (!told.is_empty()).then_some(told)
-}
-
-/// A period in milliseconds.
-/// Nanoseconds as a rate, which is in milliseconds.
-pub(super) fn rate(nanoseconds: i64) -> String {
-    let milliseconds = nanoseconds as f64 / 1e6;
-    format!("{milliseconds}")
 }

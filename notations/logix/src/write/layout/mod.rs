@@ -14,6 +14,7 @@ use crate::names::Originals;
 use ladder_syntax::Name;
 use orders::Orders;
 use std::collections::HashMap;
+pub(super) use tasks::rate;
 
 /// The name of the first program, and of its first routine.
 pub(super) const PROGRAM: &str = "MainProgram";

@@ -159,7 +159,7 @@ impl Layout {
         Task {
             name: task.name.clone(),
             kind: TaskKind::Periodic,
-            rate: Some(crate::write::routines::rate(task.interval)),
+            rate: Some(rate(task.interval)),
             priority: Some(priority),
             programs,
             ..Task::default()
@@ -199,4 +199,10 @@ impl Layout {
         }
         tasks
     }
+}
+
+/// Nanoseconds as a rate, which is in milliseconds.
+pub(crate) fn rate(nanoseconds: i64) -> String {
+    let milliseconds = nanoseconds as f64 / 1e6;
+    format!("{milliseconds}")
 }
