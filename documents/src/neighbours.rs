@@ -315,12 +315,9 @@ impl Neighbours {
         if !is_settings(path) {
             return self.disk.read_own(path);
         }
-        let settings = {
-            let mut state = self.loaded(path);
-            let (_, folder) = state.folder(path);
-            folder.settings.clone()
-        };
-        Ok(Plan::of(&settings, path)?.text(&settings.format))
+        self.settings(path, |settings| {
+            Ok(Plan::of(settings, path)?.text(&settings.format))
+        })
     }
 
     /// All programs that were read and that no editor shows, sorted.
@@ -499,11 +496,7 @@ impl Neighbours {
             return link_files(own, &analysis);
         }
         let missing = |file: &Path| NotWhole::Missing(Arc::from(file.to_string_lossy()));
-        let settings = {
-            let mut state = self.loaded(path);
-            let (_, folder) = state.folder(path);
-            folder.settings.clone()
-        };
+        let settings = self.settings(path, Settings::clone);
         let plan = Plan::of(&settings, path).map_err(|_| missing(path))?;
         let programs = plan.programs().map(|(program, every)| {
             let file = self.disk.locate(program).map_err(|_| missing(&program.path()))?;
