@@ -361,3 +361,17 @@ fn changed_tasks_are_changed_in_the_file_that_they_come_from() {
         programs = ["Valve.clad", "Pump.clad"]
     "#]].assert_eq(&told);
 }
+
+/// What a link in the folder leads to outside of it is not read.
+#[cfg(unix)]
+#[test]
+fn an_original_outside_of_the_folder_is_not_kept() {
+    let folder = Folder::with(&[("cell.L5X", &cell())]);
+    folder.ladder(&["convert", "cell.L5X", "-o", "plant/"]);
+    let link = folder.path("plant/cell.L5X");
+    std::fs::remove_file(&link).unwrap();
+    std::os::unix::fs::symlink(folder.path("cell.L5X"), &link).unwrap();
+    let run = folder.ladder(&["convert", "plant", "-o", "back.L5X"]);
+    assert!(!run.to_string().contains("since it was read from"), "{run}");
+    assert_ne!(folder.read("back.L5X"), cell());
+}

@@ -8,7 +8,7 @@ use crate::outcome::{Failure, Outcome};
 use crate::output::Existing;
 use crate::terminal;
 use ladder_notations::{Notation, ProjectTask, Source, recognise, write_one_file};
-use ladder_workspace::{Settings, find_programs, read_bytes, shown};
+use ladder_workspace::{Named, Settings, find_programs, read_bytes, shown};
 use std::path::{Path, PathBuf};
 
 /// A folder, and the file that its programs go into.
@@ -74,10 +74,9 @@ impl<'a> Target<'a> {
         }
         let tasks = self.tasks(&paths[0], &files)?;
         let kept = self.original()?;
-        let bytes = kept.as_deref().map(read_bytes).transpose()?;
-        let source = match (&kept, &bytes) {
-            (Some(path), Some(bytes)) => Some(self.source(path, bytes)?),
-            _ => None,
+        let source = match &kept {
+            Some((path, bytes)) => Some(self.source(path, bytes)?),
+            None => None,
         };
         let stem = self.output.file_stem().unwrap_or_default().to_string_lossy();
         let written =
@@ -89,7 +88,7 @@ impl<'a> Target<'a> {
                 ))
             })?;
         finish(Vec::from_iter(open(Some(self.output), &written.bytes, existing)?))?;
-        if let (Some(kept), true) = (&kept, written.reports.is_empty()) {
+        if let (Some((kept, _)), true) = (&kept, written.reports.is_empty()) {
             terminal::note(&format!(
                 "{}: nothing was changed since it was read from {}",
                 shown::path(self.folder),
@@ -159,23 +158,24 @@ impl<'a> Target<'a> {
         Ok(tasks)
     }
 
-    /// The file that the programs come from: the one that is named, else the one of the notation that is in the folder.
-    fn original(&self) -> Result<Option<PathBuf>, Failure> {
+    /// The file that the programs come from, and its content: the one that is named, else the one of the notation that is in the folder.
+    /// What a link there leads to outside of the folder is not read.
+    fn original(&self) -> Result<Option<(PathBuf, Vec<u8>)>, Failure> {
         if let Some(named) = self.keep {
-            return Ok(Some(named.to_owned()));
+            return Ok(Some((named.to_owned(), read_bytes(named)?)));
         }
         let entries = std::fs::read_dir(self.folder).into_iter().flatten().flatten();
-        let is_one = |path: &PathBuf| {
-            let notation = form::by_extension(path).is_some_and(|form| !form.is_ladder());
-            let bytes = || read_bytes(path).unwrap_or_default();
-            notation && path.is_file() && recognise(path, &bytes()) == Some(self.notation)
+        let read = |path: PathBuf| {
+            form::by_extension(&path).filter(|form| !form.is_ladder())?;
+            let name = path.file_name()?.to_str()?;
+            let bytes = Named::in_settings(self.folder, name).read_bytes().ok()?;
+            (recognise(&path, &bytes) == Some(self.notation)).then_some((path, bytes))
         };
-        let mut found: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(is_one).collect();
+        let mut found: Vec<(PathBuf, Vec<u8>)> = entries.filter_map(|entry| read(entry.path())).collect();
         found.sort();
         match &found[..] {
-            [] => Ok(None),
-            [one] => Ok(Some(one.clone())),
-            [one, other, ..] => Err(Failure::new(format!(
+            [] | [_] => Ok(found.pop()),
+            [(one, _), (other, _), ..] => Err(Failure::new(format!(
                 "{}: its programs may come from {} or from {}: name the one that they come from with --keep",
                 shown::path(self.folder),
                 shown::path(one),
