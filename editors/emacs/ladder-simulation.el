@@ -26,6 +26,7 @@
   "The block that runs next, in the midst of a scan."
   :group 'ladder)
 
+(defvar ladder--waiting nil "Whether an answer of the simulator is being waited for.")
 (defvar-local ladder--state nil "The last state of the simulation of this buffer; nil without one.")
 (defvar-local ladder--program nil "In a list of tags, the buffer of the program.")
 (defvar-local ladder--running nil "In a list of tags, which session and which of its programs they are of.")
@@ -57,8 +58,9 @@
 (defun ladder--request (name &rest arguments)
   "Send the simulator's command NAME; return the answer.
 ARGUMENTS is a property list."
-  (jsonrpc-request (eglot--current-server-or-lose) :workspace/executeCommand
-                   (list :command (concat "ladder.simulate." name) :arguments (vector arguments))))
+  (let ((ladder--waiting t))
+    (jsonrpc-request (eglot--current-server-or-lose) :workspace/executeCommand
+                     (list :command (concat "ladder.simulate." name) :arguments (vector arguments)))))
 
 (defun ladder--session ()
   "The session of this buffer, or an error for the user."
@@ -317,10 +319,16 @@ Without one a tag is asked for, with VERB."
   (force-mode-line-update)
   (when-let ((list (ladder--tags-buffer (current-buffer))))
     ;; It may ask the server, which is not possible while that is being read.
-    (run-at-time 0 nil (lambda ()
-                         (when (and (buffer-live-p list) (buffer-local-value 'ladder--state (buffer-local-value 'ladder--program list)))
-                           (with-current-buffer list
-                             (ladder--list-tags)))))))
+    (run-at-time 0 nil #'ladder--list-tags-later list)))
+
+(defun ladder--list-tags-later (list)
+  "Write the tags into LIST as soon as no answer is waited for.
+A request within the wait for another would leave what arrives with its
+answer unread, and the other would wait for that until its time is out."
+  (cond (ladder--waiting (run-at-time 0.02 nil #'ladder--list-tags-later list))
+        ((and (buffer-live-p list) (buffer-local-value 'ladder--state (buffer-local-value 'ladder--program list)))
+         (with-current-buffer list
+           (ladder--list-tags)))))
 
 (cl-defmethod eglot-handle-notification (_server (_method (eql ladder/simulationState)) &rest state)
   "Draw STATE into the program that it is of."

@@ -214,6 +214,10 @@
   (eventually "the power, a line below" (string-prefix-p "+--\\--[ ]( start" (nth 2 (faced 'ladder-power-on)))))
 
 (step "stop takes everything away"
+  ;; The list of tags has just heard of another program, and would ask for its tags while the stop is answered.
+  (with-current-buffer (ladder--tags-buffer (current-buffer))
+    (setq ladder--running nil))
+  (ladder--receive ladder--state)
   (ladder-stop)
   (same "the power" nil (seq-find (lambda (line) (not (string= line ""))) (faced 'ladder-power-on)))
   (same "the header line" nil header-line-format))
