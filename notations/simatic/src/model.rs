@@ -29,7 +29,7 @@ pub(crate) enum Kind {
     Organization,
     Data,
     Type,
-    /// A tag of a tag table.
+    /// A tag of a tag table, or a constant of one: then it is its only variable, with its value.
     Tag,
 }
 
@@ -64,6 +64,13 @@ impl Kind {
         Kind::Data,
         Kind::Type,
     ];
+}
+
+impl Unit {
+    /// A constant of a tag table, with its value.
+    pub(crate) fn constant(&self) -> Option<&Variable> {
+        self.variables.first().filter(|_| self.kind == Kind::Tag)
+    }
 }
 
 /// What a variable is for.

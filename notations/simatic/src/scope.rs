@@ -83,12 +83,13 @@ impl<'l> Scope<'l> {
 
     /// A tag of the project that this file does not declare, under the name that it is written by.
     pub(crate) fn global(&mut self, path: &str, ty: Type) -> Known {
+        let is_constant = self.unit(path).is_some_and(|unit| unit.constant().is_some());
         let names = &mut self.names;
         let (_, known) = self.globals.entry(path.to_lowercase()).or_insert_with(|| {
             let known = Known {
                 spelled: names.fresh(path),
                 ty,
-                is_constant: false,
+                is_constant,
             };
             (path.to_owned(), known)
         });

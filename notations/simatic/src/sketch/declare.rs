@@ -118,6 +118,11 @@ impl Sketcher<'_> {
             if !known.spelled.eq_ignore_ascii_case(path) {
                 declaration.comment = Some(format!("{path} in the project"));
             }
+            if let Some(constant) = unit.and_then(Unit::constant) {
+                declaration.initial = constant.initial.as_deref().and_then(initial_text);
+                sections.push(SectionKind::Var, Some(Qualifier::Constant), declaration);
+                continue;
+            }
             sections.push(SectionKind::VarGlobal, None, declaration);
         }
     }

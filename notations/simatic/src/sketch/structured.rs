@@ -92,7 +92,7 @@ impl Sketcher<'_> {
                             .unwrap_or_else(|| Type::Named(other.name.clone()));
                         let known = scope.global(&other.name, ty);
                         let ty = types.ty(&known.ty, &known.spelled, 0);
-                        seen.tag(&full, known.path(), ty, false);
+                        seen.tag(&full, known.path(), ty, known.is_constant);
                     }
                     Kind::Function => {
                         let shape = types.shape(other, 0);

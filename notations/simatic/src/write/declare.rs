@@ -1,7 +1,7 @@
 //! What a program declares as variables and structures.
 
 use super::Project;
-use super::operand::literal;
+use super::operand::{self, literal};
 use super::tags::Tags;
 use super::units::Source;
 use crate::model::{Kind, Role, Type, Unit, Variable};
@@ -256,15 +256,19 @@ fn declared(tags: &mut Tags<'_>, tag: &TagFacts, report: &mut Report) -> Option<
         SectionKind::Var | SectionKind::Global | SectionKind::External => Role::Static,
     };
     if matches!(ty, OwnType::Scalar(Scalar::Enum(_))) {
-        let why = "an enumeration is a DInt there, and its values are numbers";
+        let why = "an enumeration is a DInt there, and its values are constants";
         report.approximated(place, shown, why);
     } else if matches!(section, SectionKind::Global | SectionKind::External) {
         let why = "other blocks do not see it: it is a variable of the block";
         report.approximated(place, shown, why);
     } else if let Some(address) = &tag.cold.address {
-        let why = format!(
-            "a variable of a block has no address: connect it to {address} where the block is called"
-        );
+        let why = match role {
+            Role::Input | Role::Output => format!(
+                "a variable of a block has no address: the organization block connects it to {}",
+                operand::address(address)
+            ),
+            _ => format!("a variable of a block has no address: {address} is not kept"),
+        };
         report.approximated(place, shown, why);
     } else if tag.retain && role != Role::Static {
         let why = "it is not retentive there: only variables of the block itself are";

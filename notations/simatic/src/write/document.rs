@@ -20,7 +20,7 @@ pub(crate) fn writing(made: Made) -> Writing {
         (document, texts)
     };
     let mut companions = Vec::new();
-    for unit in &made.others {
+    for unit in made.others.iter().chain(&made.callers) {
         let (bytes, texts) = files(unit);
         let name = format!("{}.s7dcl", unit.name);
         companions.push(Companion {
@@ -109,15 +109,22 @@ fn document(unit: &Unit) -> (Vec<u8>, Option<Vec<u8>>) {
             network(own, &mut texts, &mut body);
         }
     }
+    // A data block has the members of the block that it belongs to.
+    let of = unit
+        .returns
+        .as_ref()
+        .map_or_else(String::new, |ty| format!(" : {ty}"));
     let mut pragma = texts.titled(&unit.told, ["S7_BlockComment", "S7_BlockTitle"]);
     if unit.kind != Kind::Type {
         pragma.push("S7_Optimized := \"TRUE\"".to_owned());
+    }
+    if unit.kind.is_code() {
         pragma.push("S7_PreferredLanguage := \"LAD\"".to_owned());
     }
     pragma.push("S7_Version := \"0.1\"".to_owned());
     let keyword = unit.kind.keyword();
     let document = format!(
-        "\u{feff}{{\r\n    {}\r\n}}\r\n{keyword} \"{}\"\r\n{}\r\nEND_{keyword}\r\n",
+        "\u{feff}{{\r\n    {}\r\n}}\r\n{keyword} \"{}\"{of}\r\n{}\r\nEND_{keyword}\r\n",
         pragma.join(";\r\n    "),
         unit.name,
         body.join("\r\n"),

@@ -76,7 +76,7 @@ fn row_of(own: &Instruction, block: &Block) -> Option<&'static Row> {
 }
 
 /// The instructions that differ in their names and pins alone.
-fn of_table(tags: &Tags<'_>, part: Part, row: &Row, own: &Instruction, block: &Block) -> Result<Part> {
+fn of_table(tags: &mut Tags<'_>, part: Part, row: &Row, own: &Instruction, block: &Block) -> Result<Part> {
     let arguments = &block.arguments;
     let name = row.sd[0];
     if block.works_in == Some(Scalar::Bool) && matches!(own.op, Op::And | Op::Or | Op::Xor | Op::Not) {
@@ -162,7 +162,7 @@ fn names_of(pins: Pins, count: usize) -> Vec<String> {
 }
 
 /// `[CALC]`: each tag and number of the formula is a pin.
-fn calculated(tags: &Tags<'_>, mut part: Part, block: &Block) -> Result<Part> {
+fn calculated(tags: &mut Tags<'_>, mut part: Part, block: &Block) -> Result<Part> {
     let ty = block.works_in.and_then(type_name).filter(|ty| *ty != "Bool");
     let ty = ty.ok_or("Calculate makes numbers and bit strings only")?;
     let out = given(tags, &block.arguments[0])?;
@@ -287,11 +287,11 @@ pub(super) fn call(tags: &mut Tags<'_>, block: &Block, power: (&str, Option<&str
 }
 
 /// What is given for an operand.
-fn given(tags: &Tags<'_>, bound: &Bound) -> Result<String> {
+fn given(tags: &mut Tags<'_>, bound: &Bound) -> Result<String> {
     if let program::Argument::Value(value) = &bound.argument
-        && let (Scalar::Enum(_), ExprKind::Constant(value::Value::Int(number))) = (value.ty, &value.kind)
+        && let (Scalar::Enum(id), ExprKind::Constant(value::Value::Int(number))) = (value.ty, &value.kind)
     {
-        return Ok(number.to_string());
+        return Ok(tags.named_value(&id.get(), *number));
     }
     operand(tags.project.source_of(bound), tags)
 }

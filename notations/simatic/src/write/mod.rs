@@ -1,5 +1,6 @@
-//! From a program to the model: the program as a function block, and each block and structure that it uses.
+//! From a program to the model: the program as a function block, each block and structure that it uses, and what calls it.
 
+mod caller;
 mod declare;
 pub(crate) mod document;
 mod element;
@@ -50,6 +51,8 @@ pub(crate) struct Made {
     pub(crate) program: Unit,
     /// The structures and blocks that it uses.
     pub(crate) others: Vec<Unit>,
+    /// What calls it; nothing for a program without networks.
+    pub(crate) callers: Vec<Unit>,
     pub(crate) report: Report,
 }
 
@@ -107,10 +110,16 @@ pub(crate) fn made(analysis: &Analysis, unwritable: &Unwritable) -> Result<Made,
         name.push_str("_program");
     }
     let own = units::unit(&project, &project.sources[0], &name, None, &mut report);
+    let callers = if own.networks.is_empty() {
+        Vec::new()
+    } else {
+        caller::caller(&project, &own).into()
+    };
     report.entries.sort_by_key(|entry| entry.place);
     Ok(Made {
         program: own,
         others,
+        callers,
         report,
     })
 }

@@ -48,9 +48,8 @@ fn path(of: &Path, tags: &Tags<'_>) -> Result<String, String> {
         "ENO" => POWER_OUT,
         _ => of.root.as_str(),
     };
-    if let Some(address) = upper.strip_prefix('%') {
-        let (area, rest) = address.split_at(1);
-        return Ok(format!("%{area}{}", rest.strip_prefix('X').unwrap_or(rest)));
+    if upper.starts_with('%') {
+        return Ok(address(&upper));
     }
     let mut ty = match tags.known(&of.root) {
         Some(Ok(ty)) => Some(*ty),
@@ -81,6 +80,15 @@ fn path(of: &Path, tags: &Tags<'_>) -> Result<String, String> {
         ty = ty.and_then(|ty| part(ty, step));
     }
     Ok(out)
+}
+
+/// An address: `%IX0.0` is `%I0.0` there.
+pub(super) fn address(own: &str) -> String {
+    let upper = own.to_ascii_uppercase();
+    match upper.split_at_checked(2) {
+        Some((area, rest)) => format!("{area}{}", rest.strip_prefix('X').unwrap_or(rest)),
+        None => upper,
+    }
 }
 
 /// A tag of `SYS`.

@@ -1,7 +1,8 @@
 //! The tags of a unit: those of its text, and those that it needs besides.
 
 use super::Project;
-use crate::model::{self, Variable};
+use crate::model::{self, Role, Variable};
+use ladder_analysis::values::compound::Enumeration;
 use ladder_analysis::values::types::Type;
 use std::collections::HashMap;
 
@@ -52,6 +53,26 @@ impl<'p> Tags<'p> {
             ty,
             ..Variable::default()
         });
+        operand
+    }
+
+    /// A value of an enumeration: a constant with the name of both, `Phase_RUN`, or its number where that is another tag.
+    pub(super) fn named_value(&mut self, of: &Enumeration, number: i64) -> String {
+        let found = of.name_of(number).map(|value| format!("{}_{value}", of.name));
+        let Some(name) = found.filter(|name| self.known(name).is_none()) else {
+            return number.to_string();
+        };
+        let is_made = self.made.iter().any(|made| made.name == name);
+        let operand = format!("#\"{name}\"");
+        if !is_made {
+            self.made.push(Variable {
+                name,
+                role: Role::Constant,
+                ty: model::Type::Named("DInt".to_owned()),
+                initial: Some(number.to_string()),
+                ..Variable::default()
+            });
+        }
         operand
     }
 

@@ -40,7 +40,7 @@ pub(crate) fn holds_tags(head: &str) -> bool {
     head.contains("<SW.Tags.PlcTagTable")
 }
 
-/// The tags of a table.
+/// The tags and constants of a table.
 ///
 /// # Errors
 ///
@@ -50,15 +50,26 @@ pub(crate) fn tags(text: &str) -> Result<Vec<Unit>> {
     let all = xml
         .document
         .descendants()
-        .filter(|node| node.is("SW.Tags.PlcTag"));
+        .filter(|node| node.is("SW.Tags.PlcTag") || node.is("SW.Tags.PlcUserConstant"));
     let tags = all.filter_map(|tag| {
         let attributes = tag.child("AttributeList")?;
         let ty = attributes.child("DataTypeName")?.words();
+        let ty = Type::Named(ty.trim_matches('"').to_owned());
+        let name = attributes.child("Name")?.words();
+        let value = attributes.child("Value").map(|value| Variable {
+            place: xml.place(tag),
+            name: name.clone(),
+            role: Role::Constant,
+            ty: ty.clone(),
+            initial: Some(value.words()),
+            ..Variable::default()
+        });
         Some(Unit {
             place: xml.place(tag),
             kind: Kind::Tag,
-            name: attributes.child("Name")?.words(),
-            returns: Some(Type::Named(ty.trim_matches('"').to_owned())),
+            name,
+            returns: Some(ty),
+            variables: value.into_iter().collect(),
             ..Unit::default()
         })
     });

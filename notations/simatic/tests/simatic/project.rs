@@ -48,7 +48,8 @@ fn a_tag_that_no_file_declares_holds_what_is_moved_into_it() {
 
         1:1: approximated: tag Small: another file of the project declares it: its type is the one that its place asks for
         1:1: approximated: tag Start: another file of the project declares it: its type is the one that its place asks for
-    "#]].assert_eq(&format!("{}\n{}", converted.written.text, remarks(&converted)));
+    "#]]
+    .assert_eq(&format!("{}\n{}", converted.written.text, remarks(&converted)));
 }
 
 /// Multi-instances; what they hold is read as `#rise.Q`. A fall is none in the first cycle.
@@ -99,6 +100,34 @@ fn tags_of_a_table() {
         END_VAR
 
         +-----------------------------------------------------------[MOV]( Level, 9 )--+
+
+    "#]]
+    .assert_eq(&format!("{}\n{}", converted.written.text, remarks(&converted)));
+}
+
+#[test]
+fn constants_of_a_table() {
+    let table = r#"<Document><Engineering version="V17"/><SW.Tags.PlcTagTable ID="0"><AttributeList><Name>Limits</Name></AttributeList><ObjectList><SW.Tags.PlcUserConstant ID="1" CompositionName="UserConstants"><AttributeList><DataTypeName>Int</DataTypeName><Name>MOST</Name><Value>5</Value></AttributeList></SW.Tags.PlcUserConstant></ObjectList></SW.Tags.PlcTagTable></Document>"#;
+    let text = "FUNCTION_BLOCK \"Fan\"\n    VAR_INPUT\n        level : Int;\n    END_VAR\n    VAR_OUTPUT\n        run : Bool;\n    END_VAR\n\
+                {\n    S7_Language := \"LAD\"\n}\nNETWORK\n    RUNG wire#powerrail\n        { S7_Templates := \"SrcType := Int\" }\n        \
+                GT_Contact( in1 := #level, in2 := \"MOST\" )\n        Coil( #run )\n    END_RUNG\nEND_NETWORK\nEND_FUNCTION_BLOCK\n";
+    let table = Companion {
+        name: "Limits.xml".to_owned(),
+        bytes: table.to_owned().into(),
+    };
+    let converted = read_as("Fan", text, vec![table]);
+    expect![[r#"
+        VAR_INPUT
+            level : INT;
+        END_VAR
+        VAR_OUTPUT
+            run : BOOL;
+        END_VAR
+        VAR CONSTANT
+            MOST : INT := 5;
+        END_VAR
+
+        +--[GT]( level, MOST )---------------------------------------------( )( run )--+
 
     "#]]
     .assert_eq(&format!("{}\n{}", converted.written.text, remarks(&converted)));

@@ -27,16 +27,21 @@ pub(crate) fn writing(made: Made) -> Writing {
     let Made {
         program,
         others,
+        callers,
         mut report,
     } = made;
     let mut library = Library::new();
-    for unit in others.iter().chain([&program]) {
+    for unit in others.iter().chain([&program]).chain(&callers) {
         library.insert(unit.name.to_lowercase(), Ok(unit));
     }
-    let companions = others.iter().zip(2..).map(|(unit, number)| Companion {
-        name: format!("{}.xml", unit.name),
-        bytes: file(unit, number, &library, &mut report).into(),
-    });
+    let companions = others
+        .iter()
+        .chain(&callers)
+        .zip(2..)
+        .map(|(unit, number)| Companion {
+            name: format!("{}.xml", unit.name),
+            bytes: file(unit, number, &library, &mut report).into(),
+        });
     let companions = companions.collect();
     Writing {
         bytes: file(&program, 1, &library, &mut report),
@@ -72,10 +77,11 @@ fn file<'u>(unit: &'u Unit, number: usize, library: &Library<'u>, report: &mut R
     let mut xml = XmlText::start();
     let mut ids = Ids(0);
     let is_type = unit.kind == Kind::Type;
-    let name = if is_type {
-        "SW.Types.PlcStruct"
-    } else {
-        "SW.Blocks.FB"
+    let name = match unit.kind {
+        Kind::Type => "SW.Types.PlcStruct",
+        Kind::Data => "SW.Blocks.InstanceDB",
+        Kind::Organization => "SW.Blocks.OB",
+        _ => "SW.Blocks.FB",
     };
     xml.around("Document", &[], |xml| {
         xml.empty("Engineering", &[("version", VERSION)]);
@@ -84,17 +90,30 @@ fn file<'u>(unit: &'u Unit, number: usize, library: &Library<'u>, report: &mut R
                 if !is_type {
                     xml.words("AutoNumber", &[], "true");
                 }
-                xml.around("Interface", &[], |xml| {
-                    xml.around("Sections", &[("xmlns", INTERFACE)], |xml| sections(xml, unit));
-                });
+                // A data block has the interface of the block that it belongs to.
+                match &unit.returns {
+                    Some(of) => {
+                        xml.words("InstanceOfName", &[], of.to_string().trim_matches('"'));
+                        xml.words("InstanceOfType", &[], "FB");
+                    }
+                    None => xml.around("Interface", &[], |xml| {
+                        xml.around("Sections", &[("xmlns", INTERFACE)], |xml| sections(xml, unit));
+                    }),
+                }
                 if !is_type {
                     xml.words("MemoryLayout", &[], "Optimized");
                 }
                 xml.words("Name", &[], &unit.name);
                 if !is_type {
                     xml.words("Number", &[], &number.to_string());
-                    xml.words("ProgrammingLanguage", &[], "LAD");
-                    xml.words("SetENOAutomatically", &[], "false");
+                    let language = if unit.kind.is_code() { "LAD" } else { "DB" };
+                    xml.words("ProgrammingLanguage", &[], language);
+                    if unit.kind == Kind::Organization {
+                        xml.words("SecondaryType", &[], "ProgramCycle");
+                    }
+                    if unit.kind.is_code() {
+                        xml.words("SetENOAutomatically", &[], "false");
+                    }
                 }
             });
             let [title, comment] = title_and_comment(&unit.told);
@@ -130,14 +149,19 @@ fn sections(xml: &mut XmlText, unit: &Unit) {
         });
         return;
     }
-    for role in [
+    let roles = [
         Role::Input,
         Role::Output,
         Role::InOut,
         Role::Static,
         Role::Temp,
         Role::Constant,
-    ] {
+    ];
+    let is_main = unit.kind == Kind::Organization;
+    for role in roles {
+        if is_main && matches!(role, Role::Output | Role::InOut | Role::Static) {
+            continue;
+        }
         xml.around("Section", &[("Name", section(role))], |xml| {
             let own = unit.variables.iter().filter(|own| own.role == role);
             own.for_each(|own| member(xml, own));

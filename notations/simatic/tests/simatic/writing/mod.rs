@@ -1,6 +1,7 @@
 //! What is written.
 
 mod blocks;
+mod callers;
 mod exports;
 
 use super::write;
@@ -10,7 +11,9 @@ use expect_test::{Expect, expect};
 pub(super) fn check(text: &str, expected: Expect) {
     let writing = write(text).unwrap_or_else(|error| panic!("{error}"));
     let mut out = String::from_utf8_lossy(&writing.bytes).replace('\r', "");
-    for companion in &writing.companions {
+    // What calls the program is the same for all: see `callers`.
+    let is_caller = |name: &str| ["test_DB.", "test_Main."].iter().any(|own| name.starts_with(own));
+    for companion in writing.companions.iter().filter(|file| !is_caller(&file.name)) {
         out.push_str(&format!(
             "== {}\n{}",
             companion.name,
@@ -259,6 +262,59 @@ fn an_array_of_arrays_is_one_of_several_dimensions() {
                 END_STRUCT;
             END_TYPE
             12:1 tag `deep`: Refused("`deep` cannot be declared: an array of more than 3 dimensions, those of the arrays in it included, has no form here")
+        "#]],
+    );
+}
+
+#[test]
+fn values_of_an_enumeration_are_constants() {
+    check(
+        "TYPE\n    Phase : (IDLE, RUN := 5);\nEND_TYPE\nVAR_INPUT\n    go : BOOL;\nEND_VAR\nVAR\n    step : Phase;\nEND_VAR\n\n\
+         +--[ ]( go )--[EQ]( step, IDLE )--[MOV]( step, RUN )--+\n\n+--[NE]( step, Phase.RUN )--( )( waits )--+\n",
+        expect![[r#"
+            {
+                S7_Optimized := "TRUE";
+                S7_PreferredLanguage := "LAD";
+                S7_Version := "0.1"
+            }
+            FUNCTION_BLOCK "test"
+                VAR_INPUT
+                    "go" : Bool;
+                END_VAR
+                VAR_OUTPUT
+                    "waits" : Bool;
+                END_VAR
+                VAR
+                    "step" : DInt := 0;
+                END_VAR
+                VAR CONSTANT
+                    "Phase_IDLE" : DInt := 0;
+                    "Phase_RUN" : DInt := 5;
+                END_VAR
+
+                {
+                    S7_Language := "LAD"
+                }
+                NETWORK
+                    RUNG wire#powerrail
+                        Contact( #"go" )
+                        { S7_Templates := "SrcType := DInt" }
+                        EQ_Contact( in1 := #"step", in2 := #"Phase_IDLE" )
+                        Move( in := #"Phase_RUN", out1 => #"step" )
+                    END_RUNG
+                END_NETWORK
+                {
+                    S7_Language := "LAD"
+                }
+                NETWORK
+                    RUNG wire#powerrail
+                        { S7_Templates := "SrcType := DInt" }
+                        NE_Contact( in1 := #"step", in2 := #"Phase_RUN" )
+                        Coil( #"waits" )
+                    END_RUNG
+                END_NETWORK
+            END_FUNCTION_BLOCK
+            8:1 tag `step`: Approximated("an enumeration is a DInt there, and its values are constants")
         "#]],
     );
 }
