@@ -163,6 +163,7 @@ fn errors(source: &Source, renderer: &Renderer) -> Vec<Problem> {
     let remarks = remarks.map(|remark| Problem::remark(source, remark, renderer));
     let found = source.errors().into_iter().map(|error| Problem {
         place: FileRange::of(source, error.range),
+        part: source.name_of(error.range).map(str::to_owned),
         rule: error.rule.name(),
         severity: error.severity,
         shown: full::render(source, &error, renderer),

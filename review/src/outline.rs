@@ -113,6 +113,8 @@ pub struct Entry {
     pub network: Option<usize>,
     /// The function or block that it is in, as a heading says it; empty for the main program.
     pub place: Arc<str>,
+    /// In a program of another system what that calls the place, empty where it has no name for it. None: its line says it.
+    pub part: Option<Arc<str>>,
     /// The tags that it writes, or the names that it declares.
     pub names: Vec<Name>,
     /// The names as they are written, for people.
@@ -143,6 +145,20 @@ pub fn why_not(not_whole: &NotWhole, own: &str, shown: impl Fn(&str) -> String) 
         NotWhole::Errors(file) if **file == *own => "has errors".to_owned(),
         NotWhole::Errors(file) => format!("uses {}, which has errors", shown(file)),
         NotWhole::Missing(file) => format!("uses {}, which cannot be read", shown(file)),
+    }
+}
+
+fn name_parts(entries: &mut [Entry], name: &dyn Fn(TextRange) -> Option<String>) {
+    for entry in entries {
+        entry.part = Some(name(entry.own).unwrap_or_default().into());
+        name_parts(&mut entry.inside, name);
+    }
+}
+
+fn take_parts(entries: &mut [Entry], from: &[Entry]) {
+    for (entry, from) in entries.iter_mut().zip(from) {
+        entry.part.clone_from(&from.part);
+        take_parts(&mut entry.inside, &from.inside);
     }
 }
 
@@ -178,6 +194,17 @@ impl Outline {
         };
         let _ = outline.program.set(program.map(Running::new));
         outline
+    }
+
+    /// Takes the names that another system has for the places of a program that was made from one of its files; `name` asks
+    /// for that of a part of the text.
+    pub fn name_parts(&mut self, name: impl Fn(TextRange) -> Option<String>) {
+        name_parts(&mut self.entries, &name);
+    }
+
+    /// Takes those of the same program with other names of tags.
+    pub fn take_parts(&mut self, from: &Outline) {
+        take_parts(&mut self.entries, &from.entries);
     }
 
     /// What runs, if it was made already.

@@ -240,6 +240,7 @@ impl Reader<'_> {
             shown: TextRange::new(from, end),
             own,
             network: None,
+            part: None,
             place: self.headers.last().map_or_else(
                 || Arc::clone(&self.main),
                 |header| match header.kind {

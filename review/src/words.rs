@@ -1,7 +1,7 @@
 //! A change in words.
 
 use crate::comparison::{Change, Comparison};
-use crate::outline::{Entry, Kind};
+use crate::outline::{Entry, Kind, Outline};
 use crate::verdict::Verdict;
 use ladder_prover::Meaning;
 
@@ -20,31 +20,43 @@ pub fn heading(comparison: &Comparison<'_>, change: &Change<'_>) -> String {
         Some(Meaning::Declared(_) | Meaning::NotDecided(_)) | None => "",
     });
     heading.push_str(": ");
-    heading.push_str(entry.kind.text());
+    // The other system's own name says what it is: `rung 3 of ..`.
+    let is_named = entry.kind == Kind::Network && entry.part.as_ref().is_some_and(|part| !part.is_empty());
+    if !is_named {
+        heading.push_str(entry.kind.text());
+    }
     if matches!(entry.kind, Kind::Declaration | Kind::Structure | Kind::Block) && !entry.title.is_empty() {
         heading.push_str(&format!(" of {}", shortened(&entry.title)));
     }
-    let line = match (change.old, change.new) {
-        (Some(old), Some(new)) => {
-            let (was, is) = (comparison.old.line(old), comparison.new.line(new));
-            if was == is {
-                format!(", line {is}")
-            } else {
-                format!(", line {is} (was line {was})")
-            }
-        }
-        (None, Some(new)) => format!(", line {}", comparison.new.line(new)),
-        (Some(old), None) => format!(", was line {}", comparison.old.line(old)),
+    let was = change.old.and_then(|old| spot(comparison.old, old));
+    let is = change.new.and_then(|new| spot(comparison.new, new));
+    let place = match (was, is) {
+        (Some(was), Some(is)) if was != is => format!("{is} (was {was})"),
+        (_, Some(is)) => is,
+        (Some(was), None) if is_named => was,
+        (Some(was), None) => format!("was {was}"),
         (None, None) => String::new(),
     };
-    heading.push_str(&line);
-    if !entry.place.is_empty() {
+    if !is_named && !place.is_empty() {
+        heading.push_str(", ");
+    }
+    heading.push_str(&place);
+    if !entry.place.is_empty() && entry.part.is_none() {
         heading.push_str(&format!(", in {}", entry.place));
     }
     if entry.kind == Kind::Network && !entry.title.is_empty() {
         heading.push_str(&format!(", writes {}", shortened(&entry.title)));
     }
     heading
+}
+
+/// Where an entry is: its line, or what the other system calls its place. None: that has no name for it.
+fn spot(outline: &Outline, entry: &Entry) -> Option<String> {
+    match entry.part.as_deref() {
+        None => Some(format!("line {}", outline.line(entry))),
+        Some("") => None,
+        Some(part) => Some(part.to_owned()),
+    }
 }
 
 /// What is known of what an edited network does, besides its heading: the values that show a difference, or why it is not

@@ -7,8 +7,7 @@ use ladder_workspace::shown;
 /// `motor.clad:3:12: error[double-coil] message`
 pub(crate) fn line(source: &Source, finding: &Diagnostic) -> String {
     let place = source.place(finding.range.start());
-    let part = source.name_of(finding.range);
-    let part = part.map_or_else(String::new, |name| format!(" ({})", shown::line(name)));
+    let part = in_part(source.name_of(finding.range));
     format!(
         "{}:{}:{}: {}[{}] {}{part}",
         shown::line(&source.file),
@@ -18,4 +17,9 @@ pub(crate) fn line(source: &Source, finding: &Diagnostic) -> String {
         finding.rule,
         shown::line(&finding.message)
     )
+}
+
+/// After a message, what another system calls the place: ` (routine Main, rung 3)`.
+pub(super) fn in_part(part: Option<&str>) -> String {
+    part.map_or_else(String::new, |part| format!(" ({})", shown::line(part)))
 }

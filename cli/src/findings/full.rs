@@ -95,6 +95,9 @@ pub(super) fn remark(source: &Source, remark: &Mark, renderer: &Renderer) -> Str
     } else {
         group.element(origin(source, remark.range))
     };
+    let part = source.name_of(remark.range);
+    let part = part.map(|part| Level::NOTE.message(shown::line(part)));
+    let group = part.into_iter().fold(group, Group::element);
     renderer.render(&[group])
 }
 

@@ -1,5 +1,6 @@
 //! Findings as workflow commands: a run of GitHub Actions shows them at their lines in the change.
 
+use super::concise::in_part;
 use super::source::Source;
 use ladder_analysis::{Diagnostic, Severity};
 use ladder_workspace::shown;
@@ -21,7 +22,8 @@ pub(crate) fn line(source: &Source, finding: &Diagnostic) -> String {
         let _ = write!(line, ",endLine={}", end.line);
     }
     let help = finding.help.as_deref().map(|help| format!("\n{help}"));
-    let message = format!("{}{}", finding.message, help.unwrap_or_default());
+    let part = in_part(source.name_of(finding.range));
+    let message = format!("{}{part}{}", finding.message, help.unwrap_or_default());
     let _ = write!(
         line,
         ",title={}::{}",

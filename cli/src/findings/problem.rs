@@ -1,6 +1,7 @@
 //! What is wrong next to the findings of the rules: an error in a file of scenarios, a remark on a program of another
 //! system, or a file that cannot be read.
 
+use super::concise::in_part;
 use super::github::{self, data, property};
 use super::source::Source;
 use super::{full, sarif, scenario_error};
@@ -61,6 +62,9 @@ pub(crate) struct Problem {
     pub(crate) message: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) help: Option<String>,
+    /// What another system calls the part of its file that it is in.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) part: Option<String>,
     /// The same for people, with its excerpt.
     #[serde(skip)]
     pub(crate) shown: String,
@@ -78,6 +82,7 @@ impl Problem {
             severity: Severity::Error,
             message: found.message.clone(),
             help: found.help.clone(),
+            part: None,
             shown: scenario_error::render(source, found, renderer),
             outcome: Outcome::Findings,
         }
@@ -92,6 +97,7 @@ impl Problem {
             shown: full::remark(source, &remark, renderer),
             message: remark.message,
             help: None,
+            part: source.name_of(remark.range).map(str::to_owned),
             outcome: match remark.severity {
                 Severity::Error => Outcome::Findings,
                 Severity::Warning | Severity::Info => Outcome::Fine,
@@ -109,6 +115,7 @@ impl Problem {
             shown: format!("error: {}", shown::line(&message)),
             message,
             help: None,
+            part: None,
             outcome: Outcome::Failed,
         }
     }
@@ -120,9 +127,10 @@ impl Problem {
         } = &self.place;
         let (file, message) = (shown::line(file), shown::line(&self.message));
         format!(
-            "{file}:{line}:{column}: {}[{}] {message}",
+            "{file}:{line}:{column}: {}[{}] {message}{}",
             self.severity.name(),
-            self.rule
+            self.rule,
+            in_part(self.part.as_deref())
         )
     }
 
@@ -139,7 +147,7 @@ impl Problem {
     /// A result of SARIF.
     pub(crate) fn sarif(&self) -> Value {
         let place = &self.place;
-        json!({
+        let mut result = json!({
             "ruleId": self.rule,
             "level": sarif::level(self.severity),
             "message": { "text": self.text() },
@@ -152,13 +160,18 @@ impl Problem {
                     "endColumn": place.end_column,
                 },
             }}],
-        })
+        });
+        if let Some(part) = &self.part {
+            result["locations"][0]["logicalLocations"] = sarif::logical(part);
+        }
+        result
     }
 
     /// The message, and what to do on a line of its own.
     fn text(&self) -> String {
         let help = self.help.as_ref().map(|help| format!("\n{help}"));
-        self.message.clone() + &help.unwrap_or_default()
+        let part = in_part(self.part.as_deref());
+        format!("{}{part}{}", self.message, help.unwrap_or_default())
     }
 }
 

@@ -1,5 +1,6 @@
 //! Findings as SARIF 2.1.0, the form that code scanning services take in.
 
+use super::concise::in_part;
 use super::place::place;
 use super::source::Source;
 use ladder_analysis::{Diagnostic, Fix, Rule, Severity};
@@ -44,16 +45,19 @@ pub(super) fn level(severity: Severity) -> &'static str {
 
 /// A finding as a result of a run.
 pub(crate) fn result(source: &Source, finding: &Diagnostic) -> Value {
-    let text = match &finding.help {
-        Some(help) => format!("{}\n{help}", finding.message),
-        None => finding.message.clone(),
-    };
+    // Viewers show the message, and few of them the logical location.
+    let part = source.name_of(finding.range);
+    let help = finding.help.as_deref().map(|help| format!("\n{help}"));
+    let text = format!("{}{}{}", finding.message, in_part(part), help.unwrap_or_default());
     let mut result = json!({
         "ruleId": finding.rule.name(),
         "level": level(finding.severity),
         "message": { "text": text },
         "locations": [{ "physicalLocation": location(source, finding.range) }],
     });
+    if let Some(part) = part {
+        result["locations"][0]["logicalLocations"] = logical(part);
+    }
     if !finding.related.is_empty() {
         let related = finding.related.iter().enumerate().map(|(id, related)| {
             let elsewhere = related.file.as_ref().and_then(|file| source.other(file));
@@ -94,6 +98,11 @@ fn location(source: &Source, range: TextRange) -> Value {
         "artifactLocation": { "uri": uri(&source.file) },
         "region": region(source, range),
     })
+}
+
+/// What another system calls the place.
+pub(super) fn logical(part: &str) -> Value {
+    json!([{ "fullyQualifiedName": part }])
 }
 
 fn region(source: &Source, range: TextRange) -> Value {

@@ -179,7 +179,7 @@ fn values_of_a_controller_are_one_line() {
 
             ... 2 the same
 
-        edited: declaration of count, line 5
+        edited: declaration of count
         - count : DINT := 3;
                           ^
         + count : DINT := 41;
@@ -203,7 +203,7 @@ fn values_of_a_controller_are_one_line() {
 
             ... 2 the same
 
-        edited: declaration of limit, line 6
+        edited: declaration of limit
         - limit : DINT := 80;
                           ^^
         + limit : DINT := 90;

@@ -85,12 +85,16 @@ fn a_simatic_project_is_converted_whole() {
           |
         1 | FUNCTION_BLOCK "Control"
           | ^^^^^^^^^^^^^^
+          |
+          = note: function block Control
 
         error[unknown-member]: DINT has the bits 0 to 31, there is no `pump`
           --> plant/Blocks/Control.s7dcl:10:13
            |
         10 |             Coil( "Data".pump.Run )
            |             ^^^^^^^^^^^^^^^^^^^^^^^
+           |
+           = note: network 1 of Control
 
         Checked 1 file: 2 errors.
     "#]].assert_eq(&run.to_string());
@@ -105,6 +109,7 @@ fn a_simatic_project_is_converted_whole() {
         3 |         Go : Bool;
           |         ^^
           |
+          = note: function block Control
           = help: use it, or remove its declaration
 
         Checked 1 file: 1 info.

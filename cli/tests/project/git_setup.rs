@@ -247,7 +247,7 @@ fn git_shows_what_changed() {
     assert!(!shown.contains("git-blob"), "{shown}");
     let folders = repository.shell("git difftool -d --no-symlinks -t ladder -- p.clad");
     assert!(
-        folders.contains("edited, does another thing: network"),
+        folders.contains("edited, does another thing: routine Main of program P, rung 0"),
         "{folders}"
     );
     repository.write("p.L5X", &logix("XIO(a)OTE(x);"));

@@ -166,11 +166,24 @@ impl Foreign {
 
     /// What the other system calls the part of the file that an offset of the shown text is in, where it has a name.
     pub fn name_at(&self, offset: TextSize) -> Option<&str> {
-        let place = self.lines.place(&self.text, usize::from(offset));
+        self.name_before(self.lines.place(&self.text, usize::from(offset)))
+    }
+
+    fn name_before(&self, place: LineColumn) -> Option<&str> {
         let names = &self.converted.names;
         let before = names.partition_point(|(start, _)| *start <= place);
         let (_, name) = names.get(before.checked_sub(1)?)?;
         Some(name)
+    }
+
+    /// The same of the part that the first thing in a stretch of the ladder text was made from.
+    pub fn name_of(&self, of_ladder: TextRange) -> Option<&str> {
+        let made = &self.converted.written.places;
+        let first = made.partition_point(|(range, _)| range.start() < of_ladder.start());
+        let (_, origin) = made
+            .get(first)
+            .filter(|(range, _)| range.start() < of_ladder.end())?;
+        self.name_before(*self.converted.places.get(*origin as usize)?)
     }
 
     /// Line and column that a part of the ladder text was made from.

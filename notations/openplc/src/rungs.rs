@@ -114,17 +114,16 @@ impl<P: Fn(&RawValue) -> LineColumn> Reader<'_, P> {
     fn rung(&mut self, rung: &Rung<'_>) {
         let mut known: Handles = HashMap::new();
         let mut tied = Vec::new();
+        let first = rung.nodes.first().map(|node| (self.place)(node));
+        let first = first.unwrap_or(LineColumn::START);
+        self.graph.networks.push(first);
         if let Some(comment) = rung
             .comment
             .as_deref()
             .map(str::trim)
             .filter(|comment| !comment.is_empty())
         {
-            let place = rung
-                .nodes
-                .first()
-                .map_or(LineColumn::START, |node| (self.place)(node));
-            let mut node = Node::new(place, Kind::Comment(comment.to_owned()), Vec::new());
+            let mut node = Node::new(first, Kind::Comment(comment.to_owned()), Vec::new());
             node.position.1 = self.top - 1.0;
             self.graph.nodes.push(node);
         }

@@ -8,6 +8,8 @@ use std::collections::HashSet;
 pub struct Graph {
     /// See above.
     pub nodes: Vec<Node>,
+    /// Where each network begins, if the file has one after the other.
+    pub networks: Vec<LineColumn>,
     /// What an element sees of the scan before: which element, of which output.
     pub(crate) feedback: HashSet<(usize, End)>,
 }

@@ -171,6 +171,7 @@ fn at_start(held: &mut Held) {
                     for node in &mut graph.nodes {
                         node.place = LineColumn::START;
                     }
+                    graph.networks.clear();
                 }
                 Body::Text(_, _, place) => *place = LineColumn::START,
                 Body::Chart(_) | Body::Ladder(_) | Body::Empty => {}

@@ -80,6 +80,7 @@ impl Reader<'_, '_> {
 
     fn network(&mut self, network: Object<'_>) {
         let place = self.place(network);
+        self.graph.networks.push(place);
         for told in [network.text("Title"), network.text("Comment")] {
             if !told.is_empty() {
                 self.comment(network, told.to_owned());

@@ -80,6 +80,8 @@ pub(super) struct Changed<'c> {
 #[derive(Serialize)]
 struct Form<'c> {
     line: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    part: Option<&'c str>,
     text: std::borrow::Cow<'c, str>,
 }
 
@@ -220,6 +222,7 @@ impl<'c> File<'c> {
 fn form<'c>(outline: &'c Outline, entry: &'c Entry) -> Form<'c> {
     Form {
         line: outline.line(entry),
+        part: entry.part.as_deref().filter(|part| !part.is_empty()),
         text: outline.text(entry.shown),
     }
 }

@@ -4,7 +4,7 @@ use super::Arguments;
 use super::around::Around;
 use super::pairs::Pair;
 use super::settings::SettingsDiff;
-use super::side::File;
+use super::side::{File, Text};
 use crate::git::Git;
 use crate::outcome::Failure;
 use ladder_review::Outline;
@@ -54,22 +54,22 @@ impl<'g> Read<'g> {
         if old_bytes == new_bytes && !pair.renamed && !self.others_differ(pair)? {
             return Ok(());
         }
-        let text = |file: Option<&File>, bytes: Option<Vec<u8>>| -> Result<Option<String>, Failure> {
+        let text = |file: Option<&File>, bytes: Option<Vec<u8>>| -> Result<Option<Text>, Failure> {
             let both = file.zip(bytes);
             both.map(|(file, bytes)| file.text(bytes, self.git)).transpose()
         };
         let (old_text, new_text) = (text(old, old_bytes)?, text(new, new_bytes)?);
         if pair.is_settings() {
-            let named = |file: Option<&File>, text: Option<String>| Some((file?.name.clone(), text?));
+            let named = |file: Option<&File>, text: Option<Text>| Some((file?.name.clone(), text?.ladder));
             self.settings
                 .extend(SettingsDiff::new(named(old, old_text), named(new, new_text)));
             return Ok(());
         }
-        let was = old;
-        let mut old = program(&mut self.old, was, old_text)?;
-        let new = program(&mut self.new, new, new_text)?;
+        let was = old.zip(old_text.as_ref());
+        let mut old = program(&mut self.old, was)?;
+        let new = program(&mut self.new, new.zip(new_text.as_ref()))?;
         let renames = match (was, &mut old, &new) {
-            (Some(file), Some(old), Some(new)) => give_new_names(&mut self.old, file, old, new)?,
+            (Some((file, _)), Some(old), Some(new)) => give_new_names(&mut self.old, file, old, new)?,
             _ => Vec::new(),
         };
         self.programs.push(Programs {
@@ -90,17 +90,17 @@ impl<'g> Read<'g> {
     }
 }
 
-fn program(
-    around: &mut Around<'_>,
-    file: Option<&File>,
-    text: Option<String>,
-) -> Result<Option<Program>, Failure> {
-    let Some((file, text)) = file.zip(text) else {
+fn program(around: &mut Around<'_>, read: Option<(&File, &Text)>) -> Result<Option<Program>, Failure> {
+    let Some((file, text)) = read else {
         return Ok(None);
     };
+    let mut outline = around.outline(file, &text.ladder)?;
+    if let Some(foreign) = &text.foreign {
+        outline.name_parts(|range| foreign.name_of(range).map(str::to_owned));
+    }
     Ok(Some(Program {
         name: file.name.clone(),
-        outline: around.outline(file, &text)?,
+        outline,
     }))
 }
 
@@ -114,7 +114,8 @@ fn give_new_names(
     let Some(renamed) = renamed(&old.outline, &new.outline) else {
         return Ok(Vec::new());
     };
-    let outline = around.outline(file, &renamed.text)?;
+    let mut outline = around.outline(file, &renamed.text)?;
+    outline.take_parts(&old.outline);
     // Another file may use the old name.
     if old.outline.runs() && !outline.runs() {
         return Ok(Vec::new());

@@ -11,6 +11,7 @@ use ladder_workspace::{MAX_FILE_BYTES, belonging, is_program};
 use std::collections::{BTreeMap, HashMap};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// One side of a comparison.
 pub(super) enum Side {
@@ -20,6 +21,13 @@ pub(super) enum Side {
     Folder(BTreeMap<String, File>),
     /// No file: what git names where one was added or deleted.
     Nothing,
+}
+
+/// The ladder text of a file.
+pub(super) struct Text {
+    pub(super) ladder: String,
+    /// What it was made from, in a file of another system.
+    pub(super) foreign: Option<Arc<Foreign>>,
 }
 
 /// A file that can be read.
@@ -157,12 +165,21 @@ impl File {
     ///
     /// # Errors
     /// It is not a program.
-    pub(super) fn text(&self, bytes: Vec<u8>, git: &Git) -> Result<String, Failure> {
+    pub(super) fn text(&self, bytes: Vec<u8>, git: &Git) -> Result<Text, Failure> {
         let path = Path::new(&self.name);
         match &self.place {
-            Place::Disk(path) => Ok(Source::of_bytes(path, bytes, None)?.text),
+            Place::Disk(path) => {
+                let source = Source::of_bytes(path, bytes, None)?;
+                Ok(Text {
+                    foreign: source.foreign().cloned(),
+                    ladder: source.text,
+                })
+            }
             Place::Git { object: name, .. } => match form::of_program(path, &bytes)? {
-                Form::Ladder => Ok(ladder_workspace::decode(path, bytes)?),
+                Form::Ladder => Ok(Text {
+                    ladder: ladder_workspace::decode(path, bytes)?,
+                    foreign: None,
+                }),
                 Form::Foreign(notation) => {
                     let companions = companions(notation, name, &mut *git.objects()?)?;
                     let stem = path.file_stem().map(OsStr::to_string_lossy);
@@ -173,7 +190,10 @@ impl File {
                     };
                     let read = Foreign::read(notation, &source);
                     let foreign = read.map_err(|error| Failure::broken(path, &error))?;
-                    Ok(foreign.ladder().to_owned())
+                    Ok(Text {
+                        ladder: foreign.ladder().to_owned(),
+                        foreign: Some(Arc::new(foreign)),
+                    })
                 }
             },
         }

@@ -314,6 +314,7 @@ impl<'x> Reader<'x, '_> {
         let mut connectors: HashMap<String, usize> = HashMap::new();
         let mut continuations = Vec::new();
         let mut bottom = top;
+        graph.networks.push(self.xml.place(rung));
         if let Some(label) = rung.attribute("label").filter(|label| !label.is_empty()) {
             let mut node = Drawn::new(self.xml.place(rung), Kind::Label(label.to_owned()), Vec::new());
             node.position = (0.0, top);

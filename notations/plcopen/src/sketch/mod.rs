@@ -22,11 +22,13 @@ mod units;
 mod unknown;
 
 use super::graph::{End, Kind};
-use super::model::{Body, Project, Task, Unit, UnitKind};
+use super::model::{Body, Evaluation, Project, Task, Unit, UnitKind};
 use super::scope::{Scope, Shared};
 use ladder_format::Circuit;
 use ladder_format::program::{Block, Drawing, Element, Item, Network, Path, ProgramSketch};
-use ladder_notation::{Content, Names, ProjectFile, ProjectTask, Reading, UnreadParts, is_function};
+use ladder_notation::{
+    Content, LineColumn, Names, ProjectFile, ProjectTask, Reading, UnreadParts, is_function,
+};
 use std::collections::HashSet;
 use structured::Seen;
 use tasks::{Run, When, at_times, order, shortest};
@@ -47,6 +49,7 @@ pub fn reading(project: Project) -> Reading {
     }
     crate::brought::along(&mut project);
     let project = &project;
+    reading.names = names(project);
     let shared = Shared::of(project);
     let types = declare::types(&shared, project, &mut reading);
     let globals = declare::globals(&shared, project, &mut reading);
@@ -118,6 +121,51 @@ pub fn reading(project: Project) -> Reading {
     reading.report.entries.sort_by_key(|entry| entry.place);
     reading.findings.sort_by_key(|finding| finding.place);
     reading
+}
+
+/// What a person who has the project open calls its parts.
+fn names(project: &Project) -> Vec<(LineColumn, String)> {
+    let drawn = match project.evaluation {
+        Evaluation::Once => "network",
+        Evaluation::EachOutput => "rung",
+    };
+    let mut names = Vec::new();
+    for unit in &project.units {
+        let kind = match unit.kind {
+            UnitKind::Program => "program",
+            UnitKind::Function => "function",
+            UnitKind::FunctionBlock => "function block",
+        };
+        let own = std::iter::once((unit.place, unit.name.clone(), &unit.body));
+        let parts = unit.parts.iter().map(|part| {
+            let name = format!("{} {} of {}", part.what, part.name, unit.name);
+            (part.place, name, &part.body)
+        });
+        for (place, name, body) in own.chain(parts) {
+            let networks: &[LineColumn] = match body {
+                Body::Graph(graph) => &graph.networks,
+                _ => &[],
+            };
+            // What other files of the project have is at the start, and has no networks with a place.
+            if place == LineColumn::START && networks.is_empty() {
+                continue;
+            }
+            // A part of a unit says already what it is.
+            let is_unit = place == unit.place;
+            names.push((
+                place,
+                if is_unit {
+                    format!("{kind} {name}")
+                } else {
+                    name.clone()
+                },
+            ));
+            let networks = networks.iter().zip(1..);
+            let networks = networks.filter(|(at, _)| **at != LineColumn::START);
+            names.extend(networks.map(|(at, number)| (*at, format!("{drawn} {number} of {name}"))));
+        }
+    }
+    names
 }
 
 fn push_part(items: &mut Vec<Item>, part: Vec<Item>) {

@@ -82,6 +82,11 @@ fn sketch(unit: &Unit, library: &Library<'_>, form: Form) -> Reading {
 
 impl Sketcher<'_> {
     fn program(&mut self, unit: &Unit, form: Form) {
+        let networks = unit.networks.iter().zip(1..);
+        let names = networks.map(|(own, number)| (own.place, format!("network {number} of {}", unit.name)));
+        let own = unit.kind.keyword().to_lowercase().replace('_', " ");
+        let own = (unit.place, format!("{own} {}", unit.name));
+        self.reading.names = std::iter::once(own).chain(names).collect();
         let is_block = form == Form::Block;
         let shown = format!("{} {}", unit.kind.keyword(), unit.name);
         if unit.kind == Kind::Organization {
