@@ -319,6 +319,16 @@ export interface EditedDrawing {
     readonly cursor: Place | null;
 }
 
+/** One thing that can be drawn. */
+export interface DrawableRow {
+    readonly section: string;
+    /** As it is drawn without operands: `[TON]`. */
+    readonly block: string;
+    readonly title: string;
+    /** What its parentheses hold until a person writes something else. Missing: it has none. */
+    readonly operands?: string;
+}
+
 /** A text in another document: its words, and its picture as SVG. */
 export interface DrawnFence {
     words: { text: string; kind?: string }[];
@@ -338,6 +348,7 @@ export interface OtherCommands {
         argument: { uri: string; lines: Lines; rail: number; known: readonly string[] };
         answer: Drawn;
     };
+    'ladder.diagramPalette': { argument: { uri: string; search?: string }; answer: { rows: readonly DrawableRow[] } };
     /** What changed since an earlier text. */
     'ladder.compare': { argument: { uri: string; base: string; drawings?: 'light' | 'dark' }; answer: Compared };
     'ladder.crossReference': { argument: { uri: string }; answer: CrossReferenced };

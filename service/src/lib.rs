@@ -35,6 +35,7 @@ pub use lsp::features::cross_reference::{CrossReference, CrossReferenced, Refere
 pub use lsp::features::diagram::{Diagram, Drawn, DrawnPiece, PieceKind};
 pub use lsp::features::fence::{DrawnFence, Fence, FencePicture, FenceWord};
 pub use lsp::features::library_block::{AskedBlock, LibraryBlock};
+pub use lsp::features::palette::{Drawable, DrawableRow, Palette};
 pub use lsp::features::rule_page::{AskedPage, RulePage};
 pub use lsp::{Ended, Ending, Received, serve};
 pub use notation::messages as notation_messages;

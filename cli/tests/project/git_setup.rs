@@ -349,7 +349,10 @@ fn programs_of_other_systems_in_a_revision() {
     repository.write("p.L5X", &logix("XIO(a)OTE(x);"));
     let (told, status) = repository.run("ladder diff HEAD:p.L5X p.L5X");
     assert_eq!(status, Some(1), "{told}");
-    assert!(told.contains("edited, does another thing: routine Main of program P, rung 0"), "{told}");
+    assert!(
+        told.contains("edited, does another thing: routine Main of program P, rung 0"),
+        "{told}"
+    );
 }
 
 #[test]

@@ -172,7 +172,7 @@ fn acts(row: &Instruction) -> bool {
 }
 
 /// The required operands, as they are until the user writes others. None: the block has no list.
-fn operands_of(row: &Instruction) -> Option<Vec<String>> {
+pub(crate) fn operands_of(row: &Instruction) -> Option<Vec<String>> {
     if row.required() == 0
         && !row
             .operands
@@ -207,7 +207,7 @@ fn stand_in(name: &str, accepts: Accepts) -> String {
 }
 
 /// The operands of a user-defined block up to the last that must be given.
-fn operands_of_user(block: &UserBlockFacts) -> Vec<String> {
+pub(crate) fn operands_of_user(block: &UserBlockFacts) -> Vec<String> {
     let given = block
         .parameters
         .iter()

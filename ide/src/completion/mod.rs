@@ -17,6 +17,7 @@ mod operands;
 mod proposals;
 mod tags;
 
+pub(crate) use blocks::{operands_of, operands_of_user};
 pub use item::{Completion, CompletionKind, Completions, Snippet, Topic};
 
 use crate::hover;

@@ -199,6 +199,11 @@ async fn the_page_shows_every_command_whole() {
                 is_whole::<DrawnText>(answer);
                 continue;
             }
+            "diagramPalette" => {
+                is_whole::<ladder_service::Palette>(argument);
+                is_whole::<ladder_service::Drawable>(answer);
+                continue;
+            }
             "fence" => {
                 is_whole::<Fence>(argument);
                 is_whole::<DrawnFence>(answer);

@@ -18,7 +18,7 @@ use tower_lsp::ls_types::{
 use crate::lsp::documents::{file_operations, pull, typed};
 use crate::lsp::features::{
     code_action::KINDS, comment, completion, cross_reference, diagram, diagram_text, edit, fence,
-    library_block, notations, preview, rule_page, run_scenarios, semantic_tokens, signature,
+    library_block, notations, palette, preview, rule_page, run_scenarios, semantic_tokens, signature,
 };
 use crate::lsp::session::agreed::Agreed;
 
@@ -93,6 +93,7 @@ pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {
                     cross_reference::CROSS_REFERENCE,
                     diagram::DIAGRAM,
                     diagram_text::DIAGRAM_TEXT,
+                    palette::PALETTE,
                     fence::FENCE,
                     typed::CURSOR,
                     edit::EDIT,

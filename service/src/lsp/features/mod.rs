@@ -25,6 +25,7 @@ pub(crate) mod library_block;
 pub(crate) mod links;
 pub(crate) mod notations;
 mod of_scenarios;
+pub(crate) mod palette;
 pub(crate) mod preview;
 pub(crate) mod prove;
 pub(crate) mod references;
