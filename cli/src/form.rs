@@ -4,7 +4,7 @@ use crate::outcome::Failure;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 pub(crate) use ladder_notations::Form;
 use ladder_notations::{LADDER, NOTATIONS, Notation, by_extension as notation_of, recognise};
-use ladder_workspace::{is_program, shown};
+use ladder_workspace::{is_ladder_text, shown};
 use std::path::Path;
 
 /// The form of one of [`names`].
@@ -18,7 +18,7 @@ pub(crate) fn named(name: &str) -> Form {
 /// # Errors
 /// The name is another system's, and the content is in no notation that is known.
 pub(crate) fn of_program(path: &Path, bytes: &[u8]) -> Result<Form, Failure> {
-    if is_program(path) {
+    if is_ladder_text(path) {
         return Ok(Form::Ladder);
     }
     match recognise(path, bytes) {
@@ -33,7 +33,7 @@ pub(crate) fn of_program(path: &Path, bytes: &[u8]) -> Result<Form, Failure> {
 
 /// What the name of an output asks for.
 pub(crate) fn by_extension(path: &Path) -> Option<Form> {
-    if is_program(path) {
+    if is_ladder_text(path) {
         return Some(Form::Ladder);
     }
     notation_of(path.extension()?.to_str()?).map(Form::Foreign)

@@ -134,7 +134,9 @@ fn spare() -> Result<Session, String> {
 
 fn sources(files: Vec<ProgramFile>) -> Vec<Source> {
     let files = files.into_iter();
-    files.map(|file| Source::new(file.path, file.text)).collect()
+    files
+        .map(|file| Source::of_member(file.path, &file.text))
+        .collect()
 }
 
 struct Attached {

@@ -56,6 +56,7 @@ impl Table {
             let line = counting.line(wanted.line);
             let column = wanted
                 .column
+                .filter(|_| target.source(file).is_ladder())
                 .map(|column| counting.offset(target.source(file), line, column));
             let Some((breakpoint, location)) = place(target, file, line, column) else {
                 reported.push(json!({

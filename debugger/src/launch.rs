@@ -64,7 +64,7 @@ struct Loaded {
 
 /// Only a program can be run.
 pub(crate) fn must_be_program(path: &Path) -> Result<(), String> {
-    if ladder_workspace::is_program(path) {
+    if ladder_workspace::is_ladder_text(path) {
         return Ok(());
     }
     Err(format!(
@@ -80,7 +80,7 @@ fn load_program(world: &World, path: &Path) -> Result<Loaded, String> {
     let workspace = Workspace::on(&world.disk, path).map_err(|error| error.to_string())?;
     let own = workspace.program_at(path);
     let analysis = match own {
-        Some(own) if own.text == text => workspace.analysis(own),
+        Some(own) if own.text() == text => workspace.analysis(own),
         Some(own) => workspace.analyze_guest(&text, &own.name),
         None => workspace.analyze_guest(&text, &path.to_string_lossy()),
     };
@@ -99,7 +99,7 @@ fn load_program(world: &World, path: &Path) -> Result<Loaded, String> {
                 .filter(|_| file != analysis.context.name);
             return Err(match other {
                 Some(other) => {
-                    let source = Source::new(other.path().to_owned(), other.text.clone());
+                    let source = Source::of_member(other.path().to_owned(), &other.member);
                     first_error(&source, &workspace.analysis(other))
                 }
                 None => first_error(&source, &analysis),
@@ -115,7 +115,7 @@ fn load_program(world: &World, path: &Path) -> Result<Loaded, String> {
                 shown::line(name)
             )
         })?;
-        sources.push(Source::new(other.path().to_owned(), other.text.clone()));
+        sources.push(Source::of_member(other.path().to_owned(), &other.member));
     }
     Ok(Loaded {
         program,

@@ -1,9 +1,11 @@
 //! The files of a program, and places in them as the client counts them.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
+use ladder_notations::Foreign;
 use ladder_syntax::{LineIndex, TextRange, TextSize};
-use ladder_workspace::Disk;
+use ladder_workspace::{Disk, Member};
 use serde_json::{Value as Json, json};
 
 use crate::messages::Initialize;
@@ -16,6 +18,8 @@ pub(crate) struct Source {
     /// The text is not that of the file: the client asks for it.
     is_given: bool,
     index: LineIndex,
+    /// What the file becomes, where it is of another notation: places of the program are in that.
+    foreign: Option<Arc<Foreign>>,
 }
 
 /// What a client asks for the text of the only source that is not on disk by.
@@ -28,7 +32,28 @@ impl Source {
             is_given: false,
             index: LineIndex::new(&text),
             text,
+            foreign: None,
         }
+    }
+
+    /// A program of a workspace.
+    pub(crate) fn of_member(path: PathBuf, member: &Member) -> Source {
+        Source {
+            foreign: member.foreign().cloned(),
+            ..Source::new(path, member.text().to_owned())
+        }
+    }
+
+    /// Whether places of the program are places of the file.
+    pub(crate) fn is_ladder(&self) -> bool {
+        self.foreign.is_none()
+    }
+
+    /// A place of the program as it is in the file.
+    fn in_file(&self, range: TextRange) -> TextRange {
+        self.foreign
+            .as_ref()
+            .map_or(range, |foreign| foreign.range(range))
     }
 
     /// A text that the client has given, which would be at this path.
@@ -43,6 +68,7 @@ impl Source {
     pub(crate) fn again(&self) -> Source {
         Source {
             is_given: self.is_given,
+            foreign: self.foreign.clone(),
             ..Source::new(self.path.clone(), self.text.clone())
         }
     }
@@ -66,9 +92,9 @@ impl Source {
         same_name && resolved(disk, path).is_some_and(|path| resolved(disk, &self.path) == Some(path))
     }
 
-    /// The line of an offset, from 0.
+    /// The line of a place of the program, from 0.
     pub(crate) fn line(&self, offset: TextSize) -> usize {
-        self.index.line(offset)
+        self.index.line(self.in_file(TextRange::empty(offset)).start())
     }
 
     /// The range of a line, from 0, without its end.
@@ -180,6 +206,7 @@ impl Counting {
 
     /// `line`, `column`, `endLine` and `endColumn` of a range; a range that reaches after its first line ends with that.
     pub(crate) fn range(self, source: &Source, range: TextRange) -> Json {
+        let range = source.in_file(range);
         let (line, column) = source.place(range.start());
         let end = range.end().min(source.line_range(line).end().max(range.start()));
         let (_, end_column) = source.place(end);

@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use ladder_analysis::{Analysis, Exported, Exports};
-use ladder_workspace::{Disk, Root, Settings};
+use ladder_notations::{Foreign, of_workspaces};
+use ladder_workspace::{Disk, ForeignPrograms, Root, Settings};
 
 use crate::in_parallel;
 use crate::on_disk::OnDisk;
@@ -49,6 +50,8 @@ pub(crate) struct Folder {
     found: Option<Root>,
     /// Of files that an editor shows whether they belong to the workspace.
     held: HashMap<PathBuf, bool>,
+    /// The programs of the workspace, sorted.
+    all: Vec<PathBuf>,
     /// How often what an open file shows has become something else.
     pub(crate) changes: u64,
 }
@@ -58,6 +61,8 @@ pub(crate) struct Folder {
 pub(crate) struct Open {
     pub(crate) exports: Arc<Exports>,
     pub(crate) analysis: Arc<Analysis>,
+    /// The program, where it is of another notation.
+    pub(crate) foreign: Option<Arc<Foreign>>,
 }
 
 /// So many bytes of programs are read at first, the smallest files before the others.
@@ -87,9 +92,9 @@ impl First {
     }
 
     /// Reads the rest.
-    pub(crate) fn whole(self, disk: &Arc<dyn Disk>, root: &Path) -> Folder {
+    pub(crate) fn whole(self, programs: &Arc<ForeignPrograms>, root: &Path) -> Folder {
         let First { mut folder, large } = self;
-        folder.read(disk, root, &large);
+        folder.read(programs, root, &large);
         folder.exported = None;
         folder
     }
@@ -98,7 +103,7 @@ impl First {
 impl Folder {
     /// Reads a workspace, of which `path` is a file, as far as that is quick. `defaults` hold where it has no settings file.
     pub(crate) fn first(
-        disk: &Arc<dyn Disk>,
+        programs: &Arc<ForeignPrograms>,
         path: &Path,
         root: &Path,
         defaults: &Settings,
@@ -113,8 +118,10 @@ impl Folder {
             exported: None,
             found: None,
             held: HashMap::new(),
+            all: Vec::new(),
             changes: 0,
         };
+        let disk = programs.disk();
         let Ok(found) = disk.root_of(path) else {
             let large = Vec::new();
             return First { folder, large };
@@ -127,27 +134,28 @@ impl Folder {
             }
             None => folder.settings = defaults.clone(),
         }
-        let mut programs = disk.programs(&found, &folder.settings.files);
-        programs.retain(|path| folder.settings.files.contain(path));
+        folder.all = disk.programs(&found, &folder.settings.files);
+        folder.all.retain(|path| folder.settings.files.contain(path));
         folder.found = Some(found);
-        folder.unknown = programs
+        folder.unknown = folder
+            .all
             .iter()
             .filter(|path| shown.contains(path))
             .cloned()
             .collect();
-        let (first, large) = first_and_large(&**disk, programs, &folder.unknown);
-        folder.read(disk, root, &first);
+        let (first, large) = first_and_large(&**disk, folder.all.clone(), &folder.unknown);
+        folder.read(programs, root, &first);
         First { folder, large }
     }
 
     /// Takes files as they are on disk, but for those that an editor shows.
-    fn read(&mut self, disk: &Arc<dyn Disk>, root: &Path, programs: &[PathBuf]) {
-        let unknown = &self.unknown;
-        let read = in_parallel::map(programs, |path| {
+    fn read(&mut self, programs: &Arc<ForeignPrograms>, root: &Path, paths: &[PathBuf]) {
+        let (unknown, all) = (&self.unknown, &self.all);
+        let read = in_parallel::map(paths, |path| {
             let file = if unknown.contains(path) {
-                OnDisk::shown(disk, root, path)
+                OnDisk::shown(programs, root, path)
             } else {
-                OnDisk::read(disk, root, path)?
+                OnDisk::read(programs, (root, all), path)?
             };
             Some((path.clone(), Arc::new(file)))
         });
@@ -179,22 +187,64 @@ impl Folder {
     }
 
     /// Takes a file as it is on disk now. One that an editor shows is not read: what its editor shows counts.
-    pub(crate) fn reread(&mut self, disk: &Arc<dyn Disk>, root: &Path, path: &Path) {
+    pub(crate) fn reread(&mut self, programs: &Arc<ForeignPrograms>, root: &Path, path: &Path) {
+        let disk = programs.disk();
         self.held.remove(path);
         let holds = self.holds(&**disk, path);
+        match (
+            self.all.binary_search_by(|own| (**own).cmp(path)),
+            holds && disk.is_file(path),
+        ) {
+            (Err(at), true) => self.all.insert(at, path.to_owned()),
+            (Ok(at), false) => drop(self.all.remove(at)),
+            (Ok(_), true) | (Err(_), false) => {}
+        }
         let shown = self.disk.get(path).filter(|_| self.open.contains_key(path));
         let file = if !holds {
             None
         } else if let Some(shown) = shown {
             Some(shown.without_text(disk.stamp(path))).filter(|file| file.stamp.exists())
         } else {
-            OnDisk::read(disk, root, path)
+            OnDisk::read(programs, (root, &self.all), path)
         };
         self.unknown.remove(path);
         match file {
             Some(file) => self.disk.insert(path.to_owned(), Arc::new(file)),
             None => self.disk.remove(path),
         };
+    }
+
+    /// Reads those programs of other notations again that may name something of a file, which has changed: what they are in ladder
+    /// text depends on what that declares. True if any of them shows something else now.
+    pub(crate) fn reread_readers(
+        &mut self,
+        programs: &Arc<ForeignPrograms>,
+        root: &Path,
+        changed: &Path,
+        before: Option<&Exports>,
+    ) -> bool {
+        let now = self.shown(changed).cloned();
+        let names: HashSet<String> = before.into_iter().chain(now.as_deref()).flat_map(names).collect();
+        let is_reader = |(path, file): &(&PathBuf, &Arc<OnDisk>)| {
+            **path != *changed && of_workspaces(path).is_some() && {
+                let text = file.member().text();
+                let mut words = text.split(|c: char| !c.is_alphanumeric() && c != '_');
+                words.any(|word| names.contains(&word.to_lowercase()))
+            }
+        };
+        let readers: Vec<PathBuf> = self
+            .disk
+            .iter()
+            .filter(is_reader)
+            .map(|(path, _)| path.clone())
+            .collect();
+        let mut other = false;
+        for path in readers {
+            let before = self.shown(&path).cloned();
+            self.reread(programs, root, &path);
+            other |= !same(before.as_deref(), self.shown(&path).map(|exports| &**exports));
+        }
+        other
     }
 
     /// An editor shows a file, and what it shows is known.
@@ -208,12 +258,17 @@ impl Folder {
 
     /// What its files show to each other, as one of them sees it. Another one of which nothing is known yet counts as it is on
     /// disk.
-    pub(crate) fn exported_for(&mut self, disk: &Arc<dyn Disk>, root: &Path, own: &Path) -> &Arc<Exported> {
+    pub(crate) fn exported_for(
+        &mut self,
+        programs: &Arc<ForeignPrograms>,
+        root: &Path,
+        own: &Path,
+    ) -> &Arc<Exported> {
         let others = self.unknown.iter().filter(|path| **path != *own);
         let others: Vec<PathBuf> = others.cloned().collect();
         for path in others {
             self.unknown.remove(&path);
-            if let Some(file) = OnDisk::read(disk, root, &path) {
+            if let Some(file) = OnDisk::read(programs, (root, &self.all), &path) {
                 self.disk.insert(path, Arc::new(file));
                 self.exported = None;
             }
@@ -258,6 +313,17 @@ fn first_and_large(
     let large = sized.split_off(first);
     let paths = |sized: Vec<(u64, PathBuf)>| sized.into_iter().map(|(_, path)| path).collect();
     (paths(sized), paths(large))
+}
+
+/// The names of what a file declares for others, in small letters.
+fn names(exports: &Exports) -> impl Iterator<Item = String> {
+    let blocks = exports
+        .blocks
+        .iter()
+        .map(|block| block.facts.name.trim_start_matches('$'));
+    let globals = exports.globals.iter().map(|global| &*global.name);
+    let types = exports.types.iter().map(|ty| &*ty.name);
+    blocks.chain(globals).chain(types).map(str::to_lowercase)
 }
 
 /// Whether the others see the same of a file before and after a change on disk, at the same places.

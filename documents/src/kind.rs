@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use ladder_notations::{Notation, by_language, recognise};
-use ladder_workspace::{SETTINGS_FILE, is_program, is_scenario};
+use ladder_workspace::{SETTINGS_FILE, is_ladder_text, is_scenario};
 
 /// How the languages of notations begin. One that is not known is of a notation that this build leaves out.
 const NOTATION: &str = "ladder-";
@@ -33,7 +33,7 @@ impl Kind {
             Kind::Foreign(notation)
         } else if name == Path::new(SETTINGS_FILE) {
             Kind::Settings
-        } else if is_program(name) {
+        } else if is_ladder_text(name) {
             Kind::Program
         } else if is_scenario(name) || matches!(language, "ladder-test" | "laddertest") {
             Kind::Scenarios

@@ -14,6 +14,12 @@ pub struct Analysis {
     whole: Arc<ladder_analysis::Analysis>,
 }
 
+impl From<Arc<ladder_analysis::Analysis>> for Analysis {
+    fn from(whole: Arc<ladder_analysis::Analysis>) -> Analysis {
+        Analysis { whole }
+    }
+}
+
 impl Analysis {
     /// Looks for what is wrong. What an earlier text of the document has in common with it is not checked again. What
     /// concerns a large part of the file is given up once it is cancelled.

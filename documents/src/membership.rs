@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
 use ladder_analysis::{Analysis, Others};
+use ladder_notations::Foreign;
 
 use crate::neighbours::{Affected, Neighbours};
 
@@ -44,12 +45,12 @@ impl Membership {
     }
 
     /// Tells the others what the file says now. Returns, once, who sees something else than before.
-    pub(crate) fn tell(&self, analysis: &Arc<Analysis>) -> Affected {
+    pub(crate) fn tell(&self, analysis: &Arc<Analysis>, foreign: Option<&Arc<Foreign>>) -> Affected {
         if self.passed_on.set(()).is_err() {
             return Affected::default();
         }
         let read_at = self.read_at.get().copied();
-        self.neighbours.analysed(&self.path, analysis, read_at)
+        self.neighbours.analysed(&self.path, (analysis, foreign), read_at)
     }
 }
 

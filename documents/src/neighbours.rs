@@ -13,7 +13,8 @@ use ladder_analysis::{
     Analysis, AnalyzeOptions, Exported, Exports, Linked, NotWhole, Others, RuleSettings, analyze, link_files,
     link_tasks,
 };
-use ladder_workspace::{Disk, FileError, ForeignPrograms, Plan, SETTINGS_FILE, Settings, Simulate};
+use ladder_notations::{Foreign, of_workspaces};
+use ladder_workspace::{Disk, FileError, ForeignPrograms, Member, Plan, SETTINGS_FILE, Settings, Simulate};
 
 use crate::folder::{First, Folder, Open, Shown, same};
 use crate::on_disk::{FilesOnDisk, OnDisk, name_in};
@@ -25,7 +26,7 @@ pub struct Neighbours {
     /// Apart from the rest, which may be locked while files are read.
     shown: Shown,
     disk: Arc<dyn Disk>,
-    foreign: ForeignPrograms,
+    foreign: Arc<ForeignPrograms>,
     state: Mutex<State>,
     /// Held by who reads the large files of a workspace, while the others go on.
     loading: Mutex<()>,
@@ -48,6 +49,7 @@ struct InPart {
 #[derive(Debug)]
 struct State {
     disk: Arc<dyn Disk>,
+    foreign: Arc<ForeignPrograms>,
     /// The same as above.
     shown: Shown,
     /// What holds where there is no settings file.
@@ -73,8 +75,10 @@ impl Neighbours {
     /// The workspaces of a disk.
     pub fn on(disk: Arc<dyn Disk>) -> Neighbours {
         let shown = Shown::default();
+        let foreign = Arc::new(ForeignPrograms::on(disk.clone()));
         let state = State {
             disk: disk.clone(),
+            foreign: Arc::clone(&foreign),
             shown: shown.clone(),
             defaults: Settings::default(),
             roots: HashMap::new(),
@@ -83,7 +87,7 @@ impl Neighbours {
         };
         Neighbours {
             shown,
-            foreign: ForeignPrograms::on(disk.clone()),
+            foreign,
             disk,
             state: Mutex::new(state),
             loading: Mutex::default(),
@@ -112,18 +116,23 @@ impl Neighbours {
         let mut state = self.loaded(path);
         let (root, folder) = state.folder(path);
         let name = name_in(&root, path);
-        let others = folder.exported_for(&self.disk, &root, path).others_of(&name);
+        let others = folder.exported_for(&self.foreign, &root, path).others_of(&name);
         (name, others, folder.changes)
     }
 
     /// Enters the analysis of an open file, which was read when there had been this many changes.
-    pub(crate) fn analysed(&self, path: &Path, analysis: &Arc<Analysis>, read_at: Option<u64>) -> Affected {
+    pub(crate) fn analysed(
+        &self,
+        path: &Path,
+        (analysis, foreign): (&Arc<Analysis>, Option<&Arc<Foreign>>),
+        read_at: Option<u64>,
+    ) -> Affected {
         let exports = Arc::new(Exports::of(&analysis.context, &analysis.context.name));
         let mut state = self.loaded(path);
         let (root, folder) = state.folder(path);
         let is_guest = !folder.holds(&*self.disk, path);
         let before = folder.shown(path).cloned();
-        let exported = folder.exported_for(&self.disk, &root, path);
+        let exported = folder.exported_for(&self.foreign, &root, path);
         let did_not_know = !is_guest && exported.did_not_know(&exports);
         let concerns = match &before {
             Some(before) => exported.concerns(before, &exports),
@@ -140,6 +149,7 @@ impl Neighbours {
         let open = Open {
             exports,
             analysis: Arc::clone(analysis),
+            foreign: foreign.cloned(),
         };
         folder.show(path, open);
         if changed {
@@ -169,7 +179,7 @@ impl Neighbours {
         let (root, folder) = state.folder(path);
         let before = folder.open.remove(path).map(|open| open.exports);
         let was_guest = !folder.holds(&*self.disk, path);
-        folder.reread(&self.disk, &root, path);
+        folder.reread(&self.foreign, &root, path);
         folder.exported = None;
         !was_guest && !same(before.as_deref(), folder.shown(path).map(|exports| &**exports))
     }
@@ -198,8 +208,9 @@ impl Neighbours {
                 .filter(|(root, folder)| **root == own || folder.settings.files.is_in_library(path));
             for (root, folder) in holding {
                 let before = folder.shown(path).cloned();
-                folder.reread(&self.disk, root, path);
-                if !same(before.as_deref(), folder.shown(path).map(|exports| &**exports)) {
+                folder.reread(&self.foreign, root, path);
+                let is_other = !same(before.as_deref(), folder.shown(path).map(|exports| &**exports));
+                if folder.reread_readers(&self.foreign, root, path, before.as_deref()) || is_other {
                     folder.exported = None;
                     changed = true;
                 }
@@ -236,12 +247,14 @@ impl Neighbours {
     pub fn on_disk(&self, path: &Path) -> FilesOnDisk {
         let mut state = self.loaded(path);
         let (root, folder) = state.folder(path);
-        let exported = Arc::clone(folder.exported_for(&self.disk, &root, path));
-        let files = folder.disk.iter();
+        let exported = Arc::clone(folder.exported_for(&self.foreign, &root, path));
+        let files = folder.disk.iter().map(|(path, file)| {
+            let open = folder.open.get(path);
+            let shown = open.and_then(|open| Some(file.as_shown(open.foreign.as_ref()?, &open.exports)));
+            (path.clone(), shown.map_or_else(|| Arc::clone(file), Arc::new))
+        });
         FilesOnDisk {
-            files: files
-                .map(|(path, file)| (path.clone(), Arc::clone(file)))
-                .collect(),
+            files: files.collect(),
             exported,
         }
     }
@@ -292,7 +305,7 @@ impl Neighbours {
             return Ok(Arc::clone(&open.analysis));
         }
         let name = name_in(&root, path);
-        let others = folder.exported_for(&self.disk, &root, path).others_of(&name);
+        let others = folder.exported_for(&self.foreign, &root, path).others_of(&name);
         let rules = folder.settings.rules_for(path);
         let known = folder.disk.get(path).cloned();
         drop(state);
@@ -313,7 +326,7 @@ impl Neighbours {
     /// It cannot be read, or has no tasks.
     pub fn text_on_disk(&self, path: &Path) -> Result<String, FileError> {
         if !is_settings(path) {
-            return self.disk.read_own(path);
+            return Ok(self.foreign.member(path, None)?.ladder().to_owned());
         }
         self.settings(path, |settings| {
             Ok(Plan::of(settings, path)?.text(&settings.format))
@@ -337,7 +350,7 @@ impl Neighbours {
         let mut state = self.loaded(path);
         let (root, folder) = state.folder(path);
         let file = Arc::clone(folder.disk.get(path)?);
-        Some((file, Arc::clone(folder.exported_for(&self.disk, &root, path))))
+        Some((file, Arc::clone(folder.exported_for(&self.foreign, &root, path))))
     }
 
     /// Reads the workspace of a program, if that was not done. The others may go on meanwhile.
@@ -348,7 +361,7 @@ impl Neighbours {
         let _loading = self.loading.lock().unwrap_or_else(PoisonError::into_inner);
         let take = |root: &Path, part: &mut InPart| Some((root.to_owned(), part.begun, part.first.take()?));
         while let Some(Some((root, begun, first))) = self.in_part(path, take) {
-            let folder = first.whole(&self.disk, &root);
+            let folder = first.whole(&self.foreign, &root);
             self.parts().remove(&root);
             let mut state = self.lock();
             // Else other settings hold by now.
@@ -387,11 +400,11 @@ impl Neighbours {
             (root, state.defaults.clone(), state.begun)
         };
         if parts.get(&root).is_none_or(|part| part.begun != begun) {
-            let mut first = Folder::first(&self.disk, path, &root, &defaults, &self.shown);
+            let mut first = Folder::first(&self.foreign, path, &root, &defaults, &self.shown);
             if first.is_whole() {
                 let mut state = self.lock();
                 if state.begun == begun {
-                    let folder = first.whole(&self.disk, &root);
+                    let folder = first.whole(&self.foreign, &root);
                     state.folders.entry(root).or_insert(folder);
                 }
                 return None;
@@ -453,7 +466,7 @@ impl Neighbours {
     }
 
     /// The file of a name, as findings and programs of another file know it: its path and text.
-    pub fn text_of(&self, from: &Path, name: &str) -> Option<(PathBuf, String)> {
+    pub fn text_of(&self, from: &Path, name: &str) -> Option<(PathBuf, Member)> {
         let mut state = self.loaded(from);
         let (root, folder) = state.folder(from);
         let open = folder
@@ -461,10 +474,14 @@ impl Neighbours {
             .iter()
             .find(|(path, _)| *name_in(&root, path) == *name);
         if let Some((path, open)) = open {
-            return Some((path.clone(), open.analysis.context.parse.to_string()));
+            let text = match &open.foreign {
+                Some(foreign) => Member::Foreign(Arc::clone(foreign)),
+                None => Member::Ladder(open.analysis.context.parse.to_string()),
+            };
+            return Some((path.clone(), text));
         }
         let (path, file) = folder.disk.iter().find(|(_, file)| *file.name == *name)?;
-        Some((path.clone(), file.text().to_owned()))
+        Some((path.clone(), file.member().clone()))
     }
 
     /// What runs: a file's program with what it uses of the others, and these.
@@ -485,7 +502,7 @@ impl Neighbours {
             let (path, file) = folder.disk.iter().find(|(_, file)| *file.name == *name)?;
             let rules = folder.settings.rules_for(path);
             let (path, file) = (path.clone(), Arc::clone(file));
-            let others = folder.exported_for(&self.disk, &root, &path).others_of(name);
+            let others = folder.exported_for(&self.foreign, &root, &path).others_of(name);
             drop(state);
             Some(Arc::new(analyze(
                 &file.parse(),
@@ -493,7 +510,7 @@ impl Neighbours {
             )))
         };
         if !is_settings(path) {
-            return link_files(own, &analysis);
+            return self.checked(path, link_files(own, &analysis)?);
         }
         let missing = |file: &Path| NotWhole::Missing(Arc::from(file.to_string_lossy()));
         let settings = self.settings(path, Settings::clone);
@@ -503,7 +520,23 @@ impl Neighbours {
             let program = self.analysis_of(&file).map_err(|_| missing(&file))?;
             Ok((program, every))
         });
-        link_tasks(own, &programs.collect::<Result<Vec<_>, _>>()?, &analysis)
+        let linked = link_tasks(own, &programs.collect::<Result<Vec<_>, _>>()?, &analysis)?;
+        self.checked(path, linked)
+    }
+
+    /// What runs, unless a file that it uses has errors before it is ladder text.
+    fn checked(&self, path: &Path, linked: Linked) -> Result<Linked, NotWhole> {
+        let is_broken = |name: &&Arc<str>| {
+            of_workspaces(Path::new(&***name)).is_some()
+                && self
+                    .text_of(path, name)
+                    .is_some_and(|(_, text)| text.foreign().is_some_and(|foreign| foreign.has_errors()))
+        };
+        let mut names = linked.others.iter().map(|other| &other.context.name);
+        match names.find(is_broken).cloned() {
+            Some(file) => Err(NotWhole::Errors(file)),
+            None => Ok(linked),
+        }
     }
 
     /// Whether the text of a program is held as it is on disk.
@@ -554,11 +587,11 @@ impl State {
 
     fn folder(&mut self, path: &Path) -> (PathBuf, &mut Folder) {
         let root = self.root(path);
-        let (disk, defaults, shown) = (&self.disk, &self.defaults, &self.shown);
+        let (foreign, defaults, shown) = (&self.foreign, &self.defaults, &self.shown);
         let folder = self
             .folders
             .entry(root.clone())
-            .or_insert_with(|| Folder::first(disk, path, &root, defaults, shown).whole(disk, &root));
+            .or_insert_with(|| Folder::first(foreign, path, &root, defaults, shown).whole(foreign, &root));
         (root, folder)
     }
 }

@@ -6,8 +6,9 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use ladder_analysis::context::Context;
 use ladder_analysis::{AnalyzeOptions, context};
 use ladder_analysis::{Exported, Exports, exports};
+use ladder_notations::Foreign;
 use ladder_syntax::Parse;
-use ladder_workspace::{Disk, Stamp};
+use ladder_workspace::{ForeignPrograms, Member, Stamp};
 
 /// The names of files that no editor shows are kept in workspaces with this many bytes of text; in larger ones they are read
 /// again when it is asked for.
@@ -20,51 +21,69 @@ pub struct OnDisk {
     pub name: Arc<str>,
     pub(crate) stamp: Stamp,
     path: PathBuf,
-    disk: Arc<dyn Disk>,
+    programs: Arc<ForeignPrograms>,
     /// Its text. All else that is known of it is read again when it is asked for. Of a file that an editor shows the text too is
     /// read only if it is asked for: it is mostly the same that the editor has sent.
-    text: OnceLock<String>,
+    text: OnceLock<Member>,
     pub(crate) exports: Arc<Exports>,
     /// Its names, as they are among these other files.
     names: Mutex<Option<(Arc<Exported>, Arc<Context>)>>,
 }
 
 impl OnDisk {
-    /// Reads a program.
-    pub(crate) fn read(disk: &Arc<dyn Disk>, root: &Path, path: &Path) -> Option<OnDisk> {
-        let stamp = disk.stamp(path);
-        let text = disk.read_own(path).ok()?;
+    /// Reads a program. `all` are those of its workspace, whose folder is `root`.
+    pub(crate) fn read(
+        programs: &Arc<ForeignPrograms>,
+        (root, all): (&Path, &[PathBuf]),
+        path: &Path,
+    ) -> Option<OnDisk> {
+        let stamp = programs.disk().stamp(path);
+        let member = programs.member(path, Some((root, all))).ok()?;
         let name = name_in(root, path);
-        let exports = exports_of(&text, &name);
-        let text = OnceLock::from(text);
-        Some(OnDisk::new(disk, (path, stamp), name, exports, text))
+        let exports = exports_of(member.ladder(), &name);
+        let text = OnceLock::from(member);
+        Some(OnDisk::new(programs, (path, stamp), name, exports, text))
     }
 
     /// A program that an editor shows, before anything is known of it: as if it were empty.
-    pub(crate) fn shown(disk: &Arc<dyn Disk>, root: &Path, path: &Path) -> OnDisk {
+    pub(crate) fn shown(programs: &Arc<ForeignPrograms>, root: &Path, path: &Path) -> OnDisk {
         let name = name_in(root, path);
         let exports = exports_of("", &name);
-        OnDisk::new(disk, (path, disk.stamp(path)), name, exports, OnceLock::new())
+        let stamp = programs.disk().stamp(path);
+        OnDisk::new(programs, (path, stamp), name, exports, OnceLock::new())
     }
 
     /// The same, as it was written then, without its text, which is read again if it is asked for.
     pub(crate) fn without_text(&self, stamp: Stamp) -> OnDisk {
         let (name, exports) = (Arc::clone(&self.name), Arc::clone(&self.exports));
-        OnDisk::new(&self.disk, (&self.path, stamp), name, exports, OnceLock::new())
+        OnDisk::new(
+            &self.programs,
+            (&self.path, stamp),
+            name,
+            exports,
+            OnceLock::new(),
+        )
+    }
+
+    /// The same as an editor shows it, where it is a program of another notation.
+    pub(crate) fn as_shown(&self, foreign: &Arc<Foreign>, exports: &Arc<Exports>) -> OnDisk {
+        let (name, exports) = (Arc::clone(&self.name), Arc::clone(exports));
+        let text = OnceLock::from(Member::Foreign(Arc::clone(foreign)));
+        OnDisk::new(&self.programs, (&self.path, self.stamp), name, exports, text)
     }
 
     fn new(
-        disk: &Arc<dyn Disk>,
+        programs: &Arc<ForeignPrograms>,
         (path, stamp): (&Path, Stamp),
         name: Arc<str>,
         exports: Arc<Exports>,
-        text: OnceLock<String>,
+        text: OnceLock<Member>,
     ) -> OnDisk {
         OnDisk {
             name,
             stamp,
             path: path.to_owned(),
-            disk: disk.clone(),
+            programs: Arc::clone(programs),
             text,
             exports,
             names: Mutex::default(),
@@ -72,9 +91,10 @@ impl OnDisk {
     }
 
     /// Its text; empty if it cannot be read any more.
-    pub fn text(&self) -> &str {
+    pub fn member(&self) -> &Member {
+        let empty = |_| Member::Ladder(String::new());
         self.text
-            .get_or_init(|| self.disk.read_own(&self.path).unwrap_or_default())
+            .get_or_init(|| self.programs.member(&self.path, None).unwrap_or_else(empty))
     }
 
     /// Whether its text is held.
@@ -83,7 +103,7 @@ impl OnDisk {
     }
 
     pub(crate) fn parse(&self) -> Arc<Parse> {
-        Arc::new(ladder_syntax::parse(self.text()))
+        Arc::new(ladder_syntax::parse(self.member().ladder()))
     }
 
     /// Its names. `exported` is what the files of its workspace show to each other.

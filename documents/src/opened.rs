@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use crate::language;
 use ladder_analysis::{Analysis, Diagnostic};
 use ladder_ide::markdown;
 use ladder_notations::{Foreign, Notation, Outcome, ReadError, Source};
@@ -15,7 +16,8 @@ const MOST_LINES: usize = 40;
 /// A program of another system, read.
 #[derive(Debug)]
 pub struct Opened {
-    foreign: Foreign,
+    foreign: Arc<Foreign>,
+    analysis: language::Analysis,
     /// What is found in the ladder text, with its places in the file.
     findings: Vec<Diagnostic>,
 }
@@ -38,16 +40,22 @@ impl Opened {
             None => Source::alone(name, bytes),
         };
         let foreign = Foreign::read(notation, &source)?;
-        let analysis = analyse(&Arc::new(ladder_syntax::parse(foreign.ladder())));
+        let analysis = Arc::new(analyse(&Arc::new(ladder_syntax::parse(foreign.ladder()))));
         Ok(Opened {
             findings: foreign.in_file(analysis.diagnostics().to_vec()),
-            foreign,
+            foreign: Arc::new(foreign),
+            analysis: language::Analysis::from(analysis),
         })
     }
 
     /// The program, next to its ladder text.
-    pub fn foreign(&self) -> &Foreign {
+    pub fn foreign(&self) -> &Arc<Foreign> {
         &self.foreign
+    }
+
+    /// What is known of the ladder text.
+    pub(crate) fn analysis(&self) -> &language::Analysis {
+        &self.analysis
     }
 
     /// What is found in the ladder text, with its places in the file.
@@ -75,6 +83,39 @@ impl Opened {
             shown.push(format!("**{what}** {element}: {why}"));
         }
         (!shown.is_empty()).then(|| (trimmed(text, line), shown.join("\n\n")))
+    }
+
+    /// Where the word at an offset is in the ladder text that its line becomes.
+    pub fn in_ladder(&self, offset: TextSize) -> Vec<TextSize> {
+        let is_name = |c: char| c.is_alphanumeric() || c == '_';
+        let text = self.foreign.text();
+        let Some((before, after)) = text.split_at_checked(usize::from(offset)) else {
+            return Vec::new();
+        };
+        let before = before.rsplit(|c| !is_name(c)).next().unwrap_or_default();
+        let after = after.split(|c| !is_name(c)).next().unwrap_or_default();
+        let word = format!("{before}{after}");
+        let lines = LineIndex::new(text);
+        let Some(line) = self
+            .line_with_parts(&lines, lines.line(offset))
+            .filter(|_| !word.is_empty())
+        else {
+            return Vec::new();
+        };
+        let mut found = Vec::new();
+        for part in self.foreign.made_from(line) {
+            let mut at = part.start();
+            for piece in self.foreign.ladder()[part].split_inclusive(|c| !is_name(c)) {
+                if piece
+                    .trim_end_matches(|c| !is_name(c))
+                    .eq_ignore_ascii_case(&word)
+                {
+                    found.push(at);
+                }
+                at += TextSize::of(piece);
+            }
+        }
+        found
     }
 
     /// The line, or the one where the statement begins that goes on in it, if anything was made from that. A line that

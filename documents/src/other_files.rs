@@ -11,7 +11,9 @@ use std::sync::{Arc, OnceLock};
 use ladder_analysis::context::Context;
 use ladder_analysis::{Cancel, Exported};
 use ladder_ide::{ScenarioFile, Which, Workspace};
+use ladder_notations::Foreign;
 use ladder_syntax::TextRange;
+use ladder_workspace::Member;
 use ropey::Rope;
 
 use crate::kind::Kind;
@@ -79,6 +81,8 @@ pub struct FileText {
     asked: Cell<u32>,
     /// For those after them.
     positions: OnceCell<Positions>,
+    /// What ranges are places in the ladder text of, where it is of another notation.
+    foreign: Option<Arc<Foreign>>,
 }
 
 /// This many ranges of a file are looked up in its rope, before its lines are gone through for all that follow.
@@ -93,6 +97,10 @@ impl FileText {
             encoding,
             asked: Cell::default(),
             positions: OnceCell::new(),
+            foreign: match revision.opened() {
+                Some(Ok(opened)) => Some(Arc::clone(opened.foreign())),
+                _ => None,
+            },
         }
     }
 
@@ -104,11 +112,28 @@ impl FileText {
             encoding,
             asked: Cell::default(),
             positions: OnceCell::from(Positions::new(text.to_owned(), encoding)),
+            foreign: None,
         }
+    }
+
+    fn of_member(uri: String, member: &Member, encoding: position::Encoding) -> FileText {
+        FileText {
+            foreign: member.foreign().cloned(),
+            ..FileText::of_file(uri, member.text(), encoding)
+        }
+    }
+
+    /// Whether it is ladder text, which edits can be made in.
+    pub fn is_ladder(&self) -> bool {
+        self.foreign.is_none()
     }
 
     /// A range of it.
     pub fn range(&self, range: TextRange) -> Range {
+        let range = self
+            .foreign
+            .as_ref()
+            .map_or(range, |foreign| foreign.range(range));
         let asked = self.asked.get();
         if let Some(rope) = self.rope.as_ref().filter(|_| asked < FEW) {
             self.asked.set(asked + 1);
@@ -255,7 +280,11 @@ impl OtherFiles {
             return Some(FileText::of_file(address, text, encoding));
         }
         if let Some((path, file)) = self.files().closed(name) {
-            return Some(FileText::of_file(address::uri_of(path), file.text(), encoding));
+            return Some(FileText::of_member(
+                address::uri_of(path),
+                file.member(),
+                encoding,
+            ));
         }
         let mut scenarios = self.scenarios.get()?.iter();
         let found = scenarios.find(|it| *it.shown.name == *name)?;
@@ -290,7 +319,7 @@ impl Workspace for OtherFiles {
         }
         in_parallel::each(&files.closed, |number, (_, file)| {
             if !self.cancel.is_cancelled()
-                && which.takes(|| file.text().into())
+                && which.takes(|| file.member().ladder().into())
                 && let Some(context) = files.context(file)
             {
                 look(files.open.len() + number, &context);

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use ladder_syntax::TextRange;
+use ladder_workspace::Member;
 use ropey::Rope;
 
 use crate::position::{self, Range};
@@ -12,7 +13,7 @@ use crate::revision::Revision;
 pub struct OtherPlaces<'r> {
     revision: &'r Revision,
     /// Address and text.
-    files: HashMap<String, Option<(String, Rope)>>,
+    files: HashMap<String, Option<(String, Rope, Member)>>,
 }
 
 impl<'r> OtherPlaces<'r> {
@@ -28,10 +29,11 @@ impl<'r> OtherPlaces<'r> {
     pub fn range(&mut self, file: &str, range: TextRange) -> Option<(String, Range)> {
         if !self.files.contains_key(file) {
             let found = self.revision.text_next_to(file);
-            let found = found.map(|(address, text)| (address, Rope::from_str(&text)));
+            let found = found.map(|(address, member)| (address, Rope::from_str(member.text()), member));
             self.files.insert(file.to_owned(), found);
         }
-        let (address, text) = self.files.get(file)?.as_ref()?;
+        let (address, text, member) = self.files.get(file)?.as_ref()?;
+        let range = member.range(range);
         let end = usize::from(range.end()).min(text.len_bytes());
         let bytes = usize::from(range.start()).min(end)..end;
         Some((

@@ -11,8 +11,9 @@ use ladder_analysis::context::Context;
 use ladder_analysis::program::Program;
 use ladder_analysis::{AnalyzeOptions, Cancel, Linked, NotWhole, Others, RuleSettings, analyze, link_files};
 use ladder_format::{Edit, Options, format};
-use ladder_notations::ReadError;
+use ladder_notations::{ReadError, of_workspaces};
 use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES, Parse, TextRange, TextSize, parse};
+use ladder_workspace::Member;
 use ropey::Rope;
 
 use crate::byte_edit::{ByteEdit, EditLog, Since};
@@ -135,12 +136,16 @@ impl Revision {
     /// The text of a file that no editor shows, at version 0 of nothing.
     pub fn on_disk(uri: &str, encoding: Encoding, text: &str, place: Membership) -> Self {
         let rope = Rope::from_str(text);
-        Revision::new(Arc::from(uri), Kind::Program, 0, 0, encoding, rope, Some(place))
+        let kind = of_workspaces(&place.path).map_or(Kind::Program, Kind::Foreign);
+        Revision::new(Arc::from(uri), kind, 0, 0, encoding, rope, Some(place))
     }
 
     /// The names, networks and blocks of the text, read at the first call, or `None` for a text over [`MAX_OPEN_BYTES`] or
-    /// [`MAX_OPEN_LINES`]. Takes milliseconds on a large file: for a blocking thread.
+    /// [`MAX_OPEN_LINES`]; of a program of another system those of its ladder text. Takes milliseconds on a large file: for a blocking thread.
     pub fn context(&self) -> Option<&Arc<Context>> {
+        if self.kind.notation().is_some() {
+            return Some(&self.analysis()?.whole().context);
+        }
         if let Some(known) = self.context.get() {
             return Some(known);
         }
@@ -259,6 +264,9 @@ impl Revision {
 
     /// The same with all that is found in it: for those who cannot do without.
     pub fn analysis(&self) -> Option<&Analysis> {
+        if self.kind.notation().is_some() {
+            return Some(self.opened()?.as_ref().ok()?.analysis());
+        }
         self.context()?;
         self.analysis_unless(&Cancel::default())
     }
@@ -331,9 +339,18 @@ impl Revision {
     /// Tells the other files of the workspace what this one says now. Returns, once, who sees something else than before.
     /// As costly as [`Revision::analysis`].
     pub fn tell_neighbours(&self) -> Affected {
-        match (self.analysis(), &self.place) {
-            (Some(analysis), Some(place)) => place.tell(analysis.whole()),
-            _ => Affected::default(),
+        let Some(place) = &self.place else {
+            return Affected::default();
+        };
+        if self.kind.notation().is_some() {
+            return match self.opened().filter(|_| of_workspaces(&place.path).is_some()) {
+                Some(Ok(opened)) => place.tell(opened.analysis().whole(), Some(opened.foreign())),
+                _ => Affected::default(),
+            };
+        }
+        match self.analysis() {
+            Some(analysis) => place.tell(analysis.whole(), None),
+            None => Affected::default(),
         }
     }
 
@@ -425,22 +442,26 @@ impl Revision {
     }
 
     /// Address and text of another file of the workspace or of the library, by the name that findings and programs know it by.
-    pub fn text_next_to(&self, file: &str) -> Option<(String, String)> {
+    pub fn text_next_to(&self, file: &str) -> Option<(String, Member)> {
         if let Some((address, text)) = library_source::file(file) {
-            return Some((address, text.to_owned()));
+            return Some((address, Member::Ladder(text.to_owned())));
         }
         let place = self.place.as_ref()?;
         let (path, text) = place.neighbours.text_of(&place.path, file)?;
         Some((super::address::uri_of(&path), text))
     }
 
-    /// The texts of a program's files, this one's own first.
+    /// The ladder texts of a program's files, this one's own first.
     pub fn texts(&self, files: &[String]) -> Vec<String> {
         let others = files.iter().skip(1).map(|name| {
             let found = self.text_next_to(name);
-            found.map_or_else(String::new, |(_, text)| text)
+            found.map_or_else(String::new, |(_, text)| text.ladder().to_owned())
         });
-        std::iter::once(self.rope.to_string()).chain(others).collect()
+        let own = match self.opened() {
+            Some(Ok(opened)) => opened.foreign().ladder().to_owned(),
+            _ => self.rope.to_string(),
+        };
+        std::iter::once(own).chain(others).collect()
     }
 
     /// Whether both are the same state of the same document.

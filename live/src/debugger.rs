@@ -9,6 +9,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 
 use ladder_simulator::Session;
+use ladder_workspace::Member;
 use serde_json::Value;
 
 /// A debugger of a simulation.
@@ -67,7 +68,7 @@ pub struct ProgramFile {
     /// Where it lies.
     pub path: PathBuf,
     /// Its text.
-    pub text: String,
+    pub text: Member,
 }
 
 /// What a debugger begins with.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use ladder_documents::{Revision, address};
+use ladder_workspace::Member;
 use serde_json::Value;
 
 use crate::debugger::{Beginning, Debugger, Ground, Halt, ProgramFile};
@@ -191,17 +192,17 @@ impl Engine {
     /// The files of the program that runs, in its order.
     fn files(&self) -> Vec<ProgramFile> {
         let revision = self.line_map.running();
-        let file = |uri: &str, text: String| ProgramFile {
+        let file = |uri: &str, text: Member| ProgramFile {
             path: address::path_of(uri).unwrap_or_else(|| uri.into()),
             text,
         };
         let program = self.session.simulation().program();
         let others = program.files.iter().skip(1).map(|name| {
             let found = revision.text_next_to(name);
-            let (uri, text) = found.unwrap_or_else(|| (name.clone(), String::new()));
+            let (uri, text) = found.unwrap_or_else(|| (name.clone(), Member::Ladder(String::new())));
             file(&uri, text)
         });
-        std::iter::once(file(&revision.uri, revision.text()))
+        std::iter::once(file(&revision.uri, Member::Ladder(revision.text())))
             .chain(others)
             .collect()
     }

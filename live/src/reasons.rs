@@ -1,5 +1,8 @@
 //! The tree of reasons in the words of the messages.
 
+use std::sync::Arc;
+
+use ladder_analysis::program::Location;
 use ladder_analysis::values::value::Value;
 use ladder_documents::position::Range;
 use ladder_simulator::{Cause, Point, Reason, Since, Wording, Write};
@@ -17,13 +20,19 @@ impl Engine {
         let files = self.session.simulation().program().files.clone();
         let texts = self.line_map.running().texts(&files);
         let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+        let revision = Arc::clone(self.line_map.running());
+        let places = |block: Location| {
+            let (_, text) =
+                revision.text_next_to(files.get(block.file as usize).filter(|_| block.file > 0)?)?;
+            text.translated_place(block.range)
+        };
         let tree = Tree {
             engine: self,
-            wording: Wording::new(&texts, &files),
+            wording: Wording::new(&texts, &files).with_places(&places),
         };
         Ok(messages::Why {
             tag: point.name,
-            text: why.text(&texts, &files),
+            text: tree.wording.text(&why),
             blocks: tree.blocks(&why),
             reason: tree.tag(&why),
         })

@@ -25,6 +25,8 @@ pub enum Problem {
     Directory,
     /// A folder in which no program is found.
     NoPrograms,
+    /// A folder in which no program in ladder text is found.
+    NoLadderText,
     /// A folder in which no scenario file is found.
     NoScenarios,
     /// A folder in which no file of the kind that is looked for is found.
@@ -44,6 +46,8 @@ pub enum Problem {
         /// The text begins with UTF-16's byte order mark, so it is written in that.
         utf16: bool,
     },
+    /// Text that is not in the notation that its name says; why.
+    Broken(String),
     /// The file may be read but not written.
     ReadOnly,
     /// Neither a regular file nor a folder.
@@ -133,7 +137,8 @@ impl fmt::Display for Problem {
         match self {
             Problem::Missing => f.write_str("no such file or folder"),
             Problem::Directory => f.write_str("this is a folder; name a file in it"),
-            Problem::NoPrograms => f.write_str("no program (a file ending in .clad) is in this folder"),
+            Problem::NoPrograms => f.write_str("no program (a file ending in .clad or .st) is in this folder"),
+            Problem::NoLadderText => f.write_str("no program (a file ending in .clad) is in this folder"),
             Problem::NoScenarios => {
                 f.write_str("no scenarios (a file ending in .ladder-test) are in this folder")
             }
@@ -160,6 +165,7 @@ impl fmt::Display for Problem {
                 "the file is not UTF-8: byte 16#{byte:02X} at line {}, column {}; save it as UTF-8 in your editor",
                 place.line, place.column
             ),
+            Problem::Broken(why) => f.write_str(why),
             Problem::ReadOnly => f.write_str("the file is write-protected"),
             Problem::Special(what) => write!(f, "this is {what}, and only a regular file is used here"),
             Problem::NotRelative => f.write_str(

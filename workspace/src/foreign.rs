@@ -6,9 +6,11 @@
 
 use crate::disk::{Disk, SystemDisk};
 use crate::error::{FileError, Problem};
+use crate::member::Member;
 use crate::root::Root;
+use crate::settings::Settings;
 use crate::stamp::Stamp;
-use ladder_notation::{Bytes, Companion, Notation, Reach, Source};
+use ladder_notations::{Bytes, Companion, Foreign, Notation, Reach, ReadError, Source, of_workspaces};
 use ladder_syntax::MAX_FILE_BYTES;
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -69,6 +71,14 @@ impl ForeignPrograms {
         let whole = absolute(program);
         let folder = whole.parent().unwrap_or(Path::new(""));
         let (project, files) = match notation.reach() {
+            Reach::Workspace => {
+                let root = self
+                    .disk
+                    .root_of(&whole)
+                    .unwrap_or(Root::Folder(folder.to_owned()));
+                let files = self.disk.programs(&root, &self.settings_of(&root).files);
+                (root.folder().to_owned(), files)
+            }
             Reach::Folder => (folder.to_owned(), self.files_in(folder)),
             Reach::FolderAnd(inner) => {
                 let mut files = self.files_in(folder);
@@ -81,20 +91,60 @@ impl ForeignPrograms {
                 (project, files)
             }
         };
+        self.source_among((notation, program), bytes, (&project, files))
+    }
+
+    /// A program of a workspace as it is on disk. `all` is the folder of that and its programs, where they are at hand.
+    ///
+    /// # Errors
+    /// As for [`ForeignPrograms::source`], or the file is not in the notation that its name says.
+    pub fn member(&self, path: &Path, all: Option<(&Path, &[PathBuf])>) -> Result<Member, FileError> {
+        let text = self.disk.read_own(path)?;
+        let Some(notation) = of_workspaces(path) else {
+            return Ok(Member::Ladder(text));
+        };
+        let bytes = text.as_bytes();
+        let source = match all {
+            Some((root, all)) => self.source_among((notation, path), bytes, (root, all.to_vec()))?,
+            None => self.source(notation, path, bytes)?,
+        };
+        let broken = |error: ReadError| FileError::new(path, Problem::Broken(error.to_string()));
+        let foreign = Foreign::read(notation, &source).map_err(broken)?;
+        Ok(Member::Foreign(Arc::new(foreign)))
+    }
+
+    /// A program with those of the files that belong to it. In a workspace a file that cannot be read is left out: each is usable
+    /// next to one that is not.
+    fn source_among<'s>(
+        &self,
+        (notation, program): (&dyn Notation, &'s Path),
+        bytes: &'s [u8],
+        (project, files): (&Path, Vec<PathBuf>),
+    ) -> Result<Source<'s>, FileError> {
+        let whole = absolute(program);
+        let is_in_workspace = notation.reach() == Reach::Workspace;
         let mut size = 0;
-        let read = |(name, path): (String, PathBuf)| {
-            let bytes = self.content(&project, &path)?;
+        let mut read = |(name, path): (String, PathBuf)| {
+            let bytes = match self.content(project, &path) {
+                Err(_) if is_in_workspace => return Ok(None),
+                content => content?,
+            };
             size += bytes.len();
             if size > MAX_FILE_BYTES {
-                return Err(FileError::new(program, Problem::ProjectTooLarge(project.clone())));
+                return Err(FileError::new(
+                    program,
+                    Problem::ProjectTooLarge(project.to_owned()),
+                ));
             }
-            Ok(Companion { name, bytes })
+            Ok(Some(Companion { name, bytes }))
         };
         let belonging = belonging(notation, &whole, files).into_iter();
         Ok(Source {
             name: stem(program),
             bytes,
-            companions: belonging.map(read).collect::<Result<_, _>>()?,
+            companions: belonging
+                .filter_map(|file| read(file).transpose())
+                .collect::<Result<_, _>>()?,
         })
     }
 
@@ -103,6 +153,7 @@ impl ForeignPrograms {
         let (program, file) = (absolute(program), absolute(file));
         let is_in_project = match notation.reach() {
             Reach::Project(mark) => file.starts_with(self.project_of(&program, mark)),
+            Reach::Workspace => self.disk.root_of(&program).ok() == self.disk.root_of(&file).ok(),
             Reach::Folder | Reach::FolderAnd(_) => true,
         };
         is_in_project && !belonging(notation, &program, vec![file]).is_empty()
@@ -125,6 +176,17 @@ impl ForeignPrograms {
         let content = Bytes::from(self.disk.read_below(project, path)?);
         lock(&self.known).insert(path.to_owned(), (stamp, content.clone()));
         Ok(content)
+    }
+
+    /// The settings of a workspace, as far as they can be read.
+    fn settings_of(&self, root: &Root) -> Settings {
+        let read = |file: PathBuf| Some(Settings::examine(&file, &self.disk.settings_text(&file).ok()?).0);
+        root.settings_file().and_then(read).unwrap_or_default()
+    }
+
+    /// The disk that they are on.
+    pub fn disk(&self) -> &Arc<dyn Disk> {
+        &self.disk
     }
 
     /// The folder of the project that a program belongs to.
@@ -156,7 +218,7 @@ pub fn belonging(notation: &dyn Notation, program: &Path, files: Vec<PathBuf>) -
     let (inner, most) = match notation.reach() {
         Reach::Folder => (Some(None), MOST_FILES),
         Reach::FolderAnd(inner) => (Some(Some(inner)), MOST_FILES),
-        Reach::Project(_) => (None, MOST_FILES_OF_PROJECTS),
+        Reach::Project(_) | Reach::Workspace => (None, MOST_FILES_OF_PROJECTS),
     };
     let is_near = |name: &str| match (inner, name.rsplit_once('/')) {
         (None, _) | (_, None) => true,

@@ -33,6 +33,7 @@ mod error;
 mod excluded;
 mod foreign;
 mod lock;
+mod member;
 mod named;
 mod named_by_settings;
 mod plan;
@@ -52,14 +53,16 @@ pub use error::{FileError, Problem, Special};
 pub use excluded::is_excluded;
 pub use foreign::{ForeignPrograms, belonging};
 pub use ladder_syntax::MAX_FILE_BYTES;
+pub use member::Member;
 pub use named::{Named, read_own};
 pub use named_by_settings::errors_on_disk;
 pub use plan::Plan;
 pub use programs::{Source, Workspace};
 pub use retentive::{Found, RetentiveFile};
-pub use root::{Root, SETTINGS_FILE, is_program};
+pub use root::{Root, SETTINGS_FILE, is_ladder_text, is_program};
 pub use search::{
-    SCENARIO_EXTENSION, Survey, find_files, find_programs, find_scenarios, is_scenario, survey,
+    SCENARIO_EXTENSION, Survey, find_files, find_ladder_text, find_programs, find_scenarios, is_scenario,
+    survey,
 };
 pub use settings::table;
 pub use settings::{

@@ -12,7 +12,7 @@ use ladder_format::program::{
     Section, SectionKind,
 };
 use ladder_instructions::Op;
-use ladder_notation::Names;
+use ladder_notations::Names;
 use ladder_simulator::value_text::duration;
 
 /// What the tasks of a project run.

@@ -1,7 +1,8 @@
 //! The programs of a workspace, read and analysed together.
 
 use crate::disk::{Disk, SystemDisk};
-use crate::error::FileError;
+use crate::foreign::ForeignPrograms;
+use crate::member::Member;
 use crate::named_by_settings::errors_on_disk;
 use crate::plan::Plan;
 use crate::settings::Settings;
@@ -29,8 +30,8 @@ pub struct Workspace {
 pub struct Source {
     /// Its name in messages: the path, from the current folder on where it lies below it.
     pub name: Arc<str>,
-    /// Its text.
-    pub text: String,
+    /// What is in its file.
+    pub member: Member,
     path: PathBuf,
     parse: OnceLock<Arc<Parse>>,
     exports: OnceLock<Arc<Exports>>,
@@ -68,9 +69,13 @@ impl Workspace {
             None => Settings::default(),
         };
         let programs = disk.programs(&root, &settings.files);
-        let sources = programs
-            .into_iter()
-            .filter_map(|path| Source::read(&**disk, path).ok());
+        let foreign = ForeignPrograms::on(Arc::clone(disk));
+        let sources = programs.iter().filter_map(|path| {
+            Some(Source::new(
+                foreign.member(path, Some((root.folder(), &programs))).ok()?,
+                path,
+            ))
+        });
         Ok(Workspace::with(disk, settings, sources.collect()))
     }
 
@@ -172,7 +177,18 @@ impl Workspace {
     /// # Errors
     /// It, or a file that it uses, has errors.
     pub fn link(&self, analysis: &Arc<Analysis>) -> Result<Linked, NotWhole> {
-        link_files(analysis, &|name| Some(self.analysis(self.program_named(name)?)))
+        let linked = link_files(analysis, &|name| Some(self.analysis(self.program_named(name)?)))?;
+        self.checked(linked)
+    }
+
+    /// What runs, unless a file that it uses has errors before it is ladder text.
+    fn checked(&self, linked: Linked) -> Result<Linked, NotWhole> {
+        let names = linked.others.iter().map(|other| &other.context.name);
+        let mut broken = names.filter(|name| self.program_named(name).is_some_and(Source::is_broken));
+        match broken.next().cloned() {
+            Some(file) => Err(NotWhole::Errors(file)),
+            None => Ok(linked),
+        }
     }
 
     /// What runs where the tasks of a plan do: `analysis` is that of its text, a guest.
@@ -186,9 +202,10 @@ impl Workspace {
             Ok((self.analysis(source), every))
         });
         let programs: Vec<(Arc<Analysis>, u32)> = programs.collect::<Result<_, _>>()?;
-        link_tasks(analysis, &programs, &|name| {
+        let linked = link_tasks(analysis, &programs, &|name| {
             Some(self.analysis(self.program_named(name)?))
-        })
+        })?;
+        self.checked(linked)
     }
 
     fn exported(&self) -> &Arc<Exported> {
@@ -200,16 +217,25 @@ impl Workspace {
 }
 
 impl Source {
-    fn read(disk: &dyn Disk, path: PathBuf) -> Result<Source, FileError> {
-        let text = disk.read_own(&path)?;
-        Ok(Source {
-            name: Arc::from(from_here(&path).display().to_string()),
-            text,
-            path,
+    fn new(member: Member, path: &Path) -> Source {
+        Source {
+            name: Arc::from(from_here(path).display().to_string()),
+            member,
+            path: path.to_owned(),
             parse: OnceLock::new(),
             exports: OnceLock::new(),
             analysis: OnceLock::new(),
-        })
+        }
+    }
+
+    /// Whether anything keeps it from being run in which its file is of another notation.
+    fn is_broken(&self) -> bool {
+        self.member.foreign().is_some_and(|foreign| foreign.has_errors())
+    }
+
+    /// Its ladder text.
+    pub fn text(&self) -> &str {
+        self.member.ladder()
     }
 
     /// Where it lies.
@@ -224,7 +250,7 @@ impl Source {
 
     fn parse(&self) -> &Arc<Parse> {
         self.parse
-            .get_or_init(|| Arc::new(ladder_syntax::parse(&self.text)))
+            .get_or_init(|| Arc::new(ladder_syntax::parse(self.text())))
     }
 
     fn exports(&self) -> &Arc<Exports> {

@@ -1,5 +1,6 @@
 //! The workspace of a program (LANGUAGE §4).
 
+use ladder_notations::of_workspaces;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 
@@ -9,8 +10,13 @@ pub const SETTINGS_FILE: &str = "ladder.toml";
 /// What the name of a program ends in, without the dot.
 const EXTENSION: &str = "clad";
 
-/// Whether a file is a program by its name.
+/// Whether a file is a program of a workspace by its name: ladder text, or of a notation whose files lie next to that.
 pub fn is_program(path: &Path) -> bool {
+    is_ladder_text(path) || of_workspaces(path).is_some()
+}
+
+/// Whether a file is ladder text by its name.
+pub fn is_ladder_text(path: &Path) -> bool {
     path.extension()
         .is_some_and(|extension| extension.eq_ignore_ascii_case(EXTENSION))
 }

@@ -10,7 +10,7 @@ use ladder_analysis::program::{Location, Program};
 use ladder_analysis::{Analysis, Diagnostic, Linked, NotWhole, library};
 use ladder_notations::{Foreign, Mark, ReadError, conversion_of_cplc_draft};
 use ladder_syntax::{LineColumn, LineIndex, TextRange, TextSize};
-use ladder_workspace::{ForeignPrograms, Plan, SETTINGS_FILE, Workspace, shown};
+use ladder_workspace::{ForeignPrograms, Member, Plan, SETTINGS_FILE, Workspace, shown};
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::{Arc, LazyLock, OnceLock};
@@ -87,10 +87,17 @@ impl Source {
         };
         let source = FOREIGN.source(notation, file, &bytes).map_err(Failure::from)?;
         let foreign = Foreign::read(notation, &source).map_err(|error| NotRead::broken(file, &error))?;
-        let mut source = Source::new(name, foreign.ladder().to_owned());
-        source.index = LineIndex::new(foreign.text());
-        source.foreign = Some(Arc::new(foreign));
-        Ok(source)
+        let source = Source::new(name, foreign.ladder().to_owned());
+        Ok(source.of_foreign(Some(Arc::new(foreign))))
+    }
+
+    /// The same, where the text is what a file of another system becomes.
+    fn of_foreign(mut self, foreign: Option<Arc<Foreign>>) -> Source {
+        if let Some(foreign) = &foreign {
+            self.index = LineIndex::new(foreign.text());
+        }
+        self.foreign = foreign;
+        self
     }
 
     /// What the tasks of a settings file run.
@@ -140,7 +147,7 @@ impl Source {
                 return Arc::new(ladder_analysis::analyze(&parse, &self.file));
             };
             match workspace.program_at(Path::new(&self.file)) {
-                Some(program) if program.text == self.text => workspace.analysis(program),
+                Some(program) if program.text() == self.text => workspace.analysis(program),
                 // Fixed, or changed since it was read.
                 Some(program) => workspace.analyze_guest(&self.text, &program.name),
                 None => workspace.analyze_guest(&self.text, &self.file),
@@ -178,11 +185,21 @@ impl Source {
     }
 
     fn in_file(&self, mut findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
+        for related in findings.iter_mut().flat_map(|finding| &mut finding.related) {
+            if let Some(other) = related.file.as_ref().and_then(|name| self.member(name)) {
+                related.range = other.member.range(related.range);
+            }
+        }
         let Some(foreign) = &self.foreign else {
             self.offer_conversion(&mut findings);
             return findings;
         };
         foreign.in_file(findings)
+    }
+
+    /// Another program of the workspace, by the name that findings and programs know it by.
+    fn member(&self, name: &str) -> Option<&ladder_workspace::Source> {
+        self.workspace()?.program_named(name)
     }
 
     /// Adds the conversion to the finding that a file is in the first draft of the language, which is the only one then.
@@ -243,20 +260,23 @@ impl Source {
 
     /// Another file of the workspace, by the name that findings and programs know it by.
     pub(crate) fn other(&self, name: &str) -> Option<Source> {
-        let workspace = self.workspace()?;
-        let program = workspace.program_named(name)?;
-        let other = Source::new(name.to_owned(), program.text.clone());
-        Some(other.within(Arc::clone(workspace)))
+        let program = self.member(name)?;
+        let other = Source::new(name.to_owned(), program.text().to_owned())
+            .of_foreign(program.member.foreign().cloned());
+        Some(other.within(Arc::clone(self.workspace()?)))
     }
 
-    /// The texts of a program's files, this one's own first.
-    pub(crate) fn texts(&self, files: &[String]) -> Vec<String> {
-        let others = files.iter().skip(1).map(|name| {
-            let of_library = || library::source(name).map(|source| source.text.to_owned());
-            let other = self.other(name).map(|other| other.text);
-            other.or_else(of_library).unwrap_or_default()
+    /// A program's files, this one first.
+    pub(crate) fn members(&self, files: &[String]) -> Vec<Member> {
+        let others = files.iter().skip(1).map(|name| match self.member(name) {
+            Some(other) => other.member.clone(),
+            None => Member::Ladder(library::source(name).map_or_else(String::new, |it| it.text.to_owned())),
         });
-        std::iter::once(self.text.clone()).chain(others).collect()
+        let own = match &self.foreign {
+            Some(foreign) => Member::Foreign(Arc::clone(foreign)),
+            None => Member::Ladder(self.text.clone()),
+        };
+        std::iter::once(own).chain(others).collect()
     }
 
     /// The workspace around the file. Settings that cannot be used were reported by the command, which read them first.
@@ -265,12 +285,17 @@ impl Source {
         self.workspace.get_or_init(load).as_ref()
     }
 
-    /// A place of the program, in whichever file it lies: `motor.clad:3:12`.
-    pub(crate) fn place_name(&self, location: Location) -> String {
-        let elsewhere = match (location.file, self.linked.get()) {
+    /// The file of a place of the program, if it is another one.
+    fn file_of(&self, location: Location) -> Option<Source> {
+        match (location.file, self.linked.get()) {
             (1.., Some(Ok(linked))) => self.other(&linked.program.files[location.file as usize]),
             _ => None,
-        };
+        }
+    }
+
+    /// A place of the program, in whichever file it lies: `motor.clad:3:12`.
+    pub(crate) fn place_name(&self, location: Location) -> String {
+        let elsewhere = self.file_of(location);
         let source = elsewhere.as_ref().unwrap_or(self);
         let place = source.place(source.range_in_file(location.range).start());
         format!("{}:{}:{}", shown::line(&source.file), place.line, place.column)

@@ -2,7 +2,7 @@
 
 use super::made;
 use crate::outcome::Failure;
-use ladder_workspace::{SETTINGS_FILE, is_program, is_scenario, shown};
+use ladder_workspace::{SETTINGS_FILE, is_ladder_text, is_scenario, shown};
 use std::ffi::OsStr;
 use std::path::Path;
 
@@ -43,7 +43,7 @@ pub(crate) fn may_write(file: &Path, existing: Existing) -> Result<(), Failure> 
     // By any of its names.
     let own = file.canonicalize().unwrap_or_else(|_| file.to_owned());
     for name in [file, &own] {
-        if is_program(name) {
+        if is_ladder_text(name) {
             return failure(
                 "this is a program, and it stays as it is; name another file, or end with --force",
             );

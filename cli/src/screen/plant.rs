@@ -6,22 +6,23 @@ use crate::findings::Source;
 use crate::outcome::Failure;
 use crate::run::Retention;
 use ladder_analysis::Cancel;
-use ladder_analysis::program::Program;
+use ladder_analysis::program::{Location, Program};
 use ladder_analysis::values::value::Value;
-use ladder_simulator::Inputs;
 use ladder_simulator::chart::{Recorder, Track};
 use ladder_simulator::scenario::{self, Recordable, Recorded, Wanted};
 use ladder_simulator::{
-    Breakpoint, Changeover, CompileError, Fault, Hit, Point, Session, Simulation, Status, Stepped, Stop,
+    Breakpoint, Changeover, CompileError, Fault, Hit, Inputs, Point, Session, Simulation, Status, Stepped,
+    Stop, Wording,
 };
+use ladder_workspace::Member;
 use std::borrow::Cow;
 use std::sync::Arc;
 
 /// A running program.
 pub(super) struct Plant {
     pub(super) sheet: Sheet,
-    /// The texts of the program's files.
-    texts: Vec<String>,
+    /// The program's files.
+    members: Vec<Member>,
     /// The number of this program, and the drawings of others that can be stepped back to.
     generation: u64,
     drawings: Vec<(u64, Drawing)>,
@@ -34,8 +35,8 @@ pub(super) struct Plant {
     recorder: Recorder,
 }
 
-/// A program on paper, with the texts of its files.
-type Drawing = (Sheet, Vec<String>);
+/// A program on paper, with its files.
+type Drawing = (Sheet, Vec<Member>);
 
 /// What a scan of a run came to.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,9 +64,9 @@ impl Plant {
         inputs: Inputs,
         retention: Option<Retention>,
     ) -> Plant {
-        let (sheet, texts) = drawing(source, session.simulation());
+        let (sheet, members) = drawing(source, session.simulation());
         Plant {
-            texts,
+            members,
             sheet,
             generation: session.generation(),
             drawings: Vec::new(),
@@ -192,7 +193,13 @@ impl Plant {
     pub(super) fn why(&mut self, point: &Point) -> String {
         let why = self.session.why(point);
         let files = &self.session.simulation().program().files;
-        why.text(&self.texts.iter().map(String::as_str).collect::<Vec<_>>(), files)
+        let texts: Vec<&str> = self.members.iter().map(Member::ladder).collect();
+        let places = |block: Location| {
+            self.members
+                .get(block.file as usize)?
+                .translated_place(block.range)
+        };
+        Wording::new(&texts, files).with_places(&places).text(&why)
     }
 
     /// What was done so far, as a scenario of the program's file that expects something of these tags.
@@ -309,7 +316,7 @@ impl Plant {
         }
         let before = (
             std::mem::replace(&mut self.sheet, drawing.0),
-            std::mem::replace(&mut self.texts, drawing.1),
+            std::mem::replace(&mut self.members, drawing.1),
         );
         if newest != self.generation {
             self.drawings.push((self.generation, before));
@@ -335,10 +342,10 @@ impl Plant {
         let Some(at) = self.drawings.iter().rposition(|(number, _)| *number == now) else {
             return;
         };
-        let (_, (sheet, texts)) = self.drawings.swap_remove(at);
+        let (_, (sheet, members)) = self.drawings.swap_remove(at);
         let before = (
             std::mem::replace(&mut self.sheet, sheet),
-            std::mem::replace(&mut self.texts, texts),
+            std::mem::replace(&mut self.members, members),
         );
         self.drawings.push((self.generation, before));
         self.generation = now;
@@ -394,6 +401,6 @@ pub(super) enum Restart {
 }
 
 fn drawing(source: &Source, simulation: &Simulation) -> Drawing {
-    let texts = source.texts(&simulation.program().files);
-    (Sheet::new(source, simulation), texts)
+    let members = source.members(&simulation.program().files);
+    (Sheet::new(source, simulation), members)
 }

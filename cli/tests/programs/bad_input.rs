@@ -92,8 +92,9 @@ fn a_file_past_the_size_limit() {
 #[test]
 fn a_folder_without_programs() {
     let folder = Folder::with(&[("plant/notes.txt", "")]);
-    let message = "plant: no program (a file ending in .clad) is in this folder";
+    let message = "plant: no program (a file ending in .clad or .st) is in this folder";
     folder.ladder(&["check", "plant"]).refused_with(message);
+    let message = "plant: no program (a file ending in .clad) is in this folder";
     folder.ladder(&["fmt", "plant"]).refused_with(message);
     folder.ldfmt(&["--check", "plant"]).refused_with(message);
     for command in ["sim", "tree"] {

@@ -464,7 +464,7 @@ fn only_named_files_are_foreign() {
     expect![[r#"
         exit status 2
         -- stderr
-        error: b: no program (a file ending in .clad) is in this folder
+        error: b: no program (a file ending in .clad or .st) is in this folder
     "#]]
     .assert_eq(&folder.ladder(&["check", "b"]).to_string());
 }

@@ -47,6 +47,7 @@ mod sim_formats;
 mod sim_parts;
 mod sim_refused;
 mod structured_text;
+mod structured_text_next_to;
 mod tags;
 mod tasks;
 mod tree;

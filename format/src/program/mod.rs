@@ -47,6 +47,8 @@ pub enum Item {
     Block {
         /// As in a header: `[$Debounce]`.
         header: String,
+        /// What the header comes from.
+        origin: Option<Origin>,
         /// What is between header and end.
         items: Vec<Item>,
     },

@@ -32,6 +32,7 @@ impl ProgramSketch {
                         let inside = std::mem::replace(&mut items, before);
                         items.push(Item::Block {
                             header,
+                            origin: None,
                             items: inside,
                         });
                     }

@@ -120,8 +120,14 @@ impl Writer {
                 }
                 Item::Section(section) => self.section(section),
                 Item::Network(network) => self.network(network),
-                Item::Block { header, items } => {
-                    self.line(&format!("FUNCTION_BLOCK {header}"));
+                Item::Block {
+                    header,
+                    origin,
+                    items,
+                } => {
+                    self.out.push_str("FUNCTION_BLOCK ");
+                    self.noted(*origin, |out| out.push_str(header));
+                    self.line("");
                     self.items(items);
                     self.line("END_FUNCTION_BLOCK");
                 }

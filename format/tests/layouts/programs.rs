@@ -146,6 +146,7 @@ fn a_block_with_a_body() {
     check(
         vec![Item::Block {
             header: "[$Same]".into(),
+            origin: None,
             items: vec![
                 Item::Section(inputs),
                 network(Circuit::Series(vec![

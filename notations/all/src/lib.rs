@@ -10,8 +10,8 @@ mod form;
 pub use conversion::{CONVERSION, conversion_of_cplc_draft};
 pub use form::Form;
 pub use ladder_notation::{
-    Companion, Converted, Entry, Finding, Foreign, LineColumn, Lines, Mark, Notation, OneFile, Outcome,
-    ProjectTask, Reach, ReadError, Remark, Report, Source, Tally, WriteError, Writing, convert,
+    Bytes, Companion, Converted, Entry, Finding, Foreign, LineColumn, Lines, Mark, Names, Notation, OneFile,
+    Outcome, ProjectTask, Reach, ReadError, Remark, Report, Source, Tally, WriteError, Writing, convert,
     has_extension, remarks, write_checked, write_one_file,
 };
 
@@ -81,6 +81,13 @@ pub fn recognise(path: &Path, bytes: &[u8]) -> Option<&'static dyn Notation> {
         let bytes = in_utf8(bytes);
         all.find(|notation| notation.recognises(&bytes))
     })
+}
+
+/// The notation of a file that is a program of a workspace without being ladder text, by its name.
+pub fn of_workspaces(path: &Path) -> Option<&'static dyn Notation> {
+    let extension = path.extension()?.to_str()?;
+    let mut all = NOTATIONS.iter().copied();
+    all.find(|notation| notation.is_in_workspaces() && has_extension(*notation, extension))
 }
 
 /// The notation that a file's name asks for when it is written: the only one, or the first, whose names end so.

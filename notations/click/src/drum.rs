@@ -107,6 +107,7 @@ impl Shape {
         self.body(&mut rungs)?;
         Ok(Item::Block {
             header: format!("[${}]", self.name()),
+            origin: None,
             items: rungs.items,
         })
     }

@@ -116,6 +116,7 @@ pub(crate) fn as_blocks(analysis: &Analysis) -> Option<ProgramSketch> {
         inside.extend(below.into_iter().skip(usize::from(is_bare)));
         items.push(Item::Block {
             header: format!("[{}]", function.block),
+            origin: None,
             items: inside,
         });
     }

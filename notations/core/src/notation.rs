@@ -21,6 +21,11 @@ pub trait Notation: Sync {
         false
     }
 
+    /// Whether its files are programs of a workspace, next to those in ladder text: what one declares the others see.
+    fn is_in_workspaces(&self) -> bool {
+        false
+    }
+
     /// Whether a file is in this notation, from its content alone. No more than the first lines are checked.
     fn recognises(&self, bytes: &[u8]) -> bool;
 
@@ -115,6 +120,8 @@ pub enum Reach {
     Folder,
     /// In its folder, and in the one of this name next to it.
     FolderAnd(&'static str),
+    /// In its workspace: the programs of that.
+    Workspace,
     /// Anywhere in its project. The folder of that has a file whose name ends so, if the system has such a file.
     Project(Option<&'static str>),
 }

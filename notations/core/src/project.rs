@@ -449,7 +449,10 @@ fn shift(items: &mut [Item], by: Origin) {
     for item in items {
         match item {
             Item::Kept(_, origin) => *origin += by,
-            Item::Block { items, .. } => shift(items, by),
+            Item::Block { origin, items, .. } => {
+                *origin = origin.map(|origin| origin + by);
+                shift(items, by);
+            }
             Item::Section(section) => {
                 for declaration in &mut section.declarations {
                     declaration.origin = declaration.origin.map(|origin| origin + by);

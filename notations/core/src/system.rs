@@ -192,6 +192,7 @@ fn block(tags: &[SystemTag]) -> Result<Item, Invalid> {
     }
     Ok(Item::Block {
         header: format!("[{BLOCK}]"),
+        origin: None,
         items,
     })
 }

@@ -128,7 +128,11 @@ impl UnreadParts {
         }
         let header = format!("[{name}]");
         let above = Item::Comment(part.about.to_owned());
-        let block = Item::Block { header, items };
+        let block = Item::Block {
+            header,
+            origin: None,
+            items,
+        };
         self.definitions.push(vec![Item::Blank, above, block]);
         self.names.insert(key, (name.clone(), self.definitions.len() - 1));
         name
@@ -342,7 +346,11 @@ mod tests {
             items.extend(unread_body(text, None));
             let header = "[$Motor]".to_owned();
             let block = ProgramSketch {
-                items: vec![Item::Block { header, items }],
+                items: vec![Item::Block {
+                    header,
+                    origin: None,
+                    items,
+                }],
             };
             let definition = block.write(&ladder_format::Options::default()).text;
             assert_eq!(

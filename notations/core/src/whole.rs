@@ -225,7 +225,12 @@ fn mark(items: &mut [Item], origin: Origin) {
     for item in items {
         match item {
             Item::Kept(_, own) => *own = origin,
-            Item::Block { items, .. } => mark(items, origin),
+            Item::Block {
+                origin: own, items, ..
+            } => {
+                *own = Some(origin);
+                mark(items, origin);
+            }
             Item::Network(network) => {
                 if let Drawing::Rungs(rungs) = &mut network.drawing {
                     for piece in rungs.iter_mut().flatten() {

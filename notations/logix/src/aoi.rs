@@ -90,6 +90,7 @@ impl Sketcher<'_> {
             .translated(place, format!("Add-On Instruction {}", definition.name));
         items.push(Item::Block {
             header: format!("[{name}]"),
+            origin: None,
             items: inner,
         });
         items

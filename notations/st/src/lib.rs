@@ -40,7 +40,7 @@ mod user;
 mod write;
 
 use ladder_analysis::Analysis;
-use ladder_notation::{Notation, ReadError, Reading, Source, WriteError, Writing};
+use ladder_notation::{Notation, Reach, ReadError, Reading, Source, WriteError, Writing, has_extension};
 
 /// See the module.
 #[derive(Debug)]
@@ -67,12 +67,25 @@ impl Notation for St {
         true
     }
 
+    fn is_in_workspaces(&self) -> bool {
+        true
+    }
+
+    fn reach(&self) -> Reach {
+        Reach::Workspace
+    }
+
+    fn has_companion(&self, _program: &str, file: &str) -> bool {
+        let end = file.rsplit('.').next().unwrap_or_default();
+        has_extension(self, end) || end.eq_ignore_ascii_case("clad")
+    }
+
     fn recognises(&self, bytes: &[u8]) -> bool {
         std::str::from_utf8(bytes).is_ok_and(read::begins_program)
     }
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
-        read::read(source.text()?, read::Dialect::Iec)
+        read::read(source.text()?, read::Dialect::Iec, &source.companions)
     }
 
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {

@@ -30,6 +30,7 @@ mod several_files;
 mod shown;
 mod simulate;
 mod storm;
+mod structured_text;
 mod sync;
 mod trace;
 mod typed;

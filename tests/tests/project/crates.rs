@@ -30,14 +30,17 @@ const RULES: [(&str, &[&str]); 21] = [
     ("review", &["simulator", "picture", "prover", "ide"]),
     ("notation", &[]),
     ("ide", &["simulator"]),
-    ("workspace", &["simulator", "notation"]),
+    ("workspace", &["simulator", "notations"]),
     ("host", &["workspace"]),
     ("documents", &["simulator", "ide", "notations", "workspace"]),
     (
         "live",
         &["simulator", "ide", "picture", "workspace", "host", "documents"],
     ),
-    ("debugger", &["simulator", "workspace", "host", "live"]),
+    (
+        "debugger",
+        &["simulator", "notations", "workspace", "host", "live"],
+    ),
     (
         "service",
         &[

@@ -8,7 +8,7 @@ pub(crate) use walk::is_own_file;
 
 use crate::error::{FileError, Problem};
 use crate::named;
-use crate::root::{Root, SETTINGS_FILE, is_program};
+use crate::root::{Root, SETTINGS_FILE, is_ladder_text, is_program};
 use crate::settings::{Files, Settings};
 use ladder_analysis::Cancel;
 use std::collections::{HashMap, HashSet};
@@ -29,6 +29,7 @@ pub fn is_scenario(path: &Path) -> bool {
 #[derive(Clone, Copy)]
 enum Wanted<'w> {
     Programs,
+    LadderText,
     Scenarios,
     /// Those that the caller knows by their names.
     Others(&'w dyn Fn(&Path) -> bool),
@@ -41,6 +42,11 @@ enum Wanted<'w> {
 /// What is wrong with single paths does not keep the others from being found: it is in the second list.
 pub fn find_programs(paths: &[PathBuf]) -> (Vec<PathBuf>, Vec<FileError>) {
     find(paths, Wanted::Programs)
+}
+
+/// The programs in ladder text that the paths stand for, by the rules of [`find_programs`].
+pub fn find_ladder_text(paths: &[PathBuf]) -> (Vec<PathBuf>, Vec<FileError>) {
+    find(paths, Wanted::LadderText)
 }
 
 /// The scenario files that the paths stand for, by the rules of [`find_programs`].
@@ -214,6 +220,7 @@ impl<'w> Search<'w> {
     fn wants(&self, path: &Path) -> bool {
         match self.wanted {
             Wanted::Programs => is_program(path),
+            Wanted::LadderText => is_ladder_text(path),
             Wanted::Scenarios => is_scenario(path),
             Wanted::Others(is_wanted) => is_wanted(path),
         }
@@ -261,6 +268,7 @@ impl<'w> Search<'w> {
                 folder,
                 match self.wanted {
                     Wanted::Programs => Problem::NoPrograms,
+                    Wanted::LadderText => Problem::NoLadderText,
                     Wanted::Scenarios => Problem::NoScenarios,
                     Wanted::Others(_) => Problem::NoneOfThese,
                 },

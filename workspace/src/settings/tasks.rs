@@ -89,7 +89,7 @@ fn task(mut table: Table, folder: &Path, reader: &mut Reader) -> Option<Task> {
         if let Some(problem) = named.error() {
             reader.wrong(range, format!("`{name}` cannot be used: {problem}"));
         } else if !is_program(Path::new(&name)) {
-            let message = format!("`{name}` is not a program: a task runs files that end in .clad");
+            let message = format!("`{name}` is not a program: a task runs files that end in .clad or .st");
             reader.wrong(range, message);
         } else {
             programs.push((named, range));

@@ -74,7 +74,7 @@ fn each_bad_path_is_one_error_and_the_rest_is_found() {
     assert_eq!(
         errors,
         [
-            "DIR/empty: no program (a file ending in .clad) is in this folder",
+            "DIR/empty: no program (a file ending in .clad or .st) is in this folder",
             "DIR/missing.clad: no such file or folder",
             "DIR/a.clad/b.clad: no such file or folder",
         ]

@@ -8,7 +8,7 @@ use crate::outcome::{Failure, Outcome};
 use crate::output::Existing;
 use crate::terminal;
 use ladder_notations::{Notation, ProjectTask, Source, recognise, write_one_file};
-use ladder_workspace::{Named, Settings, find_programs, read_bytes, shown};
+use ladder_workspace::{Named, Settings, find_ladder_text, read_bytes, shown};
 use std::path::{Path, PathBuf};
 
 /// A folder, and the file that its programs go into.
@@ -56,7 +56,7 @@ impl<'a> Target<'a> {
 
     /// Writes the file.
     pub(super) fn convert(&self, existing: Existing) -> Result<(Vec<Account>, Outcome), Failure> {
-        let (paths, errors) = find_programs(std::slice::from_ref(&self.folder.to_owned()));
+        let (paths, errors) = find_ladder_text(std::slice::from_ref(&self.folder.to_owned()));
         if let Some(error) = errors.into_iter().next() {
             return Err(error.into());
         }

@@ -4,7 +4,7 @@ use crate::findings::FOREIGN;
 use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
 use ladder_notations::{Companion, NOTATIONS, Reach, has_extension};
-use ladder_workspace::{find_files, is_program, read_bytes, shown};
+use ladder_workspace::{find_files, is_ladder_text, read_bytes, shown};
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
@@ -56,7 +56,7 @@ pub(super) fn jobs(
         from.is_some_and(Form::is_ladder) || (from.is_none() && to.is_some_and(|to| !to.is_ladder()));
     let (files, errors) = find_files(inputs, &|path| match from {
         Some(form) => ends_like(path, form),
-        None if ladder_wanted => is_program(path),
+        None if ladder_wanted => is_ladder_text(path),
         None => NOTATIONS
             .iter()
             .any(|notation| notation.is_read() && ends_like(path, Form::Foreign(*notation))),
@@ -161,7 +161,7 @@ fn job(
     to: Option<Form>,
 ) -> Result<Option<Job>, Failure> {
     let bytes = read_bytes(input)?;
-    let Some(from) = from.or_else(|| Form::of(input, &bytes, is_program(input))) else {
+    let Some(from) = from.or_else(|| Form::of(input, &bytes, is_ladder_text(input))) else {
         if !is_named {
             return Ok(None);
         }
@@ -221,7 +221,7 @@ fn ends_like(path: &Path, form: Form) -> bool {
         return false;
     };
     match form {
-        Form::Ladder => is_program(path),
+        Form::Ladder => is_ladder_text(path),
         Form::Foreign(notation) => has_extension(notation, extension),
     }
 }

@@ -161,7 +161,7 @@ impl Seen {
         let mut texts: Vec<&str> = workspace
             .programs_seen_by_others()
             .iter()
-            .map(|program| &*program.text)
+            .map(ladder_workspace::Source::text)
             .collect();
         texts.sort_unstable();
         let mut hasher = DefaultHasher::new();

@@ -7,7 +7,7 @@ use crate::git::objects::{self, Object, Objects};
 use crate::git::revision::parts;
 use crate::outcome::Failure;
 use ladder_notations::{Companion, Foreign, Notation, Reach};
-use ladder_workspace::{MAX_FILE_BYTES, belonging, is_program};
+use ladder_workspace::{MAX_FILE_BYTES, SETTINGS_FILE, belonging, is_program};
 use std::collections::{BTreeMap, HashMap};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -175,13 +175,21 @@ impl File {
                     ladder: source.text,
                 })
             }
-            Place::Git { object: name, .. } => match form::of_program(path, &bytes)? {
+            Place::Git {
+                object,
+                revision,
+                path: within,
+            } => match form::of_program(path, &bytes)? {
                 Form::Ladder => Ok(Text {
                     ladder: ladder_workspace::decode(path, bytes)?,
                     foreign: None,
                 }),
                 Form::Foreign(notation) => {
-                    let companions = companions(notation, name, &mut *git.objects()?)?;
+                    let name = match revision {
+                        Some(revision) => format!("{revision}:{within}"),
+                        None => object.clone(),
+                    };
+                    let companions = companions(notation, &name, &mut *git.objects()?)?;
                     let stem = path.file_stem().map(OsStr::to_string_lossy);
                     let source = ladder_notations::Source {
                         name: stem.unwrap_or_default(),
@@ -207,7 +215,7 @@ fn companions(notation: &dyn Notation, name: &str, objects: &mut Objects) -> Res
     };
     // What may lie anywhere in its project is looked for in all of the revision.
     let folder = match notation.reach() {
-        Reach::Project(_) => "",
+        Reach::Project(_) | Reach::Workspace => "",
         Reach::Folder | Reach::FolderAnd(_) => path.rsplit_once('/').map_or("", |(folder, _)| folder),
     };
     let Ok(Object::Folder(id)) = objects.read(&format!("{revision}:{folder}")) else {
@@ -217,7 +225,15 @@ fn companions(notation: &dyn Notation, name: &str, objects: &mut Objects) -> Res
     let ids: HashMap<PathBuf, String> = listed
         .map(|file| (Path::new(folder).join(file.path), file.id))
         .collect();
-    let files = ids.keys().cloned().collect();
+    let mut files: Vec<PathBuf> = ids.keys().cloned().collect();
+    if notation.reach() == Reach::Workspace {
+        let own = Path::new(path).parent().unwrap_or(Path::new(""));
+        let mut above = own.ancestors();
+        match above.find(|folder| ids.contains_key(&folder.join(SETTINGS_FILE))) {
+            Some(root) => files.retain(|file| file.starts_with(root)),
+            None => files.retain(|file| file.parent() == Some(own)),
+        }
+    }
     let mut companions = Vec::new();
     let mut size = 0;
     for (own, file) in belonging(notation, Path::new(path), files) {

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 pub(super) fn format(arguments: &Arguments) -> Result<Outcome, Failure> {
     let config = arguments.config()?;
-    let (mut files, errors) = ladder_workspace::find_programs(&arguments.paths);
+    let (mut files, errors) = ladder_workspace::find_ladder_text(&arguments.paths);
     files.retain(|file| !is_left_out(file, arguments, config.as_ref()));
     if arguments.range.is_some() && files.len() > 1 {
         return Err(Failure::new("--range needs exactly one file"));

@@ -13,9 +13,9 @@ use crate::run::program;
 use crate::terminal::Stdout;
 use clap::{Args, ValueEnum};
 use given::Given;
-use ladder_analysis::program::Program;
+use ladder_analysis::program::{Location, Program};
 use ladder_simulator::{Judged, Moment, Options, Simulation, Wording};
-use ladder_workspace::shown;
+use ladder_workspace::{Member, shown};
 use std::io::{self, Write};
 use std::path::PathBuf;
 
@@ -102,15 +102,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Format::Text => people(&source, &moment, &judged, &given, &mut out)?,
         Format::Json => {
             let program = moment.simulation().program();
-            let texts = source.texts(&program.files);
-            let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+            let members = source.members(&program.files);
+            let texts: Vec<&str> = members.iter().map(Member::ladder).collect();
             to_writer_pretty(
                 &mut out,
                 &json::Answer::of(
                     &judged,
                     &given,
                     unread_writers(program, &judged),
-                    &Wording::new(&texts, &program.files),
+                    &Wording::new(&texts, &program.files).with_places(&|block| {
+                        members.get(block.file as usize)?.translated_place(block.range)
+                    }),
                 ),
             )?;
             writeln!(out)?;
@@ -169,10 +171,12 @@ fn people(
     out: &mut Stdout,
 ) -> io::Result<()> {
     let program = moment.simulation().program();
-    let texts = source.texts(&program.files);
-    let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+    let members = source.members(&program.files);
+    let texts: Vec<&str> = members.iter().map(Member::ladder).collect();
     let mut lines = Vec::new();
-    reasons(&Wording::new(&texts, &program.files), judged, 0, &mut lines);
+    let places = |block: Location| members.get(block.file as usize)?.translated_place(block.range);
+    let wording = Wording::new(&texts, &program.files).with_places(&places);
+    reasons(&wording, judged, 0, &mut lines);
     for line in &lines {
         writeln!(out, "{}", shown::line(line))?;
     }

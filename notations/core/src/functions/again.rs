@@ -107,7 +107,7 @@ fn marked(files: &[&mut ProgramSketch]) -> Vec<Marked> {
     let mut found = Vec::new();
     for (home, file) in files.iter().enumerate() {
         for (at, item) in file.items.iter().enumerate() {
-            let Item::Block { header, items } = item else {
+            let Item::Block { header, items, .. } = item else {
                 continue;
             };
             let mut told: Vec<String> = above(&file.items, at)

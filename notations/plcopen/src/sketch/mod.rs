@@ -225,6 +225,7 @@ fn blocks(seen: &Seen<'_>, unread: &mut UnreadParts, reading: &mut Reading) -> V
         let guard = is_enabled.then(|| guard(reading.origin(unit.place)));
         items.push(Item::Block {
             header: format!("[{}]", block.name),
+            origin: None,
             items: sections
                 .into_iter()
                 .chain(guard.into_iter().flatten())

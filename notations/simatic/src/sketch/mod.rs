@@ -231,6 +231,7 @@ fn block(unit: &Unit, mut items: Vec<Item>) -> Item {
     }
     Item::Block {
         header: format!("[{name}]"),
+        origin: None,
         items,
     }
 }

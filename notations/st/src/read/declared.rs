@@ -23,6 +23,7 @@ pub(crate) struct Unit {
     pub(crate) span: Span,
     pub(crate) kind: UnitKind,
     pub(crate) name: String,
+    pub(crate) name_span: Span,
     pub(crate) returns: Option<TypeText>,
     pub(crate) variables: Vec<Variable>,
     pub(crate) comment: Option<String>,

@@ -15,6 +15,7 @@ mod dialect;
 mod expressions;
 mod initial;
 mod lower;
+mod neighbours;
 mod parts;
 mod program;
 mod scope;

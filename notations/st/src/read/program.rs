@@ -8,9 +8,9 @@ use super::declared::{File, Role, Unit, UnitKind};
 use super::dialect::Dialect;
 use super::initial::initial_text;
 use super::lower::{self, Restarted, Surroundings, comment_of};
-use super::scope::{Parameter, ParameterRole, Scope, Shape, Type};
+use super::scope::{Scope, Type};
 use super::token::Comment;
-use super::{types, units};
+use super::{neighbours, types, units};
 use ladder_analysis::Severity;
 use ladder_format::Circuit;
 use ladder_format::program::{
@@ -18,16 +18,16 @@ use ladder_format::program::{
 };
 use ladder_notation::chart::Clock;
 use ladder_notation::{
-    BlockNames, Finding, Lines, Names, Power, ReadError, Reading, Turn, Unread, UnreadParts, unread_body,
+    BlockNames, Companion, Finding, Lines, Names, Power, ReadError, Reading, Turn, Unread, UnreadParts,
+    unread_body,
 };
-use std::rc::Rc;
 
-/// Reads a file.
+/// Reads a file. `others` are those whose declarations it sees, the nearest first.
 ///
 /// # Errors
 ///
 /// If nothing in it is Structured Text.
-pub(crate) fn read(text: &str, dialect: Dialect) -> Result<Reading, ReadError> {
+pub(crate) fn read(text: &str, dialect: Dialect, others: &[Companion]) -> Result<Reading, ReadError> {
     let (file, comments) = units::file(text, dialect);
     let lines = Lines::of(text);
     if file.units.is_empty() && file.types.is_empty() && file.globals.is_empty() {
@@ -43,12 +43,14 @@ pub(crate) fn read(text: &str, dialect: Dialect) -> Result<Reading, ReadError> {
             None => ReadError::whole("there is no program in the file: one begins with `PROGRAM`"),
         });
     }
+    let mut scope = Scope::default();
+    neighbours::declare(others, &file, &mut scope);
     let mut reader = Reader {
         text,
         lines: &lines,
         dialect,
         comments: &comments,
-        scope: Scope::default(),
+        scope,
         names: Names::default(),
         blocks: BlockNames::default(),
         unread: UnreadParts::default(),
@@ -90,7 +92,7 @@ impl Reader<'_> {
     fn file(&mut self, file: &File) {
         let types = self.types(file);
         for unit in &file.units {
-            self.shape(unit);
+            neighbours::enter(unit, &mut self.blocks, &mut self.scope);
         }
         let globals = self.globals(file);
         let main = main_program(file);
@@ -166,46 +168,6 @@ impl Reader<'_> {
             self.remark(declared.span.start, format!("type {}", declared.name), why);
         }
         (!section.declarations.is_empty()).then_some(Item::Section(section))
-    }
-
-    /// What a block or a function is called with.
-    fn shape(&mut self, unit: &Unit) {
-        if unit.kind == UnitKind::Program {
-            return;
-        }
-        let name = self.blocks.free(&unit.name, "B");
-        let mut names = Names::default();
-        let mut parameters = Vec::new();
-        for variable in &unit.variables {
-            let spelled = names.spell(&variable.name).to_owned();
-            let role = match variable.role {
-                Role::Input => ParameterRole::Input,
-                Role::Output => ParameterRole::Output,
-                Role::InOut => ParameterRole::InOut,
-                _ => continue,
-            };
-            let ty = types::of(&variable.ty, &self.scope).unwrap_or(Type::Unknown);
-            parameters.push(Parameter {
-                name: variable.name.clone(),
-                spelled,
-                role,
-                ty,
-            });
-        }
-        let returns = unit.returns.as_ref().map(|returns| {
-            let ty = types::of(returns, &self.scope).unwrap_or(Type::Unknown);
-            (names.spell(&unit.name).to_owned(), ty)
-        });
-        let shape = Rc::new(Shape {
-            name,
-            parameters,
-            returns,
-        });
-        if unit.kind == UnitKind::Function {
-            self.scope.function(&unit.name, shape);
-        } else {
-            self.scope.data_type(&unit.name, Type::Block(shape));
-        }
     }
 
     fn globals(&mut self, file: &File) -> Vec<Item> {
@@ -391,6 +353,7 @@ impl Reader<'_> {
         }
         items.push(Item::Block {
             header: format!("[${name}]"),
+            origin: Some(self.origin(unit.name_span.start)),
             items: inside,
         });
         items

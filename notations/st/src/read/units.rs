@@ -75,11 +75,13 @@ impl Cursor<'_> {
         while self.is_any(&["PUBLIC", "PRIVATE", "PROTECTED", "INTERNAL", "FINAL", "ABSTRACT"]) {
             self.bump();
         }
+        let name_span = self.span();
         let name = self.name()?;
         let mut unit = Unit {
             span,
             kind,
             name,
+            name_span,
             returns: None,
             variables: Vec::new(),
             comment,

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use ladder_analysis::{Analysis, Diagnostic as Finding, Severity};
 use ladder_documents::{Kind, Revision, address};
 use ladder_host::Work;
+use ladder_notations::of_workspaces;
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, ScenarioError};
 use ladder_syntax::TextRange;
@@ -75,6 +76,7 @@ async fn look_at(shared: Arc<Shared>, first: Arc<Revision>, _work: Work) {
                         .diagnostics(&next_to.companions, job.clone(), found);
                 }
                 foreign::tell_preview(&next_to, &job);
+                foreign::tell_others(&next_to, &job);
             });
             if let Err(error) = looked.await {
                 let message = format!("no diagnostics for {}: {}", revision.uri, error.message);
@@ -91,6 +93,9 @@ pub(crate) fn closed(shared: &Arc<Shared>, uri: &str) {
     shared.proofs.forget(uri);
     if !shared.agreed().pulls_diagnostics {
         shared.outbox.no_diagnostics(uri);
+    }
+    if let Some(path) = address::path_of(uri).filter(|path| of_workspaces(path).is_some()) {
+        diagnostics::neighbour_closed(shared, uri.to_owned(), path);
     }
     if Kind::of(uri, "", "") == Kind::Settings {
         settings_file::tell_again(shared, uri);

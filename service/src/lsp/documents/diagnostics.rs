@@ -9,12 +9,13 @@ use std::sync::Arc;
 use ladder_analysis::rules::is_of_own_text;
 use ladder_analysis::{Cancel, Finding, Severity};
 use ladder_documents::Revision;
+use ladder_documents::neighbours::Affected;
 use ladder_host::Work;
 use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES};
 use ladder_workspace::SETTINGS_FILE;
 use tower_lsp::ls_types::{Diagnostic, Range};
 
-use super::{companions, folders, pull, settings_file, shown, typed};
+use super::{companions, folders, foreign, pull, settings_file, shown, typed};
 use crate::lsp::transport::blocking::caught;
 use crate::lsp::{convert, finding::Findings, session::agreed::Agreed, session::shared::Shared};
 
@@ -111,6 +112,17 @@ fn tell_others(shared: &Arc<Shared>, revision: &Revision) {
     }
 }
 
+/// A program that is not ladder text was passed on to the other files of its workspace.
+pub(crate) fn passed_on(shared: &Arc<Shared>, affected: Affected, path: &Path) {
+    if affected == Affected::default() {
+        return;
+    }
+    shared.neighbours.places_moved(path);
+    refresh_others(shared, &[path], None);
+    simulate_with(shared, path, None);
+    companions::refresh_scenarios(shared);
+}
+
 /// Looks once more at the open documents of the workspaces of files, but for one. Once for all of the files: each look says
 /// what it finds.
 fn refresh_others(shared: &Arc<Shared>, paths: &[impl AsRef<Path>], but: Option<&str>) {
@@ -171,7 +183,8 @@ pub(crate) fn look_again(shared: &Arc<Shared>, uri: &str) {
 pub(crate) fn neighbour_closed(shared: &Arc<Shared>, uri: String, path: PathBuf) {
     shared.in_background(move |shared| {
         // Unless it was opened again meanwhile.
-        if shared.documents.get(&uri).is_none() && shared.neighbours.closed(&path) {
+        let is_open = shared.documents.get(&uri).is_some() || shared.companions.get(&uri).is_some();
+        if !is_open && shared.neighbours.closed(&path) {
             refresh_others(shared, &[&path], None);
         }
         simulate_with(shared, &path, None);
@@ -236,6 +249,9 @@ pub(crate) fn of_own_text(shared: &Shared, revision: &Revision) -> Option<Vec<Di
 
 /// What is found in a text that nobody has open. For a blocking thread.
 pub(crate) fn of_closed(agreed: Agreed, revision: &Revision) -> Vec<Diagnostic> {
+    if revision.kind().notation().is_some() {
+        return foreign::diagnostics_of(agreed, revision);
+    }
     let Some(analysis) = revision.analysis() else {
         return vec![too_large(revision)];
     };

@@ -8,7 +8,7 @@ use ladder_notations::{Lines, Mark, ReadError};
 use ladder_syntax::{TextRange, TextSize};
 use tower_lsp::ls_types::Diagnostic;
 
-use super::shown;
+use super::{diagnostics, shown};
 use crate::lsp::finding::Findings;
 use crate::lsp::session::agreed::Agreed;
 use crate::lsp::{convert, session::shared::Shared};
@@ -88,6 +88,17 @@ fn of_broken(revision: &Revision, error: &ReadError) -> Vec<Diagnostic> {
         convert::diagnostic(range, Severity::Error, BAD_PROGRAM, (*message).to_owned())
     });
     items.chain(shown::rest(left_out)).collect()
+}
+
+/// Has the open files of its workspace checked again if they see something else in a program than before. For a blocking thread.
+pub(crate) fn tell_others(shared: &Arc<Shared>, revision: &Revision) {
+    if let Some(place) = revision
+        .place()
+        .filter(|_| shared.companions.is_current(revision))
+    {
+        let affected = revision.tell_neighbours();
+        diagnostics::passed_on(shared, affected, &place.path);
+    }
 }
 
 /// Tells the one who follows it the ladder text of a program, if it is another one now. One that cannot be read has none:

@@ -25,7 +25,7 @@ use tower_lsp::ls_types::{
 };
 
 use super::progress::Progress;
-use super::{companions, diagnostics, folders, settings_file, watch};
+use super::{companions, diagnostics, folders, foreign, settings_file, watch};
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
 
@@ -81,10 +81,9 @@ pub(crate) async fn document(
         let shared = next_to;
         let previous = previous.as_deref();
         if let Some(revision) = shared.companions.get(uri.as_str()) {
-            return related(
-                report(&companions::diagnostics_of(&shared, &revision), previous),
-                None,
-            );
+            let found = companions::diagnostics_of(&shared, &revision);
+            foreign::tell_others(&shared, &revision);
+            return related(report(&found, previous), None);
         }
         let Some(revision) = shared.documents.get(uri.as_str()) else {
             // Not open: as it is on disk, if it is known.
@@ -237,7 +236,7 @@ fn on_disk(shared: &Shared, path: &Path) -> Option<Arc<Vec<Diagnostic>>> {
         return Some(found.clone());
     }
     let place = Membership::new(path.to_owned(), &shared.neighbours);
-    let revision = Revision::on_disk(&uri_of(path), agreed.encoding, file.text(), place);
+    let revision = Revision::on_disk(&uri_of(path), agreed.encoding, file.member().text(), place);
     let found = Arc::new(diagnostics::of_closed(agreed, &revision));
     lock().insert(path.to_owned(), (file, exported, found.clone()));
     Some(found)

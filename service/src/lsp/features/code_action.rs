@@ -121,7 +121,7 @@ pub(crate) async fn resolve(shared: &Arc<Shared>, mut action: CodeAction) -> Res
         if let (Some(analysis), Some(asked)) = (revision.analysis(), asked(&next_to, &revision, cancel)) {
             let offered = analysis.actions(range, range, |kind| Some(name(kind)) == action.kind);
             let same = offered.into_iter().find(|offered| offered.title == action.title);
-            action.edit = same.map(|same| edit(agreed, &asked, analysis, &same, &revision.text()));
+            action.edit = same.and_then(|same| edit(agreed, &asked, analysis, &same, &revision.text()));
         }
         action
     })
@@ -198,7 +198,7 @@ fn offer(
         diagnostics: finding
             .map(|finding| vec![Findings::of(agreed, revision).diagnostic(&finding.diagnostic())]),
         command,
-        edit: now.map(|text| edit(agreed, asked, analysis, action, text)),
+        edit: now.and_then(|text| edit(agreed, asked, analysis, action, text)),
         is_preferred: finding.map(|_| action.preferred),
         disabled: action
             .disabled
@@ -208,10 +208,17 @@ fn offer(
     })
 }
 
-fn edit(agreed: Agreed, asked: &Asked, analysis: &Analysis, action: &Action, text: &str) -> WorkspaceEdit {
+/// The edits of an action. None: a file would change that is not ladder text.
+fn edit(
+    agreed: Agreed,
+    asked: &Asked,
+    analysis: &Analysis,
+    action: &Action,
+    text: &str,
+) -> Option<WorkspaceEdit> {
     let options = asked.revision.format_options();
     let files = analysis.everywhere(action, text, &options, &asked.elsewhere);
-    rename::edit(asked, files, agreed).0
+    Some(rename::edit(asked, files, agreed).ok()?.0)
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{GotoDefinitionParams, GotoDefinitionResponse, LocationLink};
 
 use super::asked::{Asked, Places, about_place};
+use super::foreign_hover;
 use super::of_scenarios::{about_scenarios, scenarios_at};
 use crate::lsp::session::{agreed::Links, shared::Shared};
 
@@ -29,6 +30,13 @@ pub(crate) async fn goto(
             let asked = scenarios.program.as_ref()?;
             let offset = scenarios.offset(place.position);
             let targets = ladder_ide::scenario_definition(&scenarios.read(), offset);
+            response(asked, &targets, links)
+        })
+        .await;
+    }
+    if let Some(revision) = foreign_hover::program_at(shared, &place.text_document.uri) {
+        return foreign_hover::about_ladder(shared, revision, place.position, move |asked, offset| {
+            let targets = question(&asked.context, offset, &asked.elsewhere);
             response(asked, &targets, links)
         })
         .await;

@@ -12,8 +12,7 @@ use crate::lsp::{convert, markup, session::shared::Shared};
 pub(crate) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<Option<Hover>> {
     let markdown = shared.agreed().markdown;
     let place = &params.text_document_position_params;
-    let companion = shared.companions.get(place.text_document.uri.as_str());
-    if let Some(revision) = companion.filter(|it| it.kind().notation().is_some()) {
+    if let Some(revision) = foreign_hover::program_at(shared, &place.text_document.uri) {
         return foreign_hover::hover(shared, markdown, revision, place.position).await;
     }
     if let Some(revision) = of_scenarios::scenarios_at(shared, &place.text_document.uri) {

@@ -7,7 +7,7 @@ use ladder_documents::Kind;
 use ladder_documents::address::path_of;
 use ladder_live::{Failure, argument_of};
 use ladder_notations::{Form, Source};
-use ladder_workspace::{Disk, FileError, ForeignPrograms, is_program};
+use ladder_workspace::{Disk, FileError, ForeignPrograms, is_ladder_text};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
@@ -101,7 +101,7 @@ impl Program {
         let from = match (&wanted.from, kind.notation()) {
             (Some(name), _) => named(name)?,
             (None, Some(notation)) => Form::Foreign(notation),
-            (None, None) => Form::of(&path, &bytes, is_program(&path)).ok_or_else(|| {
+            (None, None) => Form::of(&path, &bytes, is_ladder_text(&path)).ok_or_else(|| {
                 failed(format!(
                     "{file}: this is in no notation that is known; if it is, name it"
                 ))

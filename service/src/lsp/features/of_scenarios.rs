@@ -9,6 +9,7 @@ use ladder_documents::membership::Membership;
 use ladder_documents::other_files::OtherFiles;
 use ladder_documents::{Kind, Revision, address};
 use ladder_ide::{Alone, Scenarios};
+use ladder_notations::of_workspaces;
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, Suite};
 use ladder_syntax::TextSize;
@@ -143,11 +144,16 @@ fn program(shared: &Shared, revision: &Revision, suite: &Suite, cancel: &Cancel)
 
 pub(super) fn shown(shared: &Shared, path: &Path) -> Option<Arc<Revision>> {
     let is_it = |revision: &Arc<Revision>| revision.place().is_some_and(|place| place.path == path);
-    shared.documents.all().into_iter().find(is_it)
+    let is_program = |revision: &Arc<Revision>| is_it(revision) && of_workspaces(path).is_some();
+    let open = shared.documents.all().into_iter().find(is_it);
+    open.or_else(|| shared.companions.all().into_iter().find(is_program))
 }
 
 pub(super) fn on_disk(shared: &Shared, path: &Path) -> Option<Arc<Revision>> {
-    let text = shared.neighbours.text_on_disk(path).ok()?;
+    let text = match of_workspaces(path) {
+        Some(_) => shared.world().disk.read_own(path).ok()?,
+        None => shared.neighbours.text_on_disk(path).ok()?,
+    };
     let place = Membership::new(path.to_owned(), &shared.neighbours);
     let uri = address::uri_of(path);
     Some(Arc::new(Revision::on_disk(

@@ -63,7 +63,7 @@ pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result
                 let options = asked.revision.format_options();
                 let offset = scenarios.offset(place.position);
                 let files = ladder_ide::rename_in_scenario(&scenarios.read(), offset, &new, &options);
-                Some(files.map(|files| edit(asked, files, agreed)))
+                Some(files.and_then(|files| edit(asked, files, agreed)))
             })
             .await?
         }
@@ -71,7 +71,7 @@ pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result
             about_place(shared, place, move |asked, offset| {
                 let options = asked.revision.format_options();
                 let files = ladder_ide::rename(&asked.context, offset, &new, &asked.elsewhere, &options);
-                Some(files.map(|files| edit(asked, files, agreed)))
+                Some(files.and_then(|files| edit(asked, files, agreed)))
             })
             .await?
         }
@@ -94,13 +94,13 @@ pub(super) fn edit(
     asked: &Asked,
     files: Vec<Renamed>,
     agreed: Agreed,
-) -> (WorkspaceEdit, Vec<Arc<Revision>>) {
-    let changes = changes(asked, files);
+) -> std::result::Result<(WorkspaceEdit, Vec<Arc<Revision>>), RenameRefused> {
+    let changes = changes(asked, files)?;
     let open = changes.iter().filter_map(|(_, open, _)| open.clone()).collect();
     let files = changes
         .into_iter()
         .map(|(uri, open, edits)| (uri, open.map(|it| it.version), edits));
-    (agreed.edit_of_files(files), open)
+    Ok((agreed.edit_of_files(files), open))
 }
 
 fn refused(why: RenameRefused) -> Error {
@@ -111,15 +111,25 @@ fn refused(why: RenameRefused) -> Error {
     }
 }
 
-fn changes(asked: &Asked, files: Vec<Renamed>) -> Changes {
+/// What changes in which file. Edits are made in ladder text only.
+fn changes(asked: &Asked, files: Vec<Renamed>) -> std::result::Result<Changes, RenameRefused> {
     let mut places = Places::of(asked);
-    let change = |renamed: Renamed| {
-        let (uri, file) = places.file(&renamed.file)?;
+    let mut all = Changes::new();
+    for renamed in files {
+        let Some((uri, file)) = places.file(&renamed.file) else {
+            continue;
+        };
+        if !file.is_ladder() {
+            return Err(RenameRefused(format!(
+                "{} would change too, which is not ladder text: change it there first",
+                renamed.file
+            )));
+        }
         let edits = renamed.edits.into_iter().map(|edit| TextEdit {
             range: convert::range(file.range(edit.range)),
             new_text: edit.text,
         });
-        Some((uri.clone(), file.revision.clone(), edits.collect()))
-    };
-    files.into_iter().filter_map(change).collect()
+        all.push((uri.clone(), file.revision.clone(), edits.collect()));
+    }
+    Ok(all)
 }

@@ -6,16 +6,15 @@ use crate::value_text;
 use ladder_analysis::program::Location;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
-use ladder_syntax::LineIndex;
+use ladder_syntax::{LineColumn, LineIndex};
+use std::fmt;
 
 impl Why {
     /// The reasons for people, a line for each tag: `run is 0 since scan 12 (120 ms): line 3, ( )( run ) wrote it;
     /// blocked by [/]( stop ) (line 3, column 20): stop is 1`. `texts` are those of the program's files, whose
     /// names are in the same order.
     pub fn text(&self, texts: &[&str], files: &[String]) -> String {
-        let mut lines = Vec::new();
-        Wording::new(texts, files).lines(self, 0, &mut lines);
-        lines.join("\n")
+        Wording::new(texts, files).text(self)
     }
 
     /// What wrote the tag, then what keeps it off now.
@@ -34,6 +33,16 @@ pub struct Wording<'t> {
     texts: &'t [&'t str],
     files: &'t [String],
     indexes: Vec<LineIndex>,
+    places: Option<Places<'t>>,
+}
+
+/// Where blocks are in files that are translated where they are read.
+struct Places<'t>(&'t dyn Fn(Location) -> Option<LineColumn>);
+
+impl fmt::Debug for Places<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Places")
+    }
 }
 
 impl<'t> Wording<'t> {
@@ -44,7 +53,22 @@ impl<'t> Wording<'t> {
             texts,
             files,
             indexes,
+            places: None,
         }
+    }
+
+    /// The same where some of the files are translated where they are read: `places` says of those where a block is in the file.
+    #[must_use]
+    pub fn with_places(self, places: &'t dyn Fn(Location) -> Option<LineColumn>) -> Wording<'t> {
+        let places = Some(Places(places));
+        Wording { places, ..self }
+    }
+
+    /// As [`Why::text`].
+    pub fn text(&self, why: &Why) -> String {
+        let mut lines = Vec::new();
+        self.lines(why, 0, &mut lines);
+        lines.join("\n")
     }
 
     /// Why a tag holds what it holds: one sentence, without what lies deeper.
@@ -215,7 +239,8 @@ impl<'t> Wording<'t> {
         let Some(drawn) = text.get(range) else {
             return (0, 0, "");
         };
-        let place = index.line_column(text, location.range.start());
+        let elsewhere = self.places.as_ref().and_then(|places| (places.0)(location));
+        let place = elsewhere.unwrap_or_else(|| index.line_column(text, location.range.start()));
         (place.line, place.column, drawn.lines().next().unwrap_or_default())
     }
 }

@@ -23,6 +23,7 @@ impl Made {
         };
         let items = vec![Item::Block {
             header: head,
+            origin: None,
             items: items.unwrap_or_default(),
         }];
         ProgramSketch { items }.write(&Options::default()).text

@@ -7,7 +7,7 @@ use std::path::Path;
 /// Reads a file in every dialect; what it becomes does not matter.
 fn read_all(text: &str) {
     for dialect in [Dialect::Iec, Dialect::Logix, Dialect::Scl, Dialect::Codesys] {
-        if let Ok(reading) = read(text, dialect) {
+        if let Ok(reading) = read(text, dialect, &[]) {
             assert!(
                 !reading
                     .program
@@ -109,8 +109,8 @@ fn programs_that_end_anywhere() {
         let path = folder.join(name).join(format!("{name}.st"));
         let text = std::fs::read_to_string(path).expect("the corpus is there");
         for end in (0..text.len()).filter(|end| text.is_char_boundary(*end)) {
-            let _ = read(&text[..end], Dialect::Iec);
-            let _ = read(&format!("PROGRAM x {}", &text[end..]), Dialect::Codesys);
+            let _ = read(&text[..end], Dialect::Iec, &[]);
+            let _ = read(&format!("PROGRAM x {}", &text[end..]), Dialect::Codesys, &[]);
         }
     }
 }

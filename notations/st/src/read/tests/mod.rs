@@ -24,7 +24,7 @@ fn check_tokens(text: &str, dialect: Dialect, expected: &Expect) {
 
 /// What a file becomes, with what is reported of it.
 fn check_file(text: &str, expected: &Expect) {
-    let reading = read(text, Dialect::Iec).expect("it is read");
+    let reading = read(text, Dialect::Iec, &[]).expect("it is read");
     let mut shown = reading.program.write(&ladder_format::Options::default()).text;
     for entry in reading.report.remarks() {
         let (Outcome::Refused(why) | Outcome::Approximated(why)) = &entry.outcome else {
@@ -923,7 +923,7 @@ fn what_is_wrong_in_a_chart() {
         let text = format!(
             "PROGRAM Main VAR lamp : BOOL; n : INT; END_VAR\nINITIAL_STEP Idle: END_STEP\n{part}\nEND_PROGRAM\n"
         );
-        let read = super::program::read(&text, Dialect::Iec).expect("it is Structured Text");
+        let read = super::program::read(&text, Dialect::Iec, &[]).expect("it is Structured Text");
         let told = read
             .report
             .entries
