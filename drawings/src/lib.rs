@@ -20,6 +20,7 @@
 //!
 //! ```text
 //! XIC(start)XIO(stop)OTE(run); --neutral--> its parts --rung_text--> a network
+//! XIC start TON delay T#5s OTE run --neutral--> its parts --entry--> a network
 //! ```
 //!
 //! Nothing is guessed: an element that cannot be read is a comment in its place, a network whose wires cannot be followed stays as comments,
@@ -29,6 +30,7 @@
 mod block;
 mod drawing;
 mod element;
+mod entry;
 mod frame;
 mod label;
 mod marks;
@@ -44,4 +46,5 @@ mod text;
 mod wires;
 
 pub use drawing::{Look, Problem, Read, Shown, look, read};
+pub use entry::read_entry;
 pub use rung_text::{RungText, may_be_rung_text, read_rung_text};

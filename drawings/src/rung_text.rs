@@ -11,7 +11,7 @@ use ladder_instructions::{Op, Shape, by_op, known_elsewhere, lookup};
 
 /// The block of an instruction, and how its operands become those of the block.
 #[derive(Debug, Clone, Copy)]
-enum Order {
+pub(crate) enum Order {
     /// A tag.
     Tag(Op),
     /// A tag that keeps an edge: the one-shot keeps it by itself.
@@ -86,7 +86,7 @@ pub struct RungText {
     pub problems: Vec<String>,
 }
 
-fn known(name: &str) -> Option<&'static (&'static str, Order, bool)> {
+pub(crate) fn known(name: &str) -> Option<&'static (&'static str, Order, bool)> {
     KNOWN.iter().find(|(known, ..)| known.eq_ignore_ascii_case(name))
 }
 
@@ -114,7 +114,7 @@ pub fn may_be_rung_text(line: &str) -> bool {
 }
 
 /// A rung of an export begins with `N:`.
-fn without_number(rung: &str) -> &str {
+pub(crate) fn without_number(rung: &str) -> &str {
     rung.strip_prefix("N:").map_or(rung, str::trim_start)
 }
 
@@ -124,7 +124,7 @@ pub fn read_rung_text(text: &str) -> Option<RungText> {
         return None;
     }
     let mut reader = Reader::default();
-    let mut program = ProgramSketch::default();
+    let mut circuits = Vec::new();
     let mut count = 0;
     for rung in rungs(text) {
         let parts = parse(without_number(rung.trim()), &operands).ok()?;
@@ -132,16 +132,10 @@ pub fn read_rung_text(text: &str) -> Option<RungText> {
             continue;
         }
         count += count_known(&parts)?;
-        let circuit = reader.series(&parts, true);
-        if !program.items.is_empty() {
-            program.items.push(Item::Blank);
-        }
-        program.items.push(Item::Network(Network {
-            comments: Vec::new(),
-            drawing: Drawing::Circuit(circuit),
-        }));
+        circuits.push(reader.series(&parts, true));
     }
     let problems = reader.problems;
+    let program = program_of(circuits);
     (count > 0).then_some(RungText { program, problems })
 }
 
@@ -165,8 +159,23 @@ fn count_known(parts: &[Part<'_>]) -> Option<usize> {
     counts.sum()
 }
 
+/// The networks of some circuits, with a blank line between two of them.
+pub(crate) fn program_of(circuits: impl IntoIterator<Item = Circuit<Element>>) -> ProgramSketch {
+    let mut program = ProgramSketch::default();
+    for circuit in circuits {
+        if !program.items.is_empty() {
+            program.items.push(Item::Blank);
+        }
+        program.items.push(Item::Network(Network {
+            comments: Vec::new(),
+            drawing: Drawing::Circuit(circuit),
+        }));
+    }
+    program
+}
+
 /// The rungs of a text: up to a `;`, or without one each on a line of its own.
-fn rungs(text: &str) -> Vec<&str> {
+pub(crate) fn rungs(text: &str) -> Vec<&str> {
     let mut found = Vec::new();
     let mut start = 0;
     let mut is_quoted = false;
@@ -183,8 +192,8 @@ fn rungs(text: &str) -> Vec<&str> {
 }
 
 #[derive(Default)]
-struct Reader {
-    operands: Operands,
+pub(crate) struct Reader {
+    pub(crate) operands: Operands,
     problems: Vec<String>,
 }
 
@@ -253,7 +262,7 @@ impl Reader {
     }
 
     /// The block of an instruction, with its operands. None: it has no such operands.
-    fn list(&mut self, order: Order, given: &[&str]) -> Option<(Op, Vec<Expression>)> {
+    pub(crate) fn list(&mut self, order: Order, given: &[&str]) -> Option<(Op, Vec<Expression>)> {
         let mut tag = |written: &str| self.operands.tag(written).map(Expression::from);
         Some(match (order, given) {
             (Order::Tag(op), [only]) => (op, vec![tag(only)?]),
@@ -300,7 +309,7 @@ fn preset_time(preset: &str, base: &str) -> Option<Expression> {
     Expression::literal(time).ok()
 }
 
-fn unknown(instruction: &Instruction<'_>) -> String {
+pub(crate) fn unknown(instruction: &Instruction<'_>) -> String {
     let name = instruction.name;
     let row = lookup(Shape::Logical, name)
         .next()

@@ -23,6 +23,7 @@
 mod block;
 mod circuit;
 mod columns;
+mod difference;
 mod draw;
 mod edit;
 mod file;
@@ -43,6 +44,7 @@ mod stays;
 mod width;
 
 pub use circuit::{Circuit, Piece, PieceKind};
+pub use difference::difference;
 pub use edit::{Edit, apply};
 pub use layout::Layout;
 pub use sketch::{Element, ElementKind, Sketch};

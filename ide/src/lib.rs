@@ -10,6 +10,7 @@ mod comments;
 mod completion;
 mod definition;
 mod described;
+mod drawing;
 mod exclusive;
 #[cfg(test)]
 mod features_of_names;
@@ -29,6 +30,7 @@ mod on_type;
 mod outline;
 mod palette;
 mod path;
+mod redraw;
 mod refactor;
 mod references;
 mod rename;
@@ -49,6 +51,7 @@ pub use completion::{
     Completion, CompletionKind, Completions, Snippet, Topic, card, completions, documentation,
 };
 pub use definition::{declaration, definition, implementation, type_definition};
+pub use drawing::beside::Side;
 pub use exclusive::{Exclusive, exclusive_outputs, place_of_new as place_of_new_property};
 pub use folding::{Fold, folds};
 pub use highlight::{Highlight, highlights};
@@ -61,8 +64,11 @@ pub use neighbour::{Alone, ScenarioFile, Which, Workspace, gathered};
 pub use on_type::{TRIGGERS, on_type};
 pub use outline::{OutlineKind, Outlined, outline};
 pub use palette::{PaletteRow, palette};
+pub use redraw::{
+    Asked, Change, Declared, Given, Offer, Offered, Points, Redraw, Redrawn, change, offer, points_of,
+    redraw, why_not,
+};
 pub use refactor::{Action, ActionKind, fix_all, quick_fixes, refactorings};
-pub use refactor::{Redraw, Redrawn, redraw};
 pub use references::{Reference, references, scenario_references};
 pub use rename::{
     Renamable, RenameRefused, Renamed, prepare_rename, prepare_scenario_rename, rename, rename_in_scenario,

@@ -22,6 +22,7 @@
 
 #![deny(clippy::print_stdout)]
 
+pub mod drawing_messages;
 mod lsp;
 mod notation;
 mod proof;

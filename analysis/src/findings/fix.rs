@@ -6,7 +6,7 @@
 //! is offered.
 
 use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
-use ladder_format::{Edit, Options, apply, format_ranges};
+use ladder_format::{Edit, Options, apply, difference, format_ranges};
 use ladder_syntax::{TextRange, TextSize, parse};
 use std::collections::BTreeMap;
 
@@ -65,64 +65,6 @@ fn moved(edits: &[Edit]) -> Vec<TextRange> {
             TextRange::at(TextSize::new(start as u32), TextSize::of(edit.text.as_str()))
         })
         .collect()
-}
-
-/// What differs: line by line where both have as many lines between those that are the same, else as one
-/// replacement. Small edits leave an editor's cursors and marks where they are.
-fn difference(old: &str, new: &str) -> Vec<Edit> {
-    let mut start = 0;
-    for (a, b) in old.split_inclusive('\n').zip(new.split_inclusive('\n')) {
-        if a != b {
-            break;
-        }
-        start += a.len();
-    }
-    // Both rests begin at the same line start, so lines of theirs can be compared from the end.
-    let mut after = 0;
-    let (old_rest, new_rest) = (&old[start..], &new[start..]);
-    let (old_lines, new_lines) = (old_rest.split_inclusive('\n'), new_rest.split_inclusive('\n'));
-    for (a, b) in old_lines.rev().zip(new_lines.rev()) {
-        if a != b {
-            break;
-        }
-        after += a.len();
-    }
-    let old = &old[start..old.len() - after];
-    let new = &new[start..new.len() - after];
-    if old.split_inclusive('\n').count() != new.split_inclusive('\n').count() {
-        return replacement(start, old, new).into_iter().collect();
-    }
-    let mut at = start;
-    let lines = old.split_inclusive('\n').zip(new.split_inclusive('\n'));
-    lines
-        .filter_map(|(old, new)| {
-            let line = at;
-            at += old.len();
-            replacement(line, old, new)
-        })
-        .collect()
-}
-
-/// The edit that makes one text of another, without what they begin and end with.
-fn replacement(start: usize, old: &str, new: &str) -> Option<Edit> {
-    if old == new {
-        return None;
-    }
-    let same = |(a, b): &(char, char)| a == b;
-    let length = |pairs: &mut dyn Iterator<Item = (char, char)>| -> usize {
-        pairs.take_while(same).map(|(c, _)| c.len_utf8()).sum()
-    };
-    let before = length(&mut old.chars().zip(new.chars()));
-    let (old, new) = (&old[before..], &new[before..]);
-    let after = length(&mut old.chars().rev().zip(new.chars().rev()));
-    let range = TextRange::at(
-        TextSize::new((start + before) as u32),
-        TextSize::new((old.len() - after) as u32),
-    );
-    Some(Edit {
-        range,
-        text: new[..new.len() - after].to_owned(),
-    })
 }
 
 #[cfg(test)]
@@ -199,34 +141,5 @@ mod tests {
         let fixes = [(0, 2, "guess"), (4, 6, "sure")];
         assert_eq!(all_fixes(Applicability::Safe, &fixes), ["sure"]);
         assert_eq!(all_fixes(Applicability::Unsafe, &fixes), ["guess", "sure"]);
-    }
-
-    #[test]
-    fn edits_are_small() {
-        let check = |old: &str, new: &str, expected: &[(usize, usize, &str)]| {
-            let edits = difference(old, new);
-            assert_eq!(apply(old, &edits), new);
-            let shown: Vec<_> = edits
-                .iter()
-                .map(|e| {
-                    (
-                        usize::from(e.range.start()),
-                        usize::from(e.range.end()),
-                        e.text.as_str(),
-                    )
-                })
-                .collect();
-            assert_eq!(shown, expected);
-        };
-        check("a\nb\n", "a\nb\n", &[]);
-        check("a\nb\nb\nc\n", "a\nb\nc\n", &[(4, 6, "")]);
-        check("a\n", "a\nb", &[(2, 2, "b")]);
-        check(
-            "+--a--+\n|     |\n+--b--+\n",
-            "+--aa-+\n|     |\n+--bb-+\n",
-            &[(4, 5, "a"), (20, 21, "b")],
-        );
-        check("é--\n", "è--\n", &[(0, 2, "è")]);
-        check("--\r\n", "---\r\n", &[(2, 2, "-")]);
     }
 }

@@ -3,7 +3,9 @@
 use super::Revision;
 use crate::position::{self, Position, Range};
 use crate::positions::Positions;
+use ladder_format::Edit;
 use ladder_syntax::{TextRange, TextSize};
+use ropey::Rope;
 
 impl Revision {
     /// The text.
@@ -20,6 +22,18 @@ impl Revision {
     /// The offset of a position, clamped into the text. For a text that has an analysis.
     pub fn offset(&self, position: Position) -> TextSize {
         TextSize::new(position::offset(&self.rope, self.encoding, position) as u32)
+    }
+
+    /// The text after some edits of it, sorted and disjoint.
+    pub fn after(&self, edits: &[Edit]) -> Rope {
+        let mut new = self.rope.clone();
+        for edit in edits.iter().rev() {
+            let [start, end] =
+                [edit.range.start(), edit.range.end()].map(|at| new.byte_to_char(usize::from(at)));
+            new.remove(start..end);
+            new.insert(start, &edit.text);
+        }
+        new
     }
 
     /// For many ranges of the text.

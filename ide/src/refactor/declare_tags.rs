@@ -1,12 +1,13 @@
 //! All tags that no declaration names get one, with the types and sections that follow from their uses.
 
+use super::names::each_name;
 use super::place::Selected;
 use super::{Action, ActionKind, Work};
 use ladder_analysis::context::Context;
 use ladder_analysis::names::declaring::Places;
 use ladder_analysis::networks::NetworkAt;
 use ladder_analysis::rules::declaration_fix::{can_be_declared, undeclared};
-use ladder_analysis::written::facts::{Node, NodeKind};
+use ladder_analysis::written::facts::Node;
 use ladder_format::Edit;
 use ladder_syntax::Name;
 
@@ -60,23 +61,10 @@ pub(super) fn edits(context: &Context, scope: usize) -> Vec<Edit> {
 }
 
 fn names_undeclared(context: &Context, scope: usize, node: &Node) -> bool {
-    let any = |nodes: &[&Node]| nodes.iter().any(|node| names_undeclared(context, scope, node));
-    match &node.kind {
-        NodeKind::Name(name) => {
-            let tag = context.scopes[scope].find(&Name::new(name));
-            tag.is_some_and(|tag| can_be_declared(context, scope, tag))
-        }
-        NodeKind::Member(base, _) | NodeKind::Unary(_, base) | NodeKind::Paren(base) => any(&[base]),
-        NodeKind::Index(base, index) => any(&[base, index]),
-        NodeKind::Range(base, first, last) => any(&[base, first, last]),
-        NodeKind::Binary(_, left, right) => any(&[left, right]),
-        NodeKind::Call(_, values) | NodeKind::Array(values) | NodeKind::Repeat(_, values) => {
-            values.iter().any(|value| names_undeclared(context, scope, value))
-        }
-        NodeKind::Address(_)
-        | NodeKind::Members(_)
-        | NodeKind::Literal(_)
-        | NodeKind::NoFunction
-        | NodeKind::Missing => false,
-    }
+    let mut found = false;
+    each_name(node, &mut |name, _| {
+        let tag = context.scopes[scope].find(&Name::new(name));
+        found |= tag.is_some_and(|tag| can_be_declared(context, scope, tag));
+    });
+    found
 }

@@ -1,12 +1,12 @@
 //! Selected blocks become a user-defined block. Its power goes in as `EN` and out as `ENO`, so that it is where they
 //! were; the tags that they use become its operands: those that are only read as inputs, all others by reference.
 
-use super::drawing::{Drawing, Item, line_end, lines_text};
 use super::flow::is_flow;
 use super::names::new_block;
 use super::place::{OnNetwork, Selected};
-use super::region::Region;
 use super::{Action, ActionKind};
+use crate::drawing::region::Region;
+use crate::drawing::rows::{Drawing, Item, line_end, lines_text};
 use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::{Origin, SectionKind, TagFacts};
 use ladder_analysis::networks::use_place::Use;

@@ -1,10 +1,10 @@
 //! Networks become a function, and a call takes their place.
 
-use super::drawing::{Drawing, Item, ItemKind, line_end, lines_text};
 use super::flow::{has_mcr, is_flow};
 use super::names::new_function;
 use super::place::Selected;
 use super::{Action, ActionKind};
+use crate::drawing::rows::{Drawing, Item, ItemKind, line_end, lines_text};
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::networks::NetworkAt;
 use ladder_format::Edit;

@@ -152,7 +152,7 @@ fn existing(context: &Context, name: &str, tags: &[DeclaredTag<'_>], members: &[
 
 fn extracted(place: &Selected<'_>, group: &Group<'_>) -> Result<(Vec<Edit>, InScenarios), String> {
     let context = place.context;
-    if place.analysis.has_errors() {
+    if place.has_errors() {
         return Err("fix the errors of the file first".to_owned());
     }
     if context.profile != Profile::Iec {
@@ -210,7 +210,7 @@ fn given_by_reference(context: &Context, tag: &DeclaredTag<'_>) -> Option<String
 /// The declaration of the type: in the last section of types, else in one before the section of the tags.
 fn declared(context: &Context, group: &Group<'_>) -> Result<Edit, String> {
     let parse = &context.parse;
-    let line_end = super::drawing::line_end(parse);
+    let line_end = crate::drawing::rows::line_end(parse);
     let mut text = format!("    {} : STRUCT{line_end}", group.ty);
     let mut lines: Vec<usize> = group.tags.iter().map(|tag| tag.line).collect();
     lines.dedup();

@@ -1,13 +1,13 @@
 //! What a user-defined block does takes the place of one call of it. This is done where its body is one network that
 //! begins with `EN` and ends with `ENO`, and where the operands can stand for what the body calls them.
 
-use super::drawing::{Drawing, ItemKind, Row};
 use super::flow::is_flow;
 use super::names::{new_tag, operand};
-use super::passing::splice;
 use super::place::{OnNetwork, Selected};
-use super::region::Region;
 use super::{Action, ActionKind};
+use crate::drawing::passing::splice;
+use crate::drawing::region::Region;
+use crate::drawing::rows::{Drawing, ItemKind, Row};
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::names::declaring::Places;
 use ladder_analysis::names::scope::{Origin, Scope, SectionKind, TagFacts};
@@ -44,7 +44,7 @@ fn inlined(
     if definition >= context.own_blocks {
         return Err("the block is in another file".to_owned());
     }
-    if place.analysis.has_errors() {
+    if place.has_errors() {
         return Err("fix the errors of the file first".to_owned());
     }
     if call

@@ -1,10 +1,10 @@
 //! The networks of a function take the place of its only call.
 
-use super::drawing::{Drawing, Item, ItemKind, lines_text};
 use super::extract_function::{lines_with_comments, starts_with_mark};
 use super::flow::{has_mcr, is_flow};
 use super::place::Selected;
 use super::{Action, ActionKind};
+use crate::drawing::rows::{Drawing, Item, ItemKind, lines_text};
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::networks::NetworkAt;
 use ladder_analysis::written::facts::NodeKind;

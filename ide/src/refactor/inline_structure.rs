@@ -38,7 +38,7 @@ fn inlined(
     ty: Type,
 ) -> Result<(Vec<Edit>, InScenarios), String> {
     let context = place.context;
-    if place.analysis.has_errors() {
+    if place.has_errors() {
         return Err("fix the errors of the file first".to_owned());
     }
     is_inner(tag)?;

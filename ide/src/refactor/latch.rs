@@ -1,12 +1,12 @@
 //! A pair of a set and a reset coil becomes a seal-in, and back. Both do the same: which of the two wins where set and
 //! reset come together is kept, and where anything else writes the tag neither is done.
 
-use super::circuits::{Rung, items};
-use super::drawing::{Drawing, Item, ItemKind, lines_text};
 use super::flow::{has_mcr, is_flow};
 use super::place::Selected;
 use super::wrap_branch::only_reads;
 use super::{Action, ActionKind};
+use crate::drawing::rows::{Drawing, Item, ItemKind, lines_text};
+use crate::drawing::term::{Rung, items};
 use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::{Origin, SectionKind, TagFacts};
 use ladder_analysis::networks::network::BoundBlock;
@@ -252,10 +252,9 @@ fn seal_in(context: &Context, first: usize) -> Option<Action> {
     let lines = between(context, first)?;
     let mut rung = one.rung.clone();
     rung.railed |= two.rung.railed;
-    rung.comments.extend(two.rung.comments.iter().cloned());
-    rung.between.push_str(&lines);
-    rung.between.push_str(&two.rung.between);
-    let drawing = rung.draw(&one.drawing, parts);
+    let mut drawing = rung.draw(&one.drawing, parts);
+    drawing.head.push_str(&lines);
+    drawing.take_comments_of(&two.drawing);
     let edit = Edit {
         range: one.drawing.range().cover(two.drawing.range()),
         text: drawing.text(),
@@ -343,18 +342,13 @@ fn set_and_reset(context: &Context, network: usize) -> Option<Action> {
     let mut set_parts = set;
     set_parts.push(coil(set_coil));
     let reset_parts = vec![reset, coil(reset_coil)];
-    let bare = Rung {
-        comments: Vec::new(),
-        between: String::new(),
-        ..output.rung.clone()
-    };
     let (first, second) = if set_wins {
         (reset_parts, set_parts)
     } else {
         (set_parts, reset_parts)
     };
     let first = output.rung.draw(&output.drawing, first);
-    let second = bare.draw(&output.drawing, second);
+    let second = output.rung.draw_bare(&output.drawing, second);
     let line_end = output.drawing.line_end();
     let edit = Edit {
         range: output.drawing.range(),

@@ -10,36 +10,29 @@
 //! the program does, or says in its title that it does not.
 
 mod allow;
-mod circuits;
 mod declare_tags;
 mod declared;
-mod drawing;
 mod extract_block;
 mod extract_function;
 mod extract_structure;
 mod fixes;
-mod flow;
+pub(crate) mod flow;
 mod inline_block;
 mod inline_function;
 mod inline_structure;
-mod insert_branch;
+pub(crate) mod insert_branch;
 mod latch;
 mod named_state;
-mod names;
-mod parallel;
-mod passing;
-mod place;
-mod redraw;
-mod region;
+pub(crate) mod names;
+pub(crate) mod place;
 mod remove_branch;
 mod scenarios;
-mod split_network;
+pub(crate) mod split_network;
 mod suggestions;
-mod toggle;
+pub(crate) mod toggle;
 mod wrap_branch;
 
 pub use fixes::{fix_all, quick_fixes};
-pub use redraw::{Redraw, Redrawn, redraw};
 
 use crate::neighbour::Workspace;
 use crate::rename::Renamed;
@@ -103,6 +96,14 @@ impl Action {
         Action {
             work: Work::Edits(edits),
             ..Action::later(kind, title, Work::SafeFixes)
+        }
+    }
+
+    /// The edits of one whose edits are known, before the drawing is put straight.
+    pub(crate) fn own_edits(&self) -> &[Edit] {
+        match &self.work {
+            Work::Edits(edits) => edits,
+            Work::SafeFixes | Work::Declarations(_) => &[],
         }
     }
 

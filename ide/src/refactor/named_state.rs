@@ -85,7 +85,7 @@ fn named(
     tag: &str,
 ) -> Result<(Vec<Edit>, InScenarios), String> {
     let context = place.context;
-    if place.analysis.has_errors() {
+    if place.has_errors() {
         return Err("fix the errors of the file first".to_owned());
     }
     if let Some(input) = written_input(context, block) {

@@ -2,7 +2,8 @@
 
 use ladder_analysis::context::Context;
 use ladder_analysis::networks::network::BoundBlock;
-use ladder_syntax::{Name, is_declaration_keyword, is_reserved};
+use ladder_analysis::written::facts::{Node, NodeKind};
+use ladder_syntax::{Name, TextRange, is_declaration_keyword, is_reserved};
 
 /// A name for a new tag of a scope that no tag has.
 pub(crate) fn new_tag(context: &Context, taken: &[String], base: &str) -> String {
@@ -81,4 +82,29 @@ pub(crate) fn operand<'t>(block: &BoundBlock, text: &'t str, number: usize) -> O
     let range = block.facts.operands.get(number)?.value.range;
     let start = range.start().checked_sub(block.facts.range.start())?;
     text.get(usize::from(start)..usize::from(start + range.len()))
+}
+
+/// Every name in an expression, with its place.
+pub(crate) fn each_name(node: &Node, found: &mut dyn FnMut(&str, TextRange)) {
+    match &node.kind {
+        NodeKind::Name(name) => found(name, node.range),
+        NodeKind::Member(base, _) | NodeKind::Unary(_, base) | NodeKind::Paren(base) => {
+            each_name(base, found)
+        }
+        NodeKind::Index(base, index) => [base, index].into_iter().for_each(|node| each_name(node, found)),
+        NodeKind::Range(base, first, last) => {
+            [base, first, last]
+                .into_iter()
+                .for_each(|node| each_name(node, found));
+        }
+        NodeKind::Binary(_, left, right) => [left, right].into_iter().for_each(|node| each_name(node, found)),
+        NodeKind::Call(_, values) | NodeKind::Array(values) | NodeKind::Repeat(_, values) => {
+            values.iter().for_each(|node| each_name(node, found));
+        }
+        NodeKind::Address(_)
+        | NodeKind::Members(_)
+        | NodeKind::Literal(_)
+        | NodeKind::NoFunction
+        | NodeKind::Missing => {}
+    }
 }

@@ -1,7 +1,7 @@
 //! What an editor's selection means: the network, its drawing, the things on a rung.
 
-use super::drawing::{Drawing, Item, ItemKind};
-use super::region::Region;
+use crate::drawing::region::Region;
+use crate::drawing::rows::{Drawing, Item, ItemKind};
 use ladder_analysis::Analysis;
 use ladder_analysis::context::Context;
 use ladder_analysis::networks::{BlockAt, NetworkAt};
@@ -10,7 +10,7 @@ use std::ops::Range;
 
 /// A place in a file that actions are asked for.
 pub(crate) struct Selected<'a> {
-    pub(crate) analysis: &'a Analysis,
+    analysis: Option<&'a Analysis>,
     pub(crate) context: &'a Context,
     pub(crate) range: TextRange,
     /// The networks that the selection reaches into, or the cursor is in.
@@ -30,18 +30,32 @@ pub(crate) struct OnNetwork<'a> {
 
 impl<'a> Selected<'a> {
     pub(crate) fn find(analysis: &'a Analysis, range: TextRange) -> Selected<'a> {
-        let context = &analysis.context;
+        Selected {
+            analysis: Some(analysis),
+            ..Selected::in_context(&analysis.context, range)
+        }
+    }
+
+    /// The same where it is not known what is wrong in the file.
+    pub(crate) fn in_context(context: &'a Context, range: TextRange) -> Selected<'a> {
         let networks = touched(context, range);
         let on = (networks.len() == 1)
             .then(|| on_network(context, networks.start, range))
             .flatten();
         Selected {
-            analysis,
+            analysis: None,
             context,
             range,
             networks,
             on,
         }
+    }
+}
+
+impl Selected<'_> {
+    /// Whether the file has errors.
+    pub(crate) fn has_errors(&self) -> bool {
+        self.analysis.is_some_and(Analysis::has_errors)
     }
 }
 

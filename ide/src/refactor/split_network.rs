@@ -1,11 +1,12 @@
 //! A network becomes two: where a rung is joined below another, or across a rung. Where power passes from the first to the
 //! second, a new internal tag carries it.
 
-use super::drawing::{Drawing, Item, ItemKind, Row, comments};
 use super::flow::{is_flow, is_mark, leaves};
 use super::names::{called, new_tag};
 use super::place::{OnNetwork, Selected};
 use super::{Action, ActionKind};
+use crate::drawing::rows::{Drawing, Item, ItemKind, Row, comments};
+use ladder_analysis::context::Context;
 use ladder_analysis::names::declaring::Places;
 use ladder_analysis::names::scope::SectionKind;
 use ladder_analysis::networks::network::BoundBlock;
@@ -14,21 +15,64 @@ use ladder_instructions::Op;
 use std::ops::Range;
 
 /// The two networks, and the tag that carries power from the first to the second.
-struct Split {
-    first: Drawing,
-    second: Drawing,
-    carries: Option<String>,
+pub(crate) struct Split {
+    pub(crate) first: Drawing,
+    pub(crate) second: Drawing,
+    pub(crate) carries: Option<String>,
+}
+
+const MCR: &str = "an <MCR> switches the rungs below it in its network";
+
+/// The two networks of one that is split at a place of a row, before the branch that the place is in.
+///
+/// # Errors
+/// Why it cannot be split there.
+pub(crate) fn at(
+    context: &Context,
+    on: &OnNetwork<'_>,
+    (row, index): (usize, usize),
+) -> Result<Split, &'static str> {
+    if on.facts.blocks().any(|block| block.op() == Some(Op::Mcr)) {
+        return Err(MCR);
+    }
+    let tag = new_tag(context, &[], "split");
+    let begins = index == on.drawing.drawn_start(row) + 1;
+    let rows = begins.then(|| between_rows(on, row, &tag)).flatten();
+    let found = rows.or_else(|| Some(before_branch(on, row, index, &tag)?.1));
+    let split = found.ok_or(
+        "the network cannot be split here: its lines are joined on both sides, or nothing is before it",
+    )?;
+    if !is_in_order(on, &split) {
+        return Err("the blocks of the network would run in another order");
+    }
+    Ok(split)
+}
+
+/// A split across the first row, where a place is, or before the branch that it is in.
+fn before_branch(on: &OnNetwork<'_>, row: usize, index: usize, tag: &str) -> Option<(usize, Split)> {
+    let (row, start) = on_first_row(&on.drawing, row, index.min(on.drawing.rows[row].items.len() - 1));
+    let mut cuts = (1..=start).rev().map(|at| (at, across(on, row, at, tag)));
+    cuts.find_map(|(at, split)| Some((at, split?)))
+}
+
+/// Whether every block runs when it ran before.
+fn is_in_order(on: &OnNetwork<'_>, split: &Split) -> bool {
+    let orders = [&split.first, &split.second].map(Drawing::old_order);
+    let [Some(mut order), Some(second)] = orders else {
+        return false;
+    };
+    order.extend(second);
+    Some(order) == on.drawing.old_order()
 }
 
 pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let Some(on) = &place.on else { return };
     let Some((row, items)) = on.trimmed() else { return };
     if on.facts.blocks().any(|block| block.op() == Some(Op::Mcr)) {
-        let why = "an <MCR> switches the rungs below it in its network";
         out.push(Action::disabled(
             ActionKind::Rewrite,
             "Split the network here",
-            why,
+            MCR,
         ));
         return;
     }
@@ -38,11 +82,8 @@ pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
         out.extend(action(place, on, title, &split));
     }
     // Within a branch there is no place to cut: then before it.
-    let (row, start) = on_first_row(&on.drawing, row, items.start);
-    let mut cuts = (1..=start).rev().map(|at| (at, across(on, row, at, &tag)));
-    let found = cuts.find_map(|(at, split)| Some((at, split?)));
-    if let Some((at, split)) = found {
-        let after = on.drawing.rows[row].items[at..].iter();
+    if let Some((at, split)) = before_branch(on, row, items.start, &tag) {
+        let after = on.drawing.rows[0].items[at..].iter();
         let mut blocks = after.filter_map(|item| match item.kind {
             ItemKind::Block(Some(number)) => Some(called(&on.facts.blocks[number], &item.text)),
             _ => None,
@@ -73,10 +114,7 @@ fn on_first_row(drawing: &Drawing, mut row: usize, mut item: usize) -> (usize, u
 }
 
 fn action(place: &Selected<'_>, on: &OnNetwork<'_>, title: &str, split: &Split) -> Option<Action> {
-    // Every block runs when it ran before.
-    let mut order = split.first.old_order()?;
-    order.extend(split.second.old_order()?);
-    if order != on.drawing.old_order()? {
+    if !is_in_order(on, split) {
         return None;
     }
     let line_end = on.drawing.line_end();
@@ -148,7 +186,7 @@ fn between_rows(on: &OnNetwork<'_>, row: usize, tag: &str) -> Option<Split> {
         items.extend(railed.then(Item::right_rail));
         first.rows.push(Row {
             items,
-            below: Vec::new(),
+            ..Row::default()
         });
         Some(tag.to_owned())
     };
@@ -210,11 +248,12 @@ fn across(on: &OnNetwork<'_>, row: usize, at: usize, tag: &str) -> Option<Split>
         let (left, right) = row.items.split_at(*cut);
         first.rows.push(Row {
             items: left.to_vec(),
-            below: Vec::new(),
+            ..Row::default()
         });
         second.rows.push(Row {
             items: right.to_vec(),
             below: row.below.clone(),
+            ..Row::default()
         });
     }
     let has_block = |drawing: &Drawing| drawing.rows.iter().flat_map(|row| &row.items).any(Item::is_block);

@@ -8,10 +8,10 @@ mod join_above;
 mod own_state;
 mod remove;
 
-use super::drawing::ItemKind;
 use super::names::called;
 use super::place::{OnNetwork, Selected};
 use super::{Action, ActionKind};
+use crate::drawing::rows::ItemKind;
 use ladder_analysis::context::Context;
 use ladder_analysis::{Analysis, Diagnostic};
 use ladder_format::Edit;

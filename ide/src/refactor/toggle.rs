@@ -9,7 +9,7 @@ use ladder_analysis::written::facts::NodeKind;
 use ladder_format::Edit;
 use ladder_instructions::Op;
 
-pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
+pub(crate) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let Some(on) = &place.on else { return };
     let Some(block) = on.block().filter(|block| !block.faulty) else {
         return;

@@ -1,12 +1,16 @@
 //! A parallel branch around the selected contacts that holds a copy of them, to be changed afterwards.
 
-use super::drawing::{Drawing, Item, ItemKind, Row};
-use super::insert_branch::{first_name, with_branch};
+use super::insert_branch::first_name;
 use super::place::{OnNetwork, Selected};
-use super::region::Region;
 use super::{Action, ActionKind};
+use crate::drawing::beside::{self, Side};
+use crate::drawing::carry::{copied, fresh};
+use crate::drawing::region::Region;
+use crate::drawing::rows::{Drawing, Item, ItemKind};
+use crate::drawing::term::normal;
 use ladder_analysis::networks::network::BoundBlock;
 use ladder_analysis::written::facts::{Node, NodeKind};
+use ladder_format::Circuit;
 use ladder_instructions::Op;
 
 pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
@@ -68,17 +72,11 @@ fn cannot_fault(node: &Node) -> bool {
 }
 
 fn doubled(on: &OnNetwork<'_>, region: &Region) -> Option<Drawing> {
-    // A branch within the selection would have to be drawn twice below each other.
-    if region.rows.len() > 1 {
-        return None;
-    }
-    let Row { items, .. } = region.copy(&on.drawing).pop()?;
-    let copy = items.into_iter().filter(|item| item.kind != ItemKind::Comment);
-    let copy: Vec<Item> = copy
-        .map(|item| match item.kind {
-            ItemKind::Block(_) => Item::block(item.text),
-            _ => item,
-        })
-        .collect();
-    with_branch(&on.drawing, region, copy)
+    let copy = fresh(copied(&on.drawing, &region.things(&on.drawing)).ok()?);
+    let without_comments = |item: Item| match item.kind {
+        ItemKind::Comment => Circuit::Series(Vec::new()),
+        _ => Circuit::Element(item),
+    };
+    let copy = copy.into_iter().map(|part| part.replaced(&without_comments));
+    beside::with(&on.drawing, region.gaps(), normal(copy.collect()), Side::Below).ok()
 }

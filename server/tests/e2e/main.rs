@@ -10,6 +10,7 @@ mod debugged;
 mod diagnostics;
 mod diagram;
 mod diagram_text;
+mod drawn;
 mod features;
 mod follow;
 mod history;

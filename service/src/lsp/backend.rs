@@ -46,7 +46,7 @@ use crate::lsp::documents::{configuration, file_operations, folders, pull, sync,
 use crate::lsp::features::compare;
 use crate::lsp::features::{
     call_hierarchy, code_action, code_lens, comment, completion, cross_reference, debug, diagram,
-    diagram_text, edit, fence, folding,
+    diagram_edit, diagram_text, edit, fence, folding,
     formatting::{self, DocumentRangesFormattingParams},
     goto, hover, inlay_hint, library_block, links, notations, palette, preview, prove, references, rename,
     rule_page, run_scenarios, semantic_tokens, signature, simulate, symbols,
@@ -371,6 +371,8 @@ impl LanguageServer for Backend {
             preview::PREVIEW => preview::execute(&self.shared, params).await,
             typed::CURSOR => typed::execute(&self.shared, params).await,
             edit::EDIT => edit::execute(&self.shared, params).await,
+            diagram_edit::DIAGRAM_EDIT => diagram_edit::edit(&self.shared, params).await,
+            diagram_edit::DIAGRAM_OFFER => diagram_edit::offered(&self.shared, params).await,
             comment::COMMENT => comment::execute(&self.shared, params).await,
             rule_page::RULE_PAGE => rule_page::execute(params),
             run_scenarios::RUN_SCENARIOS => run_scenarios::execute(&self.shared, params).await,

@@ -1,9 +1,9 @@
 //! A contact after a coil: a branch before the coil keeps the two apart.
 
 use super::{Spot, action};
+use crate::drawing::rows::{Item, ItemKind};
+use crate::drawing::term::Rung;
 use crate::refactor::Action;
-use crate::refactor::circuits::Rung;
-use crate::refactor::drawing::{Item, ItemKind};
 use ladder_analysis::networks::network::BoundBlock;
 use ladder_analysis::{Analysis, Diagnostic};
 use ladder_format::Circuit;
@@ -21,7 +21,7 @@ pub(super) fn offer(analysis: &Analysis, found: &Diagnostic) -> Option<Action> {
     let first = at(item(&coil))?;
     // The contact may be in a branch of its own.
     let after = rung.parts[first..].iter().position(|part| {
-        let mut items = crate::refactor::circuits::items(part).into_iter();
+        let mut items = crate::drawing::term::items(part).into_iter();
         items.any(|it| it.at == item(&contact))
     });
     let second = first + after?;

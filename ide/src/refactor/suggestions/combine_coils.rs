@@ -1,9 +1,9 @@
 //! Several coils of one tag become one: each of their rungs is a branch before it.
 
 use super::{Spot, action};
+use crate::drawing::rows::{Drawing, Item, ItemKind, lines_text};
+use crate::drawing::term::{Rung, items};
 use crate::refactor::Action;
-use crate::refactor::circuits::{Rung, items};
-use crate::refactor::drawing::{Drawing, Item, ItemKind, lines_text};
 use crate::refactor::flow::is_flow;
 use ladder_analysis::context::Context;
 use ladder_analysis::{Analysis, Diagnostic};
@@ -85,16 +85,19 @@ pub(super) fn offer(analysis: &Analysis, found: &Diagnostic) -> Option<Action> {
     }
     let count = outputs.len() + 1;
     let mut rung = last.rung.clone();
+    let mut others = Vec::with_capacity(count);
     let mut branches = Vec::with_capacity(count);
     for output in outputs {
         rung.railed |= output.rung.railed;
-        rung.comments.extend(output.rung.comments);
-        rung.between.push_str(&output.rung.between);
+        others.push(output.drawing);
         branches.extend(flattened(output.before));
     }
     branches.extend(flattened(last.before));
     let parts = vec![Circuit::Parallel(branches), Circuit::Element(last.coil)];
-    let drawing = rung.draw(&last.drawing, parts);
+    let mut drawing = rung.draw(&last.drawing, parts);
+    for other in &others {
+        drawing.take_comments_of(other);
+    }
     if !heads.is_empty() {
         let at = context.parse.line_start(heading(context, last.network));
         edits.push(Edit {

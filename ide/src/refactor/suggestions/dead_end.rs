@@ -1,11 +1,11 @@
 //! Power that goes nowhere: a coil takes it, another line takes it, or nothing makes it.
 
 use super::{Spot, action, join_above};
+use crate::drawing::remove::{drop_passed_rows, remove};
+use crate::drawing::rows::{Drawing, Item, ItemKind};
 use crate::refactor::Action;
-use crate::refactor::drawing::{Drawing, Item, ItemKind};
 use crate::refactor::names::new_tag;
 use crate::refactor::place::Selected;
-use crate::refactor::remove_branch::{drop_passed_rows, remove};
 use crate::refactor::split_network::declare;
 use ladder_analysis::{Analysis, Diagnostic};
 use ladder_syntax::TextRange;

@@ -1,8 +1,8 @@
 //! A line without power, or one whose power goes nowhere, is joined to the line above.
 
 use super::{Spot, action};
+use crate::drawing::rows::{Drawing, Item, ItemKind};
 use crate::refactor::Action;
-use crate::refactor::drawing::{Drawing, Item, ItemKind};
 use ladder_analysis::{Analysis, Diagnostic};
 use ladder_instructions::Shape;
 

@@ -1,10 +1,10 @@
 //! What decides nothing, or always the same, is taken out of a rung.
 
 use super::{Spot, action};
+use crate::drawing::parallel::Parallel;
+use crate::drawing::region::Region;
+use crate::drawing::rows::ItemKind;
 use crate::refactor::Action;
-use crate::refactor::drawing::ItemKind;
-use crate::refactor::parallel::Parallel;
-use crate::refactor::region::Region;
 use crate::refactor::remove_branch::removed;
 use ladder_analysis::{Analysis, Diagnostic};
 use ladder_format::Edit;

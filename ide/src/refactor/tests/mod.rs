@@ -6,7 +6,6 @@ mod branches;
 mod latches;
 mod networks;
 mod pasted;
-mod redraw;
 mod structures;
 mod suggestions;
 mod toggles;

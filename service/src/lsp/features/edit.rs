@@ -6,14 +6,14 @@ use ladder_documents::position;
 use ladder_ide::{Redraw, redraw};
 use ladder_live::{Failure, argument_of};
 use ladder_syntax::TextRange;
-use ropey::Rope;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
+use super::diagram_edit::replacement;
 use crate::lsp::answers::{error, json};
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
-use crate::typing_messages::{EditDrawing, EditKind, EditedDrawing, Replacement};
+use crate::typing_messages::{EditDrawing, EditKind, EditedDrawing};
 
 /// The command.
 pub(crate) const EDIT: &str = "ladder.edit";
@@ -41,27 +41,23 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
         return Err(error(failed("this document is not open as a ladder program")));
     };
     let edited = blocking(&*shared.host, move |_| {
-        let Some(analysis) = revision.analysis() else {
-            return Err(failed("the file is too large"));
-        };
+        let context = revision.context().ok_or("the file is too large")?;
         let (start, end) = (revision.offset(range.start), revision.offset(range.end));
         let range = TextRange::new(start.min(end), end.max(start));
-        let options = revision.format_options();
-        let text = analysis.whole().context.parse.to_string();
-        let done = redraw(analysis.whole(), &text, range, redraw_of(edit), &options).map_err(failed)?;
-        let cursor = done.cursor.map(|at| {
-            let new = Rope::from(ladder_format::apply(&text, &done.edits));
+        let done = redraw(context, range, redraw_of(edit), &revision.format_options())?;
+        let cursor = done.focus.map(|at| {
+            let new = revision.after(&done.edits);
             position::position(&new, revision.encoding(), at.into())
         });
-        let replacement = |edit: &ladder_format::Edit| Replacement {
-            range: revision.range(edit.range),
-            new_text: edit.text.clone(),
-        };
-        Ok(EditedDrawing {
+        Ok::<_, String>(EditedDrawing {
             version: revision.version,
-            edits: done.edits.iter().map(replacement).collect(),
+            edits: done
+                .edits
+                .iter()
+                .map(|edit| replacement(&revision, edit))
+                .collect(),
             cursor,
         })
     });
-    json(&edited.await?.map_err(error)?)
+    json(&edited.await?.map_err(|why| error(failed(&why)))?)
 }

@@ -12,6 +12,7 @@ mod conversion;
 pub(crate) mod cross_reference;
 pub(crate) mod debug;
 pub(crate) mod diagram;
+pub(crate) mod diagram_edit;
 pub(crate) mod diagram_text;
 pub(crate) mod edit;
 pub(crate) mod fence;

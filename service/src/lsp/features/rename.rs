@@ -89,6 +89,25 @@ pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result
     Ok(as_text(Some(edit)))
 }
 
+/// The files that change where the tag at a place gets another name.
+pub(super) async fn everywhere(
+    shared: &Arc<Shared>,
+    place: TextDocumentPositionParams,
+    new: String,
+) -> Result<Option<Changes>> {
+    let renamed = about_place(shared, place, move |asked, offset| {
+        let options = asked.revision.format_options();
+        let files = ladder_ide::rename(&asked.context, offset, &new, &asked.elsewhere, &options);
+        Some(files.map(|files| changes(asked, files)))
+    });
+    let changes = renamed.await?.transpose().map_err(refused)?;
+    let mut open = changes.iter().flatten().filter_map(|(_, open, _)| open.as_ref());
+    if open.any(|it| !shared.documents.shows(it) && !shared.companions.shows(it)) {
+        return Err(Error::content_modified());
+    }
+    Ok(changes)
+}
+
 /// The edit, and the open documents that it changes.
 pub(super) fn edit(
     asked: &Asked,

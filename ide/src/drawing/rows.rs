@@ -5,12 +5,11 @@
 
 use ladder_analysis::context::Context;
 pub(crate) use ladder_analysis::names::declaring::line_end;
-use ladder_analysis::networks::NetworkAt;
 use ladder_analysis::networks::order::order;
 use ladder_analysis::program::Step;
 use ladder_format::Edit;
-use ladder_syntax::wiring::{PartKind, RungPart, wiring};
-use ladder_syntax::{Parse, TextRange, TextSize};
+use ladder_syntax::wiring::{PartKind, Rung, RungPart, Wiring, wiring};
+use ladder_syntax::{Network, Parse, TextRange, TextSize};
 use std::ops::Range;
 
 /// What a thing on a row is.
@@ -25,6 +24,21 @@ pub(crate) enum ItemKind {
     Comment,
     /// A wire that ends at nothing.
     Stub,
+    /// A `|` that the wire at either end of a row reaches to.
+    Bar,
+    /// In a term: a branch ends there, and nothing is drawn.
+    Open,
+    /// A place that an operation is about; it is gone before anything is drawn.
+    Mark(Mark),
+}
+
+/// What an operation marks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Mark {
+    /// Where something begins, or is put in.
+    From,
+    /// Where it ends, or goes to.
+    To,
 }
 
 /// One thing on a row.
@@ -72,6 +86,19 @@ impl Item {
         matches!(self.kind, ItemKind::Block(_))
     }
 
+    /// Whether it is not in the file, or was taken from its place there.
+    pub(crate) fn is_new(&self) -> bool {
+        self.at.is_empty()
+    }
+
+    /// Whether a branch ends there by itself.
+    pub(crate) fn is_end(&self) -> bool {
+        matches!(
+            self.kind,
+            ItemKind::RightRail | ItemKind::Stub | ItemKind::Bar | ItemKind::Open
+        )
+    }
+
     /// A comment that is not a piece of a wire. It joins nothing, and what is after it is not joined to it.
     pub(crate) fn is_loose(&self, next: Option<&Item>) -> bool {
         self.kind == ItemKind::Comment && !self.joined && next.is_none_or(|next| !next.joined)
@@ -82,6 +109,8 @@ impl Item {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Row {
     pub(crate) items: Vec<Item>,
+    /// Where its line is in the file, without the line end; empty if it is new.
+    pub(crate) at: TextRange,
     /// The lines between it and the next rung, line ends included.
     pub(crate) below: Vec<String>,
 }
@@ -101,23 +130,33 @@ impl Drawing {
     /// The drawing of a network. None where it holds an error, or cannot be laid out again.
     pub(crate) fn read(context: &Context, network: usize) -> Option<Drawing> {
         let facts = context.networks.at(network);
-        if facts.broken {
-            return None;
-        }
-        let parse = &*context.parse;
-        let mut rows = Vec::with_capacity(facts.wiring.rungs.len());
+        (!facts.broken).then(|| Drawing::of_network(context, network).ok())?
+    }
+
+    /// The drawing of a network of which each connector has its partner.
+    ///
+    /// # Errors
+    /// Why it has none.
+    pub(crate) fn of_network(context: &Context, network: usize) -> Result<Drawing, Undrawn> {
+        let facts = context.networks.at(network);
+        Drawing::of(&context.parse, facts.first_line, &facts.wiring)
+    }
+
+    /// The drawing of a network of a text.
+    pub(crate) fn of_text(parse: &Parse, network: &Network) -> Result<Drawing, Undrawn> {
+        Drawing::of(parse, network.lines.start, &wiring(parse, network))
+    }
+
+    fn of(parse: &Parse, first_line: usize, wiring: &Wiring) -> Result<Drawing, Undrawn> {
+        let mut rows = Vec::with_capacity(wiring.rungs.len());
         let mut block = 0;
         let mut range: Option<TextRange> = None;
-        let lines: Vec<usize> = facts
-            .wiring
-            .line_offsets
-            .iter()
-            .map(|offset| facts.first_line + offset)
-            .collect();
-        for (rung, &line) in lines.iter().enumerate() {
+        let lines = wiring.line_offsets.iter().map(|offset| first_line + offset);
+        let lines: Vec<usize> = lines.collect();
+        for (drawn, (rung, &line)) in wiring.rungs.iter().zip(lines.iter().enumerate()) {
             let text = line_text(parse, line);
             let start = parse.line_start(line);
-            let items = items(facts, rung, &text, start, &mut block)?;
+            let items = items(drawn, &text, start, &mut block)?;
             let shown = text.trim_end_matches(['\r', '\n']);
             let place = TextRange::at(start, TextSize::of(shown));
             range = Some(range.map_or(place, |range| range.cover(place)));
@@ -125,14 +164,15 @@ impl Drawing {
             let below = (line + 1..next.unwrap_or(line + 1)).map(|line| line_text(parse, line));
             rows.push(Row {
                 items,
+                at: place,
                 below: below.collect(),
             });
         }
-        let mut range = range?;
+        let mut range = range.ok_or(Undrawn::Nothing)?;
         if range.start() == TextSize::new(0) && line_text(parse, 0).starts_with('\u{feff}') {
             range = TextRange::new(TextSize::of('\u{feff}'), range.end());
         }
-        Some(Drawing {
+        Ok(Drawing {
             rows,
             head: String::new(),
             line_end: line_end(parse),
@@ -169,7 +209,7 @@ impl Drawing {
             }
             for (index, item) in row.items.iter().enumerate() {
                 match (index, item.kind) {
-                    (0, ItemKind::LeftRail) => {}
+                    (0, ItemKind::LeftRail | ItemKind::Bar) => {}
                     (0, _) => out.push_str("   "),
                     _ if item.joined => out.push_str("--"),
                     _ => out.push_str("  "),
@@ -289,6 +329,41 @@ impl Drawing {
         item
     }
 
+    /// The rows of this network and those of a network below it, with the lines that are between the two. The blocks of the second
+    /// are counted on.
+    pub(crate) fn followed_by(&self, between: Vec<String>, second: &Drawing) -> Drawing {
+        let mut both = self.clone();
+        let items = || self.rows.iter().flat_map(|row| &row.items);
+        let count = items().filter(|item| item.is_block()).count();
+        if let Some(last) = both.rows.last_mut() {
+            last.below = between;
+        }
+        both.rows.extend(second.rows.iter().cloned().map(|mut row| {
+            for item in &mut row.items {
+                if let ItemKind::Block(Some(number)) = &mut item.kind {
+                    *number += count;
+                }
+            }
+            row
+        }));
+        both.range = self.range.cover(second.range);
+        both
+    }
+
+    /// Takes over the comments of a drawing that it takes the place of as well: those on rungs behind its own first one, those
+    /// between rungs above it.
+    pub(crate) fn take_comments_of(&mut self, other: &Drawing) {
+        for row in &other.rows {
+            self.head.push_str(&comments(&row.below));
+            for (index, item) in row.items.iter().enumerate() {
+                if let (true, Some(first)) = (item.is_loose(row.items.get(index + 1)), self.rows.first_mut())
+                {
+                    first.items.push(item.clone());
+                }
+            }
+        }
+    }
+
     /// Takes rows out that hold nothing but comments; the comments go to the row above, or below the first. Lines of
     /// comments that no rung is below any more go above the first.
     pub(crate) fn drop_empty_rows(&mut self) {
@@ -336,24 +411,72 @@ pub(crate) fn lines_text(parse: &Parse, lines: Range<usize>) -> String {
     lines.map(|line| line_text(parse, line)).collect()
 }
 
-fn items(
-    facts: NetworkAt<'_>,
-    rung: usize,
-    text: &str,
-    start: TextSize,
-    block: &mut usize,
-) -> Option<Vec<Item>> {
-    let drawn = &facts.wiring.rungs[rung];
+/// Why a network has no drawing that can be changed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Undrawn {
+    /// A `+` is in the middle of a wire.
+    StrayRail,
+    /// A `|` is in the middle of a wire.
+    StrayBar,
+    /// A character means nothing.
+    Junk,
+    /// A comment between two things of a rung goes on on the next line.
+    CommentOfLines,
+    /// There is no rung.
+    Nothing,
+}
+
+impl Undrawn {
+    /// The sentence for a person.
+    pub(crate) fn message(self) -> &'static str {
+        match self {
+            Undrawn::StrayRail => "a `+` is in the middle of a wire here: put that right in the text first",
+            Undrawn::StrayBar => "a `|` is in the middle of a wire here: put that right in the text first",
+            Undrawn::Junk => "a character here means nothing: put that right in the text first",
+            Undrawn::CommentOfLines => {
+                "a comment in a wire here has several lines: write it on one line in the text first"
+            }
+            Undrawn::Nothing => "there is no rung here",
+        }
+    }
+}
+
+fn items(drawn: &Rung, text: &str, start: TextSize, block: &mut usize) -> Result<Vec<Item>, Undrawn> {
+    let parts = &drawn.parts;
     let mut items: Vec<Item> = Vec::new();
     let mut last_segment = None;
-    for (index, part) in drawn.parts.iter().enumerate() {
+    let mut at_bar = false;
+    for (index, part) in parts.iter().enumerate() {
+        let after_bar = std::mem::take(&mut at_bar);
         let kind = match part.kind {
-            PartKind::StrayRail | PartKind::StrayBar | PartKind::Junk => return None,
-            PartKind::Bar if touches_wire(&drawn.parts, index) => return None,
-            PartKind::Bar => continue,
+            PartKind::StrayRail => return Err(Undrawn::StrayRail),
+            PartKind::StrayBar => return Err(Undrawn::StrayBar),
+            PartKind::Junk => return Err(Undrawn::Junk),
+            PartKind::Bar => match touched(parts, index) {
+                Touched::Nothing => continue,
+                Touched::Right if index == 0 => {
+                    at_bar = true;
+                    ItemKind::Bar
+                }
+                Touched::Left if is_last(parts, index) => ItemKind::Bar,
+                _ => return Err(Undrawn::StrayBar),
+            },
             PartKind::Wire => {
-                let segment = &drawn.segments[part.segment? as usize];
-                if segment.parts.start != index && segment.parts.end != index + 1 {
+                let segment = part
+                    .segment
+                    .and_then(|number| drawn.segments.get(number as usize));
+                let is_between = |ends: &Range<usize>| {
+                    let left = ends.start < index || after_bar;
+                    let right = index + 1 < ends.end
+                        || (is_last(parts, index + 1)
+                            && parts
+                                .get(index + 1)
+                                .is_some_and(|next| next.kind == PartKind::Bar && next.touches));
+                    left && right
+                };
+                if segment.is_some_and(|segment| is_between(&segment.parts)) {
+                    at_bar = after_bar;
+                    last_segment = part.segment;
                     continue;
                 }
                 ItemKind::Stub
@@ -371,12 +494,15 @@ fn items(
         let mut shown = &text[part.range];
         // Between two things on its rung a comment with a line end keeps the formatter off the network.
         if kind == ItemKind::Comment && shown.contains(['\n', '\r']) {
-            return None;
+            return Err(Undrawn::CommentOfLines);
         }
         if kind == ItemKind::Stub {
             shown = "--";
         }
-        let joined = part.segment.is_some() && part.segment == last_segment;
+        let joined = match kind {
+            ItemKind::Bar => !at_bar,
+            _ => after_bar || (part.segment.is_some() && part.segment == last_segment),
+        };
         last_segment = part.segment;
         items.push(Item {
             kind,
@@ -385,15 +511,35 @@ fn items(
             at: part.range + start,
         });
     }
-    Some(items)
+    Ok(items)
 }
 
-/// Whether a wire of the row reaches to a `|`.
-fn touches_wire(parts: &[RungPart], index: usize) -> bool {
+/// On which side wire reaches to a `|`.
+enum Touched {
+    Nothing,
+    Left,
+    Right,
+    Both,
+}
+
+fn touched(parts: &[RungPart], index: usize) -> Touched {
     let wire = |part: &RungPart| part.segment.is_some();
     let before = parts[index].touches && index > 0 && wire(&parts[index - 1]);
     let after = parts
         .get(index + 1)
         .is_some_and(|part| part.touches && wire(part));
-    before || after
+    match (before, after) {
+        (false, false) => Touched::Nothing,
+        (true, false) => Touched::Left,
+        (false, true) => Touched::Right,
+        (true, true) => Touched::Both,
+    }
+}
+
+/// Whether nothing but comments is behind a part.
+fn is_last(parts: &[RungPart], index: usize) -> bool {
+    let behind = parts.get(index + 1..).unwrap_or_default();
+    behind
+        .iter()
+        .all(|part| part.kind == PartKind::Comment && part.segment.is_none())
 }

@@ -1,8 +1,8 @@
 //! What a key draws, with `$0` where the cursor is; `^` shows where it goes.
 
-use crate::refactor::{Redraw, redraw};
+use super::{Redraw, redraw};
 use expect_test::{Expect, expect};
-use ladder_analysis::analyze;
+use ladder_analysis::context;
 use ladder_format::{Options, apply};
 use ladder_syntax::{TextRange, TextSize, parse};
 use std::sync::Arc;
@@ -10,12 +10,12 @@ use std::sync::Arc;
 fn check(fixture: &str, what: Redraw, expected: Expect) {
     let at = fixture.find("$0").expect("a fixture has its $0");
     let text = fixture.replacen("$0", "", 1);
-    let analysis = analyze(&Arc::new(parse(&text)), "test.clad");
+    let context = context(&Arc::new(parse(&text)), "test.clad");
     let range = TextRange::empty(TextSize::new(at as u32));
-    let shown = match redraw(&analysis, &text, range, what, &Options::default()) {
+    let shown = match redraw(&context, range, what, &Options::default()) {
         Ok(redrawn) => {
             let mut new = apply(&text, &redrawn.edits);
-            if let Some(cursor) = redrawn.cursor {
+            if let Some(cursor) = redrawn.focus {
                 new.insert(cursor.into(), '^');
             }
             new
@@ -103,16 +103,14 @@ fn blocks_move_along_the_rung_and_to_another() {
         &RUNG.replace("( b )", "($0 b )"),
         Redraw::Down,
         expect![[r#"
-            +--[ ]( a )--\----------------------\--------------------------------( )( y )--+
-            |            /--^[ ]( b )--[ ]( c )--/                                          |
+            +--[ ]( a )--^[ ]( b )--[ ]( c )--------------------------------------( )( y )--+
         "#]],
     );
     check(
         &RUNG.replace("( c )", "($0 c )"),
         Redraw::Up,
         expect![[r#"
-            +--[ ]( a )--\--^[ ]( c )--[ ]( b )--\--------------------------------( )( y )--+
-            |            /----------------------/                                          |
+            +--[ ]( a )--^[ ]( c )--[ ]( b )--------------------------------------( )( y )--+
         "#]],
     );
     check(
@@ -148,8 +146,7 @@ fn a_block_goes_to_the_network_above_or_below() {
             +--[ ]( a )--^[ ]( c )--[ ]( b )--------------------------------------( )( y )--+
 
             # second #
-            +--\------------\----------------------------------------------------( )( z )--+
-            |  /--[ ]( d )--/                                                              |
+            +--[ ]( d )----------------------------------------------------------( )( z )--+
         "#]],
     );
     check(
@@ -163,8 +160,6 @@ fn a_block_goes_to_the_network_above_or_below() {
         "+--[ $0]( a )--+\n\n+--[ ]( b )--( )( y )--+\n",
         Redraw::Down,
         expect![[r#"
-
-
             +--^[ ]( a )--[ ]( b )------------------------------------------------( )( y )--+
         "#]],
     );
@@ -180,7 +175,7 @@ fn a_block_goes_to_the_network_above_or_below() {
         "+--[ ]($0 a )--( )( x )--+\n\n+--[ ]( b )--|--( )( y )--+\n",
         Redraw::Down,
         expect![[r#"
-            the drawing of the network there has an error
+            a `|` is in the middle of a wire here: put that right in the text first
         "#]],
     );
 }
@@ -191,7 +186,7 @@ fn a_block_is_deleted_with_its_wire() {
         &RUNG.replace("( a )", "($0 a )"),
         Redraw::Delete,
         expect![[r#"
-            +--^\--[ ]( b )--\----------------------------------------------------( )( y )--+
+            +^--\--[ ]( b )--\----------------------------------------------------( )( y )--+
             |  /--[ ]( c )--/                                                              |
         "#]],
     );
@@ -199,16 +194,14 @@ fn a_block_is_deleted_with_its_wire() {
         &RUNG.replace("( c )", "($0 c )"),
         Redraw::Delete,
         expect![[r#"
-            +--[ ]( a )--[ ]( b )------------------------------------------------( )( y )--+
+            +^--[ ]( a )--[ ]( b )------------------------------------------------( )( y )--+
         "#]],
     );
     check(
         "+--[ $0]( a )--+\n\n+--[ ]( b )--( )( y )--+\n",
         Redraw::Delete,
         expect![[r#"
-
-
-            +--[ ]( b )--( )( y )--+
+            ^+--[ ]( b )--( )( y )--+
         "#]],
     );
 }
@@ -220,7 +213,7 @@ fn a_branch_is_wrapped_round_what_is_selected() {
         Redraw::Branch,
         expect![[r#"
             +--\--[ ]( a )--------------\--\--[ ]( b )--\------------------------( )( y )--+
-            |  /--[ ]( new_contact_1 )--/  /--[ ]( c )--/                                  |
+            |  /--[ ]( ^new_contact_1 )--/  /--[ ]( c )--/                                  |
         "#]],
     );
     check(

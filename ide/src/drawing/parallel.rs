@@ -1,6 +1,6 @@
 //! Two branches that part at one point and meet at another.
 
-use super::drawing::{Drawing, ItemKind};
+use super::rows::{Drawing, ItemKind};
 use std::ops::Range;
 
 /// Two branches between the same two points.

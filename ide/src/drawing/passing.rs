@@ -1,6 +1,7 @@
 //! New rows between two rungs: what joins them goes through the new row.
 
-use super::drawing::{Drawing, Item, ItemKind, Row};
+use super::rows::{Drawing, Item, ItemKind, Row};
+use ladder_syntax::TextRange;
 
 /// Which way power runs between two rungs at a pair of connectors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,6 +67,7 @@ pub(crate) fn insert_rows(drawing: &mut Drawing, above: usize, before: usize, ro
         let left = left.iter().flat_map(|way| way.wires());
         let right = right.iter().flat_map(|way| way.wires());
         let row = Row {
+            at: TextRange::default(),
             items: left.chain(items).chain(right).collect(),
             below: std::mem::take(&mut below),
         };

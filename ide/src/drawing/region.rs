@@ -1,7 +1,8 @@
 //! A part of a network that power enters at one end and leaves at the other: some things in a row of one rung, with
 //! all that is joined below them.
 
-use super::drawing::{Drawing, Item, ItemKind, Row};
+use super::gap::Gap;
+use super::rows::{Drawing, Item, ItemKind, Row};
 use std::ops::Range;
 
 /// A part of a network with one wire in and one wire out.
@@ -53,6 +54,11 @@ impl Region {
         Some(Region { top, rows })
     }
 
+    /// The places in the wires on both sides of it.
+    pub(crate) fn gaps(&self) -> [Gap; 2] {
+        [self.rows[0].start, self.rows[0].end].map(|index| Gap { row: self.top, index })
+    }
+
     /// Its items on its first row.
     pub(crate) fn on_top(&self) -> Range<usize> {
         self.rows[0].clone()
@@ -67,6 +73,15 @@ impl Region {
     pub(crate) fn items<'d>(&'d self, drawing: &'d Drawing) -> impl Iterator<Item = &'d Item> {
         let rows = self.rows.iter().enumerate();
         rows.flat_map(|(n, range)| &drawing.rows[self.top + n].items[range.clone()])
+    }
+
+    /// Where its blocks are.
+    pub(crate) fn things(&self, drawing: &Drawing) -> Vec<(usize, usize)> {
+        let rows = self.rows.iter().enumerate();
+        let spots = rows.flat_map(|(n, range)| range.clone().map(move |index| (self.top + n, index)));
+        spots
+            .filter(|&(row, index)| drawing.rows[row].items[index].is_block())
+            .collect()
     }
 
     /// The numbers of its blocks, from left to right, top to bottom.
@@ -94,7 +109,7 @@ impl Region {
         let rows = self.rows.iter().enumerate();
         rows.map(|(n, range)| Row {
             items: drawing.rows[self.top + n].items[range.clone()].to_vec(),
-            below: Vec::new(),
+            ..Row::default()
         })
         .collect()
     }
