@@ -65,8 +65,7 @@ pub use on_type::{TRIGGERS, on_type};
 pub use outline::{OutlineKind, Outlined, outline};
 pub use palette::{PaletteRow, palette};
 pub use redraw::{
-    Asked, Change, Declared, Given, Offer, Offered, Points, Redraw, Redrawn, change, offer, points_of,
-    redraw, why_not,
+    Asked, Change, Declared, Given, Offer, Offered, Redraw, Redrawn, change, offer, points_of, redraw,
 };
 pub use refactor::{Action, ActionKind, fix_all, quick_fixes, refactorings};
 pub use references::{Reference, references, scenario_references};

@@ -3,7 +3,9 @@
 //!
 //! ```text
 //! <svg class="drawing">
-//!   <line data-power="0:1"/>                     a wire: it is live if one of these parts has power
+//!   <line data-power="0:1" data-point="0:1"/>    a wire: it is live if one of these parts has power, and something can be put in
+//!   <line data-joins="0:13,1:3" data-tight="0:14"/>  a line from rung to rung, and points on it that have no wire here
+//!   <text class="comment" data-at="0:3" data-end="0:15">  a comment in a wire
 //!   <g class="element contact" data-at="0:3" data-end="0:15" data-name="Open contact">
 //!     <rect class="hit"/>                        where a user points at it
 //!     <path class="gate"/>                       the gap, filled when power can pass
@@ -24,6 +26,7 @@ use super::wrap::paragraph;
 use ladder_analysis::context::Context;
 use ladder_analysis::networks::BlockAt;
 use ladder_instructions::Group;
+use ladder_syntax::wiring::PartKind;
 use ladder_syntax::xml::Escaped;
 use ladder_syntax::{Item, Structure, TextRange, TextSize};
 use std::collections::HashMap;
@@ -142,8 +145,17 @@ impl Piece {
         (self.scene.width, self.scene.height)
     }
 
-    /// The drawing. `place` says how the page calls a place in the text.
-    pub fn svg(&self, context: &Context, place: &dyn Fn(TextSize) -> String) -> String {
+    /// Which network it is.
+    pub fn network(&self) -> Option<usize> {
+        match self.scene.blocks.first()?.kind {
+            BlockKind::Network { index, .. } => Some(index),
+            _ => None,
+        }
+    }
+
+    /// The drawing. `place` says how the page calls a place in the text; `points` are the places of the network where something
+    /// can be put in, sorted.
+    pub fn svg(&self, context: &Context, points: &[TextSize], place: &dyn Fn(TextSize) -> String) -> String {
         let Scene { width, height, .. } = self.scene;
         let mut out = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" width=\"{width}\" height=\"{height}\" \
@@ -164,7 +176,7 @@ impl Piece {
                 }
                 open = element;
             }
-            write(shape, &elements.attributes(shape, place), &mut out);
+            write(shape, &elements.attributes(shape, points, place), &mut out);
         }
         if open.is_some() {
             out.push_str("</g>\n");
@@ -237,7 +249,7 @@ impl<'c> Elements<'c> {
     }
 
     /// What makes a shape live: whose power it shows, and which operand it names.
-    fn attributes(&self, shape: &Shape, place: &dyn Fn(TextSize) -> String) -> String {
+    fn attributes(&self, shape: &Shape, points: &[TextSize], place: &dyn Fn(TextSize) -> String) -> String {
         let mut attributes = String::new();
         if !shape.power.is_empty() {
             let mut parts: Vec<String> = Vec::with_capacity(shape.power.len());
@@ -259,6 +271,90 @@ impl<'c> Elements<'c> {
         if let (Look::Value, Form::Text { width, .. }) = (shape.look, &shape.form) {
             let _ = write!(attributes, " data-room=\"{}\"", width / UNIT);
         }
+        if let Some(element) = shape.element {
+            self.drawn(shape, element, points, place, &mut attributes);
+        }
         attributes
+    }
+
+    /// What a person who draws does with a shape: where something is put in, and what a line joins.
+    fn drawn(
+        &self,
+        shape: &Shape,
+        element: Element,
+        points: &[TextSize],
+        place: &dyn Fn(TextSize) -> String,
+        attributes: &mut String,
+    ) {
+        let range = || self.range(element);
+        let is_point = |at: &TextSize| points.binary_search(at).is_ok();
+        let _ = match (shape.role, shape.look) {
+            (Role::Wire, _) if is_point(&range().start()) && !self.is_comment(element) => {
+                write!(attributes, " data-point=\"{}\"", place(range().start()))
+            }
+            (Role::Symbol, Look::Comment) => {
+                let [at, end] = [range().start(), range().end()].map(place);
+                write!(attributes, " data-at=\"{at}\" data-end=\"{end}\"")
+            }
+            (Role::Node, _) => {
+                let joins = self.joins(shape, element.rung);
+                let joins = joins.iter().map(|[upper, lower]| {
+                    let [upper, lower] = [upper, lower].map(|part| place(self.range(*part).start()));
+                    format!("{upper},{lower}")
+                });
+                let joins: Vec<String> = joins.collect();
+                let tight = self.tight(shape, element.rung).into_iter().filter(is_point);
+                let tight: Vec<String> = tight.map(place).collect();
+                let _ = write!(attributes, " data-joins=\"{}\"", joins.join(" "));
+                match tight.is_empty() {
+                    true => Ok(()),
+                    false => write!(attributes, " data-tight=\"{}\"", tight.join(" ")),
+                }
+            }
+            _ => Ok(()),
+        };
+    }
+
+    fn is_comment(&self, element: Element) -> bool {
+        let network = self.context.networks.at(element.network);
+        network.wiring.rungs[element.rung].parts[element.part].kind == PartKind::Comment
+    }
+
+    /// The pairs of connectors that the part of a line below a rung is, from left to right.
+    fn joins(&self, shape: &Shape, rung: usize) -> Vec<[Element; 2]> {
+        let points = |upper: &Element| {
+            let network = self.context.networks.at(upper.network);
+            let mut points = network.wiring.points.iter();
+            let point = points.find(|point| (point.upper, point.down) == (upper.rung, upper.part))?;
+            let lower = Element {
+                rung: point.upper + 1,
+                part: point.up,
+                ..*upper
+            };
+            Some([*upper, lower])
+        };
+        let mut joins: Vec<_> = shape
+            .power
+            .iter()
+            .filter(|part| part.rung == rung)
+            .filter_map(points)
+            .collect();
+        joins.sort_unstable();
+        joins
+    }
+
+    /// Where wires between the connectors of a line begin: on the rung above, and on that below if the line ends there.
+    fn tight(&self, shape: &Shape, rung: usize) -> Vec<TextSize> {
+        let ends = self.joins(shape, rung + 1).is_empty();
+        let mut parts: Vec<Element> = shape.power.clone();
+        parts.retain(|part| part.rung == rung || (ends && part.rung == rung + 1));
+        parts.sort_unstable();
+        let next_to = |pair: &&[Element]| {
+            let network = self.context.networks.at(pair[0].network);
+            let drawn = &network.wiring.rungs[pair[0].rung].parts;
+            pair[0].rung == pair[1].rung && drawn[pair[0].part].segment == drawn[pair[1].part].segment
+        };
+        let wires = parts.windows(2).filter(next_to);
+        wires.map(|pair| self.range(pair[0]).end()).collect()
     }
 }

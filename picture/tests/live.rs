@@ -19,7 +19,7 @@ fn drawn_in(text: &str, stretch: TextRange, rail: u32) -> Vec<(Kind, usize, Stri
             let column = u32::from(offset - index.range(line).start());
             format!("{}:{column}", line - first)
         };
-        let svg = piece.svg(&analysis.context, &place);
+        let svg = piece.svg(&analysis.context, &[], &place);
         (piece.kind(&analysis.context), first, svg)
     };
     let found = pieces(&analysis.context, stretch, rail);

@@ -1,6 +1,6 @@
 //! Which networks can be changed in the diagram, and where something can be put in.
 
-use crate::drawing::gap::{Gap, points};
+use crate::drawing::gap::points;
 use crate::drawing::rows::Drawing;
 use ladder_analysis::context::Context;
 use ladder_analysis::networks::NetworkAt;
@@ -38,31 +38,17 @@ fn is_cut(line: &str) -> bool {
     words.any(|word| word == "ladder:") && words.any(|word| word == "fmt")
 }
 
-/// Why a network cannot be changed in the diagram; none if it can.
-pub fn why_not(context: &Context, network: usize) -> Option<String> {
-    drawing(context, context.networks.get(network)?).err()
-}
-
-/// Where something can be put into a network: the places where its wires begin.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Points {
-    /// Sorted.
-    pub wires: Vec<TextSize>,
-}
-
-/// The points of a network; why it cannot be changed, where it cannot.
+/// Where something can be put into a network: the places where its wires begin, sorted.
 ///
 /// # Errors
-/// That.
-pub fn points_of(context: &Context, network: usize) -> Result<Points, String> {
+///
+/// Why the network cannot be changed in the diagram.
+pub fn points_of(context: &Context, network: usize) -> Result<Vec<TextSize>, String> {
     let Some(network) = context.networks.get(network) else {
-        return Ok(Points::default());
+        return Ok(Vec::new());
     };
     let drawing = drawing(context, network)?;
-    let mut wires: Vec<TextSize> = points(&drawing)
-        .iter()
-        .map(|gap: &Gap| gap.anchor(&drawing))
-        .collect();
+    let mut wires: Vec<TextSize> = points(&drawing).iter().map(|gap| gap.anchor(&drawing)).collect();
     wires.sort_unstable();
-    Ok(Points { wires })
+    Ok(wires)
 }

@@ -26,7 +26,7 @@ mod words;
 
 pub use change::{Change, change};
 pub use declaring::Declared;
-pub use editable::{Points, points_of, why_not};
+pub use editable::points_of;
 pub use fragment::Given;
 pub use keys::{Redraw, redraw};
 pub use offer::{Asked, Offer, Offered, offer};

@@ -8,6 +8,7 @@ use std::fmt::Write;
 
 use ladder_live::diagram_text::{DiagramText, DrawnText};
 use ladder_live::messages;
+use ladder_service::drawing_messages::{DiagramEdit, DiagramEdited, DiagramOffer, DiagramOffered};
 use ladder_service::typing_messages::{Cursor, EditDrawing, EditedDrawing, ToggleComment};
 use ladder_service::{
     AskedBlock, AskedPage, CrossReference, CrossReferenced, Diagram, Drawn, DrawnFence, Fence,
@@ -202,6 +203,16 @@ async fn the_page_shows_every_command_whole() {
             "diagramPalette" => {
                 is_whole::<ladder_service::Palette>(argument);
                 is_whole::<ladder_service::Drawable>(answer);
+                continue;
+            }
+            "diagramEdit" => {
+                is_whole::<DiagramEdit>(argument);
+                is_whole::<DiagramEdited>(answer);
+                continue;
+            }
+            "diagramOffer" => {
+                is_whole::<DiagramOffer>(argument);
+                is_whole::<DiagramOffered>(answer);
                 continue;
             }
             "fence" => {

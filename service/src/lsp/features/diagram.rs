@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use ladder_documents::position::Position;
 use ladder_documents::{Lines, Revision};
+use ladder_ide::points_of;
 use ladder_live::{Failure, argument_of};
 use ladder_picture::live::{self, Kind, Piece};
 use ladder_syntax::{TextRange, TextSize};
@@ -80,6 +81,12 @@ pub struct DrawnPiece {
     pub width: i32,
     /// Its height.
     pub height: i32,
+    /// False where nothing can be drawn in it; none elsewhere.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub editable: Option<bool>,
+    /// Why not.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub why: Option<String>,
     /// Two drawings with the same key are the same.
     pub key: String,
     /// The drawing, an SVG element; none if the client has it. Places in it are `line:character`, and lines count from
@@ -124,7 +131,9 @@ pub(crate) fn draw(revision: &Revision, asked: &Diagram) -> Option<Drawn> {
             let Position { line, character } = revision.range(TextRange::empty(offset)).start;
             format!("{}:{character}", line - own.first.min(line))
         };
-        let svg = piece.svg(context, &place);
+        let points = piece.network().map(|network| points_of(context, network));
+        let points = points.unwrap_or(Ok(Vec::new()));
+        let svg = piece.svg(context, points.as_deref().unwrap_or(&[]), &place);
         let key = key_of(&svg);
         let (width, height) = piece.size();
         DrawnPiece {
@@ -137,6 +146,8 @@ pub(crate) fn draw(revision: &Revision, asked: &Diagram) -> Option<Drawn> {
             lines: own,
             width,
             height,
+            editable: points.is_err().then_some(false),
+            why: points.err(),
             svg: (!asked.known.contains(&key)).then_some(svg),
             key,
         }
