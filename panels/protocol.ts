@@ -1,4 +1,5 @@
 // What the simulator of the language server says and is asked, as docs/protocol.md of the project defines it.
+import type { Asked, Edit, Edited, Offered } from './diagram/draw/requests.ts';
 import type { Compared } from './compare/messages.ts';
 import type { CrossReferenced } from './crossReference.ts';
 import type { Drawn, Lines } from './diagram/messages.ts';
@@ -348,6 +349,8 @@ export interface OtherCommands {
         argument: { uri: string; lines: Lines; rail: number; known: readonly string[] };
         answer: Drawn;
     };
+    'ladder.diagramEdit': { argument: { uri: string; version: number; edit: Edit }; answer: Edited };
+    'ladder.diagramOffer': { argument: { uri: string; version: number } & Asked; answer: Offered };
     'ladder.diagramPalette': { argument: { uri: string; search?: string }; answer: { rows: readonly DrawableRow[] } };
     /** What changed since an earlier text. */
     'ladder.compare': { argument: { uri: string; base: string; drawings?: 'light' | 'dark' }; answer: Compared };

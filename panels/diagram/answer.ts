@@ -1,7 +1,8 @@
 // What a diagram's page asks for, and who does it in the editor that shows the page.
 import type { Commands } from '../protocol.ts';
 import { reasonOf } from '../reason.ts';
-import type { Drawn, FromPage, Place, ToPage } from './messages.ts';
+import { reply } from './draw/asker.ts';
+import type { Drawn, FromPage, Place, Question, ToPage } from './messages.ts';
 import type { Teller } from './teller.ts';
 
 type Of<Type extends FromPage['type']> = Extract<FromPage, { type: Type }>;
@@ -17,10 +18,14 @@ export interface Side {
     draw(asked: Of<'ask'>): Promise<Drawn>;
     /** The page shows other lines. */
     look(): void;
-    reveal(from: Place, to: Place, focus: boolean): Done;
+    reveal(from: Place, to: Place, focus: boolean, isQuiet: boolean): Done;
     command(name: Of<'command'>['name']): Done;
     why(tag: string): Done;
     toggle(tag: string): Done;
+    /** Asks the server what the page asks; an edit is made, as one step of the text's history. */
+    request(question: Question): Promise<unknown>;
+    /** Goes back, or forward again, in the text's history. */
+    history(step: 'undo' | 'redo'): Done;
     change<Name extends 'set' | 'force' | 'pulse' | 'unforce'>(name: Name, argument: Commands[Name]['argument']): Done;
 }
 
@@ -41,9 +46,14 @@ export async function answer(message: FromPage, teller: Teller, side: Side): Pro
         case 'painted':
             return teller.painted();
         case 'reveal':
-            return side.reveal(message.from, message.to, message.focus);
+            return side.reveal(message.from, message.to, message.focus, message.isQuiet === true);
         case 'command':
             return side.command(message.name);
+        case 'request':
+            return side.send(await reply(message, (question) => side.request(question)));
+        case 'undo':
+        case 'redo':
+            return side.history(message.type);
         case 'why':
             return side.why(message.tag);
         case 'toggle':

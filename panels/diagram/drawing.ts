@@ -4,6 +4,7 @@ import type { Tag } from '../protocol.ts';
 import { type Changed, isSwitch, type Live, type Power, toggles } from './live.ts';
 import type { Piece } from './layout.ts';
 import type { Spot } from './neighbours.ts';
+import { addPoints, wordsOf } from './draw/points.ts';
 import { describe } from './speech.ts';
 
 const SVG = 'http://www.w3.org/2000/svg';
@@ -82,7 +83,7 @@ function partOf(node: SVGGElement): Part {
     const values = [...node.querySelectorAll<SVGTextElement>('.value[data-operand]')];
     return {
         node,
-        kind: ['contact', 'coil'].find((kind) => node.classList.contains(kind)) ?? 'block',
+        kind: ['contact', 'coil', 'point'].find((kind) => node.classList.contains(kind)) ?? 'block',
         name: node.getAttribute('data-name') ?? '',
         at: within(node.getAttribute('data-at')),
         end: within(node.getAttribute('data-end')),
@@ -126,6 +127,8 @@ export class Drawing {
     readonly node: HTMLElement;
     readonly piece: Piece;
     readonly parts: readonly Part[];
+    /** The places in its wires, while somebody draws. */
+    readonly points: readonly Part[];
     first: number;
     /** What is said of its elements is older than what is seen. */
     owesWords = false;
@@ -159,11 +162,13 @@ export class Drawing {
             state: '',
         }));
         this.parts = [...drawing.querySelectorAll<SVGGElement>('g.element')].map(partOf);
+        this.points = piece.kind === 'network' && !piece.isHeld && !piece.why ? addPoints(drawing).map(partOf) : [];
         this.#lastLine = Math.max(0, ...this.#powered.flatMap(({ parts }) => parts.map(([line]) => line)));
-        for (const { node } of this.parts) {
+        for (const { node } of [...this.parts, ...this.points]) {
             node.setAttribute('tabindex', '-1');
             node.setAttribute('role', 'button');
         }
+        this.#namePoints();
         this.move(first);
     }
 
@@ -300,6 +305,16 @@ export class Drawing {
         }
     }
 
+    #namePoints(): void {
+        const on = ({ box, mark }: Part) => ({ left: box.x, right: box.x + box.width, y: mark ? mark.y + 8 : box.y + 29 });
+        const things = this.parts.map((part) => ({ ...on(part), text: part.operands[0]?.text ?? part.name }));
+        const heights = this.points.map(({ box }) => box.y + box.height / 2);
+        this.points.forEach(({ node, box }, index) => {
+            const y = heights[index] ?? 0;
+            node.setAttribute('aria-label', wordsOf({ left: box.x, right: box.x + box.width, y }, things, heights));
+        });
+    }
+
     /** The part around a place of the text, else the one that begins last before it. */
     partAt(line: number, character: number): Part | undefined {
         const isBefore = ([a, b]: Within, [c, d]: Within) => a < c || (a === c && b <= d);
@@ -310,8 +325,8 @@ export class Drawing {
     }
 
     /** The middle of a part, from the upper left corner of the diagram. */
-    spotOf({ box, mark }: Part, top: number, scale: number): Spot {
-        const y = mark ? mark.y + 8 : box.y + 29;
+    spotOf({ kind, box, mark }: Part, top: number, scale: number): Spot {
+        const y = mark ? mark.y + 8 : kind === 'point' ? box.y + box.height / 2 : box.y + 29;
         return { x: (box.x + box.width / 2) * scale, y: top + y * scale };
     }
 }

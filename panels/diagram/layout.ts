@@ -30,6 +30,8 @@ export interface Piece {
     readonly height: number;
     /** It is half typed: this is how it was before. */
     readonly isHeld: boolean;
+    /** Why nothing can be drawn in it, if so. */
+    readonly why?: string;
 }
 
 /** A place on the page that stays where it is when something above it changes. */
@@ -128,7 +130,7 @@ export class Layout {
         return true;
     }
 
-    #pieceOf({ kind, key, width, height }: DrawnPiece, old: readonly Segment[]): Piece {
+    #pieceOf({ kind, key, width, height, why }: DrawnPiece, old: readonly Segment[]): Piece {
         // What moved is nearest to where it was; of two that are alike any will do.
         const before = old.findIndex(({ piece }) => piece?.key === key && !piece.isHeld);
         const same = before >= 0 ? old[before] : undefined;
@@ -136,7 +138,7 @@ export class Layout {
             (old as Segment[]).splice(before, 1);
             return same.piece;
         }
-        return { id: ++this.#ids, kind, key, width, height, isHeld: false };
+        return { id: ++this.#ids, kind, key, width, height, isHeld: false, ...(why !== undefined && { why }) };
     }
 
     /** What stood where an error is now, as it was: one letter can swallow many networks. Nothing if there was no network. */

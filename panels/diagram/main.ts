@@ -1,6 +1,13 @@
 // The page of the diagram: puts its parts together and talks with the extension.
 import type { FromPage, ToPage } from './messages.ts';
+import { Asker } from './draw/asker.ts';
+import { Drag } from './draw/drag.ts';
+import { Field } from './draw/field.ts';
+import { ModeSwitch } from './draw/mode.ts';
+import { Palette } from './draw/palette.ts';
+import { Pen } from './draw/pen.ts';
 import { Hands } from './hands.ts';
+import type { DrawableRow } from '../protocol.ts';
 import { Inspector } from './inspector.ts';
 import { Live } from './live.ts';
 import { Page } from './page.ts';
@@ -38,16 +45,85 @@ view.tabIndex = 0;
 view.setAttribute('role', 'application');
 spoken.setAttribute('role', 'status');
 spoken.setAttribute('aria-live', 'polite');
+/** Why something cannot be done: seen until something else is. */
+const refusal = part('p', 'refusal');
+refusal.setAttribute('role', 'alert');
+refusal.hidden = true;
 strip.setAttribute('aria-label', 'Tags of the element');
 view.append(canvas, empty);
 // The strip of buttons is above, and the tabulator comes to the drawing first.
-document.body.append(view, bar, strip, spoken);
+document.body.append(view, bar, strip, refusal, spoken);
 
 const live = new Live();
 const page = new Page(view, canvas, live, send);
 const inspector = new Inspector(strip, send);
 const toolbar = new Toolbar(bar, send, zoom);
-new Hands(view, page, live, send, inspect);
+
+const asker = new Asker(send);
+const drag = new Drag(page, canvas);
+const voice = {
+    said(text: string): void {
+        refusal.hidden = true;
+        say(text);
+    },
+    refused(text: string): void {
+        refusal.textContent = text;
+        refusal.hidden = false;
+    },
+};
+const pen = new Pen(page, new Field(canvas), asker.ask, voice, send, () => palette.open());
+
+/** Draws something where the focus is. */
+function drawHere(row: DrawableRow): boolean {
+    const found = page.selection;
+    if (!found) {
+        voice.refused('Choose a place first: a wire, or an element');
+        return false;
+    }
+    palette.used(row);
+    void (row.block === '( )' ? pen.coil(found) : pen.draw(row, found));
+    return true;
+}
+
+const palette = new Palette(asker.ask, {
+    chosen: (row) => {
+        drawHere(row);
+    },
+    pressed: (row, event) =>
+        drag.begin(
+            event,
+            row.block,
+            ({ found, target, isShifted }) => {
+                palette.used(row);
+                const other = isShifted ? { '[ ]': '[/]', '( )': '(/)' }[row.block] : undefined;
+                void pen.draw(other === undefined ? row : { ...row, block: other }, found, target);
+            },
+            () => drawHere(row),
+        ),
+    branch: () => void pen.branch('below'),
+});
+const mode = new ModeSwitch((mode) => {
+    const isDraw = mode === 'draw';
+    page.isDrawing = isDraw;
+    document.body.classList.toggle('drawing-mode', isDraw);
+    palette.node.hidden = !isDraw;
+    refusal.hidden = true;
+    pen.forget();
+    inspect();
+    say(isDraw ? 'Draw: keys and the mouse change the program' : 'Operate: keys and the mouse switch its inputs');
+});
+bar.prepend(mode.node);
+bar.after(palette.node);
+palette.node.hidden = true;
+new Hands(view, page, live, send, inspect, {
+    pen,
+    drag,
+    mode,
+    favourite: (number) => {
+        const row = palette.favourite(number);
+        return row !== undefined && drawHere(row);
+    },
+});
 
 /** The size that a person has chosen; without one the diagram fits to the width of the page. */
 let { scale: chosen } = editor.getState() ?? {};
@@ -133,7 +209,11 @@ function receive(message: ToPage): void {
             empty.textContent = page.isEmpty ? message.message : '';
             break;
         case 'live': {
+            const isSimulated = live.state !== undefined;
             const changed = live.take(message.update);
+            if (isSimulated !== (message.update !== undefined)) {
+                mode.set(isSimulated ? 'draw' : 'operate');
+            }
             document.body.classList.toggle('simulating', message.update !== undefined);
             page.show(changed);
             toolbar.show(message.update);
@@ -145,6 +225,9 @@ function receive(message: ToPage): void {
         }
         case 'cursor':
             page.cursorAt(message.place);
+            break;
+        case 'reply':
+            asker.take(message);
             break;
     }
 }
@@ -162,4 +245,5 @@ view.addEventListener(
 );
 new ResizeObserver(resize).observe(view);
 resize();
+mode.set('draw');
 send({ type: 'ready' });

@@ -1,5 +1,6 @@
 // What the diagram's page and the extension say to each other. Lines and characters count from 0.
 import type { Contact, Given, Tag } from '../protocol.ts';
+import type { Requests } from './draw/requests.ts';
 
 /** Lines that follow one another, both ends included. */
 export interface Lines {
@@ -22,6 +23,9 @@ export interface DrawnPiece {
     readonly key: string;
     /** Missing if the page has it. */
     readonly svg?: string;
+    /** False if nothing can be drawn in it, and why. */
+    readonly editable?: false;
+    readonly why?: string;
 }
 
 /** The answer to `ladder.diagram`. */
@@ -68,7 +72,14 @@ export type ToPage =
     /** There is no drawing: why, for people. */
     | { readonly type: 'failed'; readonly version: number; readonly message: string }
     | { readonly type: 'live'; readonly update: LiveUpdate | undefined }
-    | { readonly type: 'cursor'; readonly place: Place };
+    | { readonly type: 'cursor'; readonly place: Place }
+    /** The answer to a question, or why there is none. */
+    | { readonly type: 'reply'; readonly id: number; readonly answer?: unknown; readonly error?: string };
+
+/** Something that the page asks of the server. */
+export type Question = {
+    [Name in keyof Requests]: { readonly type: 'request'; readonly id: number; readonly name: Name; readonly argument: Requests[Name]['argument'] };
+}[keyof Requests];
 
 export type FromPage =
     | { readonly type: 'ready' }
@@ -82,5 +93,9 @@ export type FromPage =
     | ({ readonly type: 'set' | 'force'; readonly tag: string } & Given)
     | { readonly type: 'unforce'; readonly tag: string }
     | { readonly type: 'why'; readonly tag: string }
-    | { readonly type: 'reveal'; readonly from: Place; readonly to: Place; readonly focus: boolean }
+    /** Shows it in the text; `isQuiet` only where that is seen already. */
+    | { readonly type: 'reveal'; readonly from: Place; readonly to: Place; readonly focus: boolean; readonly isQuiet?: true }
+    | Question
+    /** A step of the text's own history. */
+    | { readonly type: 'undo' | 'redo' }
     | { readonly type: 'command'; readonly name: 'start' | 'run' | 'pause' | 'step' | 'back' | 'stop' };

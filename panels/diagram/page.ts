@@ -20,6 +20,9 @@ const GUTTER = 44;
 /** The right rail is where the page ends, but no further left or right than this, in letters. */
 const RAILS = [44, 110] as const;
 
+/** So long what is new is shown as that, in milliseconds. */
+const SHOWN_AS_NEW = 600;
+
 /** An element, and the drawing that it is in. */
 export interface Found {
     readonly drawing: Drawing;
@@ -29,7 +32,9 @@ export interface Found {
 export class Page {
     readonly layout = new Layout();
     /** What the arrow keys and the strip below are about. */
-    selected: { line: number; character: number } | undefined;
+    selected: { line: number; character: number; isPoint?: boolean } | undefined;
+    /** Somebody draws: the places in the wires are there. */
+    isDrawing = false;
 
     readonly #view: HTMLElement;
     readonly #canvas: HTMLElement;
@@ -48,6 +53,8 @@ export class Page {
     #failed: number | undefined;
     #sees = '';
     #cursor: Place | undefined;
+    /** What is to get the focus, and is shown as new. */
+    #soon: { readonly places: readonly Place[]; readonly version: number; readonly isPoint: boolean } | undefined;
 
     constructor(view: HTMLElement, canvas: HTMLElement, live: Live, send: (message: FromPage) => void) {
         this.#view = view;
@@ -119,6 +126,47 @@ export class Page {
         }
         this.update();
         this.#markCursor(false);
+        this.#focusNew();
+    }
+
+    /** What lies here gets the focus as soon as it is drawn: it is new in the text that comes. */
+    focusSoon(places: readonly Place[], version: number, isPoint: boolean): void {
+        this.#soon = { places, version, isPoint };
+        this.#focusNew();
+    }
+
+    #focusNew(): void {
+        const soon = this.#soon;
+        const [first] = soon?.places ?? [];
+        if (!soon || !first || this.layout.version < soon.version || this.layout.at(first.line)?.version !== this.layout.version) {
+            return;
+        }
+        const { places, isPoint } = soon;
+        this.#soon = undefined;
+        this.selected = { ...first, isPoint };
+        const found = this.#selectedPart();
+        if (!found) {
+            return;
+        }
+        this.select(found);
+        for (const { line, character } of places) {
+            const isAt = ({ drawing, part }: Found) => drawing.first + part.at[0] === line && part.at[1] === character;
+            const node = this.spots().find(({ found }) => found.part.kind !== 'point' && isAt(found))?.found.part.node;
+            node?.classList.add('new');
+            setTimeout(() => node?.classList.remove('new'), SHOWN_AS_NEW);
+        }
+    }
+
+    /** The first lines of the networks that are known, from top to bottom. */
+    networks(): number[] {
+        return this.layout.segments.flatMap(({ first, piece }) => (piece?.kind === 'network' ? [first] : []));
+    }
+
+    /** Where a part is, from the upper left corner of the diagram. */
+    boxOf({ drawing, part: { box } }: Found): { left: number; top: number; width: number; height: number } {
+        const scale = this.layout.scale;
+        const top = Number(drawing.node.dataset['top'] ?? 0) + box.y * scale;
+        return { left: GUTTER + box.x * scale, top, width: box.width * scale, height: box.height * scale };
     }
 
     /** There is no drawing of this text: it is asked for again with the next one. */
@@ -272,7 +320,7 @@ export class Page {
     spots(): { readonly found: Found; readonly x: number; readonly y: number }[] {
         const drawings = [...this.#drawings.values()].sort((a, b) => a.first - b.first);
         return drawings.flatMap((drawing) =>
-            drawing.parts.map((part) => {
+            [...drawing.parts, ...(this.isDrawing ? drawing.points : [])].map((part) => {
                 const top = Number(drawing.node.dataset['top'] ?? 0);
                 return { found: { drawing, part }, ...drawing.spotOf(part, top, this.layout.scale) };
             }),
@@ -283,7 +331,7 @@ export class Page {
     find(node: EventTarget | null): Found | undefined {
         const group = node instanceof Element ? node.closest('g.element') : null;
         for (const drawing of group ? this.#drawings.values() : []) {
-            const part = drawing.parts.find((part) => part.node === group);
+            const part = [...drawing.parts, ...drawing.points].find((part) => part.node === group);
             if (part) {
                 return { drawing, part };
             }
@@ -297,7 +345,9 @@ export class Page {
             const segment = this.layout.at(place.line);
             return segment?.first === first && node.isConnected;
         });
-        const part = place && drawing?.partAt(place.line, place.character);
+        const isAt = ({ at: [line, character] }: Part) => drawing && place && drawing.first + line === place.line && character === place.character;
+        const point = place?.isPoint === true ? drawing?.points.find(isAt) : undefined;
+        const part = point ?? (place && drawing?.partAt(place.line, place.character));
         return drawing && part && { drawing, part };
     }
 
@@ -312,7 +362,7 @@ export class Page {
             node.setAttribute('tabindex', '-1');
         }
         part.node.setAttribute('tabindex', '0');
-        this.selected = { line: drawing.first + part.at[0], character: part.at[1] };
+        this.selected = { line: drawing.first + part.at[0], character: part.at[1], isPoint: part.kind === 'point' };
     }
 
     /** Gives an element the focus. */

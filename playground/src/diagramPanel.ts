@@ -1,9 +1,13 @@
 // The live diagram next to the text: the page of the VS Code panel, in a frame.
+import { isolateHistory, redo, undo } from '@codemirror/commands';
 import type { ViewUpdate } from '@codemirror/view';
 
 import { answer, type Side } from '../../panels/diagram/answer.ts';
+import { answerOf } from '../../panels/diagram/draw/asker.ts';
+import type { Edited } from '../../panels/diagram/draw/requests.ts';
 import type { FromPage, LineChange, ToPage } from '../../panels/diagram/messages.ts';
 import { Teller } from '../../panels/diagram/teller.ts';
+import { changesOf } from './findings.ts';
 import { Frame } from './frame.ts';
 import { opensAnother } from './opened.ts';
 import type { OpenText } from './openText.ts';
@@ -38,6 +42,8 @@ export class DiagramPanel {
                 program.select({ start, end }, focus);
                 this.#isRevealing = false;
             },
+            request: (question) => answerOf(question, program.uri, (command, argument) => server.execute(command, argument), (edited) => this.#make(edited)),
+            history: (step) => void (step === 'undo' ? undo : redo)(program.view),
             command: (name) => events.command(name),
             why: (tag) => events.why(tag),
             toggle: (tag) => simulation.toggle(tag),
@@ -47,6 +53,17 @@ export class DiagramPanel {
         this.#teller = new Teller((message) => this.frame.send(message), () => simulation.session, () => this.frame.isSeen);
         simulation.onChange(() => this.#teller.tell());
         simulation.showsLines(() => (this.frame.isSeen ? this.#teller.lines : undefined));
+    }
+
+    /** Makes the edits of a change of the drawing, as a step of their own to go back. */
+    async #make({ version, edits }: Edited): Promise<number> {
+        const program = this.#program;
+        if (program.version !== version) {
+            throw new Error('The text has changed meanwhile: try again');
+        }
+        const changes = changesOf(program.view.state.doc, edits);
+        program.view.dispatch({ changes, annotations: isolateHistory.of('full'), userEvent: 'input.draw' });
+        return program.version;
     }
 
     /** Another program is in the editor, or the page begins. */

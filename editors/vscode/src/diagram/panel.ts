@@ -2,6 +2,8 @@
 import * as vscode from 'vscode';
 
 import { answer, type Side } from '../../../../panels/diagram/answer.ts';
+import { answerOf } from '../../../../panels/diagram/draw/asker.ts';
+import type { Edited } from '../../../../panels/diagram/draw/requests.ts';
 import type { FromPage, Place, ToPage } from '../../../../panels/diagram/messages.ts';
 import { Teller } from '../../../../panels/diagram/teller.ts';
 import { withTheRest } from '../../../../panels/pace.ts';
@@ -35,7 +37,10 @@ export class DiagramPanel implements vscode.Disposable {
             version: () => document.version,
             draw: ({ lines, rail, known }) => server.execute('ladder.diagram', { uri: document.uri.toString(), lines, rail, known }),
             look: () => simulation.look(),
-            reveal: (from, to, focus) => this.reveal(from, to, focus),
+            reveal: (from, to, focus, isQuiet) => this.reveal(from, to, focus, isQuiet),
+            request: (question) =>
+                answerOf(question, document.uri.toString(), (command, argument) => server.execute(command, argument), (edited) => this.#make(edited)),
+            history: async (step) => vscode.commands.executeCommand<void>(step),
             command: async (name) => vscode.commands.executeCommand<void>(`ladder.simulation.${name}`),
             why: async (name) => vscode.commands.executeCommand<void>('ladder.simulation.why', { name }),
             toggle: async (tag) => {
@@ -126,11 +131,32 @@ export class DiagramPanel implements vscode.Disposable {
         this.#later = setTimeout(() => this.#send({ type: 'cursor', place: { line, character } }), CURSOR_EVERY);
     }
 
+    /** Makes the edits of a change of the drawing. */
+    async #make({ version, edits, also = [] }: Edited): Promise<number> {
+        const { document } = this;
+        if (document.version !== version) {
+            throw new Error('The text has changed meanwhile: try again');
+        }
+        const change = new vscode.WorkspaceEdit();
+        for (const { uri, edits: own } of [{ uri: document.uri.toString(), edits }, ...also]) {
+            for (const { range: { start, end }, newText } of own) {
+                change.replace(vscode.Uri.parse(uri), new vscode.Range(start.line, start.character, end.line, end.character), newText);
+            }
+        }
+        if (!(await vscode.workspace.applyEdit(change))) {
+            throw new Error('The text cannot be changed: it may be read-only');
+        }
+        return document.version;
+    }
+
     /** Shows a place in the text, in the editor that shows it already if there is one. */
-    async reveal(from: Place, to: Place, focus: boolean): Promise<void> {
+    async reveal(from: Place, to: Place, focus: boolean, isQuiet = false): Promise<void> {
         const { document } = this;
         const selection = document.validateRange(new vscode.Range(from.line, from.character, to.line, to.character));
         const shown = vscode.window.visibleTextEditors.find((editor) => editor.document === document);
+        if (isQuiet && !shown) {
+            return;
+        }
         this.#revealed = selection;
         const viewColumn = shown?.viewColumn ?? (this.#panel.viewColumn === vscode.ViewColumn.One ? vscode.ViewColumn.Beside : vscode.ViewColumn.One);
         if (shown && !focus) {

@@ -1,0 +1,128 @@
+// What is dragged: an element of the drawing, or a row of the palette. While it moves the place is shown where it would go:
+// a ring in a wire, a bar below an element, which a new branch would go around.
+import type { Found, Page } from '../page.ts';
+import { rangeOf, type Target } from './pen.ts';
+
+/** Who moves less only presses, in pixels. */
+const LEAST = 5;
+/** A finger that moves sooner scrolls, in milliseconds. */
+const HOLD = 300;
+/** No place is further away than this, in pixels. */
+const REACH = 60;
+
+/** What is let go, where, and whether as another kind or a copy. */
+export interface Drop {
+    readonly found: Found;
+    readonly target: Target;
+    readonly isShifted: boolean;
+    readonly isCopy: boolean;
+}
+
+export class Drag {
+    readonly #page: Page;
+    readonly #canvas: HTMLElement;
+    readonly #bar = document.createElement('div');
+    readonly #ghost = document.createElement('div');
+    #aim: { readonly found: Found; readonly target: Target } | undefined;
+
+    constructor(page: Page, canvas: HTMLElement) {
+        this.#page = page;
+        this.#canvas = canvas;
+        this.#bar.className = 'lane';
+        this.#ghost.className = 'ghost';
+        this.#ghost.setAttribute('aria-hidden', 'true');
+    }
+
+    /** Follows what was pressed. `pressed` is called if it did not move, `dropped` if it was let go at a place. */
+    begin(event: PointerEvent, shown: string, dropped: (drop: Drop) => void, pressed: () => void): void {
+        const from = { x: event.clientX, y: event.clientY };
+        const since = Date.now();
+        let isDragging = false;
+        const move = (moved: PointerEvent) => {
+            const far = Math.hypot(moved.clientX - from.x, moved.clientY - from.y);
+            if (!isDragging && far > LEAST) {
+                if (moved.pointerType === 'touch' && Date.now() - since < HOLD) {
+                    end();
+                    return;
+                }
+                isDragging = true;
+                this.#ghost.textContent = shown;
+                document.body.append(this.#ghost);
+                document.body.classList.add('dragging');
+            }
+            if (isDragging) {
+                moved.preventDefault();
+                this.#ghost.style.transform = `translate(${moved.clientX + 12}px, ${moved.clientY + 8}px)`;
+                this.#show(moved);
+            }
+        };
+        const up = (released: PointerEvent) => {
+            const aim = this.#aim;
+            end();
+            if (!isDragging) {
+                pressed();
+            } else if (aim) {
+                dropped({ ...aim, isShifted: released.shiftKey, isCopy: released.ctrlKey || released.metaKey });
+            }
+        };
+        const key = (pressed: KeyboardEvent) => {
+            if (pressed.key === 'Escape') {
+                pressed.stopPropagation();
+                end();
+            }
+        };
+        const end = () => {
+            window.removeEventListener('pointermove', move);
+            window.removeEventListener('pointerup', up);
+            window.removeEventListener('pointercancel', end);
+            window.removeEventListener('keydown', key, true);
+            document.body.classList.remove('dragging');
+            this.#ghost.remove();
+            this.#hide();
+        };
+        window.addEventListener('pointermove', move);
+        window.addEventListener('pointerup', up);
+        window.addEventListener('pointercancel', end);
+        window.addEventListener('keydown', key, true);
+    }
+
+    #hide(): void {
+        this.#aim?.found.part.node.classList.remove('aim');
+        this.#bar.remove();
+        this.#aim = undefined;
+    }
+
+    /** Shows the nearest place. */
+    #show({ clientX, clientY }: PointerEvent): void {
+        const { left, top } = this.#canvas.getBoundingClientRect();
+        const [x, y] = [clientX - left, clientY - top];
+        let best: { found: Found; isLane: boolean; far: number } | undefined;
+        for (const { found } of this.#page.spots()) {
+            const box = this.#page.boxOf(found);
+            const isLane = found.part.kind !== 'point';
+            const across = Math.max(box.left - x, 0, x - box.left - box.width);
+            const [upper, lower] = isLane ? [box.top + box.height - 6, box.top + box.height + 10] : [box.top, box.top + box.height];
+            const far = Math.hypot(across, Math.max(upper - y, 0, y - lower));
+            if (far < (best?.far ?? REACH)) {
+                best = { found, isLane, far };
+            }
+        }
+        if (best?.found.part.node === this.#aim?.found.part.node) {
+            return;
+        }
+        this.#hide();
+        if (!best) {
+            return;
+        }
+        const { found, isLane } = best;
+        const range = rangeOf(found);
+        this.#aim = { found, target: isLane ? { from: range.start, to: range.end, side: 'below' } : { at: range.start } };
+        if (isLane) {
+            const box = this.#page.boxOf(found);
+            Object.assign(this.#bar.style, { left: `${box.left}px`, top: `${box.top + box.height - 2}px`, width: `${box.width}px` });
+            this.#canvas.append(this.#bar);
+        } else {
+            found.part.node.classList.add('aim');
+        }
+    }
+}

@@ -1,0 +1,203 @@
+// What can be drawn, above the diagram: what is used most as buttons, all else by a search.
+import type { DrawableRow } from '../../protocol.ts';
+import type { Ask } from './asker.ts';
+
+/** Always there, in this order. */
+const FAVOURITES: readonly DrawableRow[] = [
+    { section: '', block: '[ ]', title: 'Open contact', operands: '' },
+    { section: '', block: '[/]', title: 'Closed contact', operands: '' },
+    { section: '', block: '( )', title: 'Coil', operands: '' },
+];
+
+/** So many of those that were used last are buttons, too. */
+const MOST_USED = 5;
+
+/** What a person does with a row. */
+export interface Takes {
+    /** It is to be drawn where the focus is. */
+    chosen(row: DrawableRow): void;
+    /** It may be dragged: the pointer is down on it. */
+    pressed(row: DrawableRow, event: PointerEvent): void;
+    branch(): void;
+}
+
+export class Palette {
+    readonly node = document.createElement('div');
+    readonly #buttons = document.createElement('span');
+    readonly #search = document.createElement('input');
+    readonly #list = document.createElement('div');
+    readonly #ask: Ask;
+    readonly #takes: Takes;
+    #used: DrawableRow[] = [];
+    #shown: readonly DrawableRow[] = [];
+    #chosen = -1;
+    #asked = 0;
+
+    constructor(ask: Ask, takes: Takes) {
+        this.#ask = ask;
+        this.#takes = takes;
+        this.node.className = 'palette';
+        this.node.setAttribute('role', 'toolbar');
+        this.node.setAttribute('aria-label', 'What can be drawn');
+        this.#buttons.className = 'favourites';
+        this.#search.type = 'text';
+        this.#search.placeholder = 'Search: timer, XIC, counter up';
+        this.#search.spellcheck = false;
+        this.#list.className = 'found';
+        this.#list.id = 'palette-found';
+        this.#list.setAttribute('role', 'listbox');
+        this.#list.setAttribute('aria-label', 'Instructions and blocks');
+        this.#list.hidden = true;
+        for (const [name, value] of Object.entries({
+            role: 'combobox',
+            'aria-label': 'Search what can be drawn',
+            'aria-expanded': 'false',
+            'aria-controls': this.#list.id,
+            'aria-autocomplete': 'list',
+        })) {
+            this.#search.setAttribute(name, value);
+        }
+        this.node.append(this.#buttons, this.#search, this.#list);
+        this.#search.addEventListener('focus', () => void this.#look());
+        this.#search.addEventListener('input', () => void this.#look());
+        this.#search.addEventListener('blur', () => this.#close());
+        this.#search.addEventListener('keydown', (event) => this.#key(event));
+        this.#list.addEventListener('pointerdown', (event) => this.#press(event));
+        this.#showButtons();
+    }
+
+    /** The search has the focus. */
+    open(): void {
+        this.#search.focus();
+        this.#search.select();
+    }
+
+    /** The favourite with this number, from 1. */
+    favourite(number: number): DrawableRow | undefined {
+        return [...FAVOURITES, ...this.#used][number - 1];
+    }
+
+    /** It is one of those that were used last. */
+    used(row: DrawableRow): void {
+        if (!FAVOURITES.some(({ block }) => block === row.block)) {
+            this.#used = [row, ...this.#used.filter(({ block }) => block !== row.block)].slice(0, MOST_USED);
+            this.#showButtons();
+        }
+    }
+
+    #showButtons(): void {
+        const buttons = [...FAVOURITES, ...this.#used].map((row, index) => {
+            const button = document.createElement('button');
+            button.type = 'button';
+            button.textContent = row.block;
+            button.title = `${row.title} (${index + 1})`;
+            button.setAttribute('aria-label', row.title);
+            button.addEventListener('pointerdown', (event) => this.#takes.pressed(row, event));
+            // By keys: the pointer has its own way, which may be a drag.
+            button.addEventListener('click', ({ detail }) => {
+                if (detail === 0) {
+                    this.#takes.chosen(row);
+                }
+            });
+            return button;
+        });
+        const branch = document.createElement('button');
+        branch.type = 'button';
+        branch.textContent = 'Branch';
+        branch.title = 'A contact in parallel to what is selected (B)';
+        branch.addEventListener('click', () => this.#takes.branch());
+        this.#buttons.replaceChildren(...buttons, branch);
+    }
+
+    async #look(): Promise<void> {
+        const number = ++this.#asked;
+        const { rows } = await this.#ask('palette', { search: this.#search.value }).catch(() => ({ rows: [] }));
+        if (number !== this.#asked || document.activeElement !== this.#search) {
+            return;
+        }
+        this.#shown = rows;
+        this.#chosen = this.#search.value && rows.length > 0 ? 0 : -1;
+        const nodes: HTMLElement[] = [];
+        let group: HTMLElement | undefined;
+        rows.forEach((row, index) => {
+            if (group?.getAttribute('aria-label') !== row.section) {
+                group = document.createElement('div');
+                group.setAttribute('role', 'group');
+                group.setAttribute('aria-label', row.section);
+                const heading = document.createElement('span');
+                heading.className = 'section';
+                heading.setAttribute('aria-hidden', 'true');
+                heading.textContent = row.section;
+                group.append(heading);
+                nodes.push(group);
+            }
+            const node = document.createElement('div');
+            node.id = `palette-row-${index}`;
+            node.className = 'row';
+            node.dataset['row'] = String(index);
+            node.setAttribute('role', 'option');
+            const block = document.createElement('b');
+            block.textContent = row.block;
+            const title = document.createElement('span');
+            title.textContent = row.title;
+            node.append(block, title);
+            group.append(node);
+        });
+        this.#list.replaceChildren(...nodes);
+        this.#list.hidden = rows.length === 0;
+        this.#search.setAttribute('aria-expanded', String(rows.length > 0));
+        this.#mark();
+    }
+
+    #close(): void {
+        this.#asked += 1;
+        this.#list.hidden = true;
+        this.#search.setAttribute('aria-expanded', 'false');
+    }
+
+    #mark(): void {
+        for (const node of this.#list.querySelectorAll<HTMLElement>('.row')) {
+            const isChosen = Number(node.dataset['row']) === this.#chosen;
+            node.setAttribute('aria-selected', String(isChosen));
+            if (isChosen) {
+                this.#search.setAttribute('aria-activedescendant', node.id);
+                node.scrollIntoView({ block: 'nearest' });
+            }
+        }
+        if (this.#chosen < 0) {
+            this.#search.removeAttribute('aria-activedescendant');
+        }
+    }
+
+    #key(event: KeyboardEvent): void {
+        event.stopPropagation();
+        const row = this.#shown[this.#chosen];
+        if (event.key === 'ArrowDown' || event.key === 'ArrowUp') {
+            event.preventDefault();
+            const count = this.#shown.length;
+            this.#chosen = count > 0 ? (this.#chosen + (event.key === 'ArrowDown' ? 1 : count - 1)) % count : -1;
+            this.#mark();
+        } else if (event.key === 'Enter' && row) {
+            event.preventDefault();
+            this.#take(row);
+        } else if (event.key === 'Escape') {
+            this.#search.blur();
+        }
+    }
+
+    #take(row: DrawableRow): void {
+        this.#search.value = '';
+        this.#close();
+        this.#takes.chosen(row);
+    }
+
+    #press(event: PointerEvent): void {
+        const node = event.target instanceof Element ? event.target.closest<HTMLElement>('.row') : null;
+        const row = this.#shown[Number(node?.dataset['row'] ?? -1)];
+        // The list stays open as long as the search has the focus.
+        event.preventDefault();
+        if (row) {
+            this.#takes.pressed(row, event);
+        }
+    }
+}
