@@ -81,11 +81,10 @@ fn of_row(row: &Instruction, search: &str) -> Option<u8> {
         return Some(1);
     }
     // Each word must lead to it, but those of two letters, which say nothing: "count up".
-    let words = search.split_whitespace();
-    let mut found = words
-        .filter(|word| word.len() > 2 || *word == search)
-        .map(|word| purpose(row, word));
-    let worst = found.try_fold(Purpose::Title, |worst, purpose| Some(worst.max(purpose?)))?;
+    let words = search.split(|c: char| !c.is_alphanumeric());
+    let words = words.filter(|word| word.len() > 2 || *word == search);
+    let found: Option<Vec<Purpose>> = words.map(|word| purpose(row, word)).collect();
+    let worst = found?.into_iter().max()?;
     // The timer itself is meant, and not what resets it.
     let is_rare = row.op == Op::Res;
     Some(match worst {

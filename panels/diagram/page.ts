@@ -20,6 +20,8 @@ const GUTTER = 44;
 /** The right rail is where the page ends, but no further left or right than this, in letters. */
 const RAILS = [44, 110] as const;
 
+/** Nobody waits longer for the drawing of a new text, in milliseconds. */
+const PATIENCE = 2000;
 /** So long what is new is shown as that, in milliseconds. */
 const SHOWN_AS_NEW = 600;
 
@@ -54,7 +56,7 @@ export class Page {
     #sees = '';
     #cursor: Place | undefined;
     /** What is to get the focus, and is shown as new. */
-    #soon: { readonly places: readonly Place[]; readonly version: number; readonly isPoint: boolean } | undefined;
+    #soon: { readonly places: readonly Place[]; readonly version: number; readonly isPoint: boolean; done(): void } | undefined;
 
     constructor(view: HTMLElement, canvas: HTMLElement, live: Live, send: (message: FromPage) => void) {
         this.#view = view;
@@ -130,9 +132,14 @@ export class Page {
     }
 
     /** What lies here gets the focus as soon as it is drawn: it is new in the text that comes. */
-    focusSoon(places: readonly Place[], version: number, isPoint: boolean): void {
-        this.#soon = { places, version, isPoint };
-        this.#focusNew();
+    async focusSoon(places: readonly Place[], version: number, isPoint: boolean): Promise<void> {
+        this.#soon?.done();
+        await new Promise<void>((done) => {
+            this.#soon = { places, version, isPoint, done };
+            this.#focusNew();
+            // Of a text that cannot be drawn nothing comes.
+            setTimeout(done, PATIENCE);
+        });
     }
 
     #focusNew(): void {
@@ -143,6 +150,7 @@ export class Page {
         }
         const { places, isPoint } = soon;
         this.#soon = undefined;
+        soon.done();
         this.selected = { ...first, isPoint };
         const found = this.#selectedPart();
         if (!found) {

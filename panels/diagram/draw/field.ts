@@ -68,20 +68,22 @@ export class Field {
         input.setAttribute('aria-autocomplete', 'list');
         input.setAttribute('aria-expanded', 'false');
         input.setAttribute('aria-controls', list.id);
-        const note = document.createElement('p');
-        note.className = 'note-of-field';
-        note.setAttribute('aria-live', 'polite');
-        node.append(input, note, list);
+        const shown = document.createElement('p');
+        shown.className = 'note-of-field';
+        shown.setAttribute('aria-live', 'polite');
+        node.append(input, shown, list);
         this.#parent.append(node);
         const choices = new Choices(input, list);
         let asked = 0;
         let later: ReturnType<typeof setTimeout> | undefined;
         const look = async () => {
             const number = ++asked;
-            const [found, told] = await Promise.all([wanted.choices(input.value), wanted.note?.(input.value) ?? '']).catch(() => [[], ''] as const);
+            // Half a name may be nothing that can be drawn.
+            const told = wanted.note?.(input.value).catch(() => '') ?? '';
+            const [found, note] = await Promise.all([wanted.choices(input.value), told]).catch(() => [[], ''] as const);
             if (number === asked && this.isOpen) {
                 choices.show(found.slice(0, MOST));
-                note.textContent = told;
+                shown.textContent = note;
             }
         };
         input.addEventListener('input', () => {

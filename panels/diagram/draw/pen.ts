@@ -105,7 +105,7 @@ export class Pen {
             this.forget();
             this.#voice.said(said);
             const places = select.length > 0 ? select.map(({ start }) => start) : focus ? [focus] : [];
-            this.#page.focusSoon(places, becomes, select.length === 0);
+            await this.#page.focusSoon(places, becomes, select.length === 0);
         } catch (error) {
             this.#voice.refused(error instanceof Error ? error.message : String(error));
         }
@@ -146,6 +146,15 @@ export class Pen {
             .map(({ name, type, kind, comment }) => ({ text: before + name, about: [`${type}, ${kind}`, comment].filter(Boolean).join('  ') }));
     }
 
+    /** Which names of a text are new, and what they would be. */
+    async #news(text: string, head: string, asked: Asked): Promise<string> {
+        if (!text) {
+            return '';
+        }
+        const { declares = [] } = await this.#ask('offer', { version: this.#page.layout.version, ...asked, text: `${head}( ${text} )` });
+        return declares.map(({ name, type, section }) => `${name} is new: ${type} in ${section}`).join(', ');
+    }
+
     /** Asks for what is in the parentheses of a block. */
     async #operands(found: Found, label: string, head: string, text: string, asked: Asked): Promise<Written | undefined> {
         const isBool = head.length === HEAD;
@@ -155,10 +164,7 @@ export class Pen {
             placeholder: isBool ? 'tag' : '',
             spot: this.#spot(found),
             choices: (text) => this.#tags(text, isBool),
-            note: async (text) => {
-                const { declares = [] } = (text ? await this.#ask('offer', { version: this.#page.layout.version, ...asked, text: `${head}( ${text} )` }) : {}) as Partial<Offered>;
-                return declares.map(({ name, type, section }) => `${name} is new: ${type} in ${section}`).join(', ');
-            },
+            note: (text) => this.#news(text, head, asked),
         });
         if (written?.text === '') {
             const { names } = (await this.#offer(asked)) ?? {};
@@ -219,13 +225,7 @@ export class Pen {
             text: operand.text,
             spot: this.#spot(found),
             choices: (text) => this.#tags(text === operand.text ? '' : text, isBool),
-            note: async (text) => {
-                if (!text || text === operand.text) {
-                    return '';
-                }
-                const { declares = [] } = await this.#ask('offer', { version: this.#page.layout.version, what: [what], text });
-                return declares.map(({ name, type, section }) => `${name} is new: ${type} in ${section}`).join(', ');
-            },
+            note: (text) => this.#news(isBool && text !== operand.text ? text : '', '[ ]', { what: [rangeOf(found)] }),
         });
         part.node.focus({ preventScroll: true });
         if (written && written.text !== operand.text) {
