@@ -98,7 +98,7 @@ pub(super) async fn everywhere(
     let renamed = about_place(shared, place, move |asked, offset| {
         let options = asked.revision.format_options();
         let files = ladder_ide::rename(&asked.context, offset, &new, &asked.elsewhere, &options);
-        Some(files.map(|files| changes(asked, files)))
+        Some(files.and_then(|files| changes(asked, files)))
     });
     let changes = renamed.await?.transpose().map_err(refused)?;
     let mut open = changes.iter().flatten().filter_map(|(_, open, _)| open.as_ref());
