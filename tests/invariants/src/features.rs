@@ -111,7 +111,7 @@ pub const FEATURES: [(&str, Ask); 20] = [
                 assert!(piece.range.contains_inclusive(offset));
                 String::new()
             };
-            drop(piece.svg(&it.context, &place));
+            drop(piece.svg(&it.context, &[], &place));
         }
     }),
     ("tokens from there on", |it, at, end| {
