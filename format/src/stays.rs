@@ -2,7 +2,7 @@
 
 use crate::flat::{FlatLine, Node, Source};
 use ladder_syntax::SyntaxKind::{self, COMMENT};
-use ladder_syntax::{Item, LineKind, Lines, Many, Network, NodeOrToken, Parse, SyntaxErrorKind};
+use ladder_syntax::{Item, Line, LineKind, Lines, Many, Network, NodeOrToken, Parse, SyntaxErrorKind};
 use std::ops::Range;
 
 /// For each logical line whether it stays to the letter.
@@ -269,10 +269,8 @@ const BLANKS: [char; 2] = [' ', '\t'];
 /// Whether `fmt off` holds at the beginning of a logical line (LANGUAGE §8 rule 10).
 pub fn is_switched_off(parse: &Parse, line: usize) -> bool {
     let lines = parse.lines();
-    let directive_above = |above: usize| {
-        let line = &lines[above];
-        let may_hold =
-            matches!(line.kind, LineKind::Comment | LineKind::Rail) && line.text().contains("ladder:");
+    let directive_on = |line: &Line| {
+        let may_hold = matches!(line.kind, LineKind::Comment | LineKind::Rail) && line.text().contains("fmt");
         let syntax = may_hold.then(|| line.syntax())?;
         let tokens = syntax.children_with_tokens().filter_map(NodeOrToken::into_token);
         let mut comments = tokens.filter(|token| token.kind() == COMMENT);
@@ -282,7 +280,8 @@ pub fn is_switched_off(parse: &Parse, line: usize) -> bool {
         }
         directive(first.text())
     };
-    (0..line).rev().find_map(directive_above) == Some(Directive::Off)
+    let above = lines.iter().take(line);
+    above.filter_map(directive_on).last() == Some(Directive::Off)
 }
 
 /// The directive that is alone on a line.

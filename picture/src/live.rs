@@ -306,10 +306,10 @@ impl<'c> Elements<'c> {
                 let tight = self.tight(shape, element.rung).into_iter().filter(is_point);
                 let tight: Vec<String> = tight.map(place).collect();
                 let _ = write!(attributes, " data-joins=\"{}\"", joins.join(" "));
-                match tight.is_empty() {
-                    true => Ok(()),
-                    false => write!(attributes, " data-tight=\"{}\"", tight.join(" ")),
+                if tight.is_empty() {
+                    return;
                 }
+                write!(attributes, " data-tight=\"{}\"", tight.join(" "))
             }
             _ => Ok(()),
         };

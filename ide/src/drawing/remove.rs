@@ -17,10 +17,8 @@ pub(crate) type Spot = (usize, usize);
 /// Why they cannot go.
 pub(crate) fn without(drawing: &Drawing, gone: &[Spot]) -> Result<Option<Drawing>, &'static str> {
     let stays = |row: usize, (index, item): (usize, &Item)| item.is_block() && !gone.contains(&(row, index));
-    let rows = drawing.rows.iter().enumerate();
-    let is_left = rows
-        .map(|(row, own)| own.items.iter().enumerate().any(|found| stays(row, found)))
-        .any(|any| any);
+    let mut rows = drawing.rows.iter().enumerate();
+    let is_left = rows.any(|(row, own)| own.items.iter().enumerate().any(|found| stays(row, found)));
     if !is_left {
         return Ok(None);
     }
@@ -105,17 +103,45 @@ fn without_rows(drawing: &Drawing, gone: &[Spot]) -> Result<Drawing, &'static st
     {
         return Ok(new);
     }
-    let is_bare = |item: &Item| matches!(item.kind, ItemKind::Up | ItemKind::Down);
-    if is_emptied && is_bare(&own[segment.start]) && is_bare(&own[segment.end - 1]) {
-        return Err(
-            "a bare wire would be left here: the wires beside it are joined to something else as well",
-        );
+    let (first, last) = (gone[0], gone[gone.len() - 1]);
+    let is_all = gone.len() == last + 1 - first;
+    if is_all
+        && first > segment.start
+        && last + 1 < segment.end
+        && parts(drawing, row, first - 1)
+        && meets(drawing, row, last + 1)
+    {
+        return Err("a bare wire would be left between two places that are joined in another way as well");
     }
     let mut new = drawing.clone();
     for &index in gone.iter().rev() {
         new.take(row, index);
     }
     in_old_order(drawing, new)
+}
+
+/// Whether power leaves a line at a connector, or comes to it there from above.
+fn parts(drawing: &Drawing, row: usize, index: usize) -> bool {
+    match drawing.rows[row].items[index].kind {
+        ItemKind::Up => !drawing.has_wire_before(row, index),
+        ItemKind::Down => {
+            let up = drawing.up_of(row, index);
+            up.is_some_and(|up| drawing.has_wire_after(row + 1, up))
+        }
+        _ => false,
+    }
+}
+
+/// Whether power comes back to a line at a connector, or leaves it there for the line above.
+fn meets(drawing: &Drawing, row: usize, index: usize) -> bool {
+    match drawing.rows[row].items[index].kind {
+        ItemKind::Up => !drawing.has_wire_after(row, index),
+        ItemKind::Down => {
+            let up = drawing.up_of(row, index);
+            up.is_some_and(|up| drawing.has_wire_before(row + 1, up))
+        }
+        _ => false,
+    }
 }
 
 /// A branch of two between the same points.
@@ -134,9 +160,12 @@ pub(crate) fn branch_around(drawing: &Drawing, row: usize, things: Range<usize>)
         .flat_map(|row| drawing.all(row, ItemKind::Down).map(move |down| (row, down)))
         .filter_map(|(row, down)| Parallel::at(drawing, row, down));
     let sides = parallels.flat_map(|found| [(found.clone(), false), (found, true)]);
-    let range = |found: &Parallel, is_lower: bool| match is_lower {
-        true => (found.below, found.lower()),
-        false => (found.row, found.upper()),
+    let range = |found: &Parallel, is_lower: bool| {
+        if is_lower {
+            (found.below, found.lower())
+        } else {
+            (found.row, found.upper())
+        }
     };
     let (parallel, is_lower) = sides
         .filter(|(found, is_lower)| {
@@ -163,9 +192,10 @@ impl Branch {
 
     /// The rows without it.
     fn removed(&self, drawing: &Drawing) -> Option<Drawing> {
-        let new = match self.is_lower {
-            true => without_lower(drawing, &self.parallel, &self.region)?,
-            false => without_upper(drawing, &self.parallel, &self.region)?,
+        let new = if self.is_lower {
+            without_lower(drawing, &self.parallel, &self.region)?
+        } else {
+            without_upper(drawing, &self.parallel, &self.region)?
         };
         in_old_order(drawing, new).ok()
     }

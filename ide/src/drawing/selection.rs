@@ -9,9 +9,12 @@ use ladder_syntax::TextRange;
 pub(crate) fn things(drawing: &Drawing, range: TextRange) -> Vec<Spot> {
     let mut found = Vec::new();
     for (row, own) in drawing.rows.iter().enumerate() {
-        let reaches = |at: TextRange| match range.is_empty() {
-            true => at.contains_inclusive(range.start()),
-            false => at.start() < range.end() && range.start() < at.end(),
+        let reaches = |at: TextRange| {
+            if range.is_empty() {
+                at.contains_inclusive(range.start())
+            } else {
+                at.start() < range.end() && range.start() < at.end()
+            }
         };
         let touched = own.items.iter().enumerate().filter(|(_, item)| reaches(item.at));
         let touched: Vec<usize> = touched.map(|(index, _)| index).collect();

@@ -11,6 +11,7 @@ use crate::refactor::names::{called, each_name, numbered, tag_like};
 use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::SectionKind;
 use ladder_analysis::networks::network::{Formal, Meaning};
+use ladder_analysis::networks::{BlockAt, NetworkAt};
 use ladder_analysis::rules::declaration_fix::undeclared;
 use ladder_analysis::{Analysis, AnalyzeOptions, RuleGroup, Severity, analyze};
 use ladder_format::{Circuit, Edit, Options, apply};
@@ -52,13 +53,27 @@ impl Fragment {
         given: &Given,
         options: &Options,
     ) -> Result<Fragment, String> {
+        Fragment::of_block(context, scope, given, 0, options)
+    }
+
+    /// The same of a block that may have so many errors: those that it had before.
+    ///
+    /// # Errors
+    /// As of `read`.
+    pub(super) fn of_block(
+        context: &Context,
+        scope: usize,
+        given: &Given,
+        errors: usize,
+        options: &Options,
+    ) -> Result<Fragment, String> {
         let mut rungs = as_rungs(&given.text)?;
-        let mut analysis = checked(context, &rungs)?;
+        let mut analysis = checked(context, &rungs, errors)?;
         let mut copies = Vec::new();
         if given.copied {
             let (edits, found) = own_states(context, scope, &analysis);
             rungs = apply(&rungs, &edits);
-            analysis = checked(context, &rungs)?;
+            analysis = checked(context, &rungs, errors)?;
             copies = found;
         }
         let new = new_names(context, scope, &analysis, &copies, given)?;
@@ -68,9 +83,10 @@ impl Fragment {
         if !declares {
             declared.clear();
         }
-        let declarations = match declared.is_empty() {
-            true => Vec::new(),
-            false => declaring::pieces(context, scope, &copies, &new, options)?,
+        let declarations = if declared.is_empty() {
+            Vec::new()
+        } else {
+            declaring::pieces(context, scope, &copies, &new, options)?
         };
         Ok(Fragment {
             said: said(&analysis),
@@ -100,7 +116,7 @@ impl Fragment {
 }
 
 /// The rungs as a file of their own, if they can be read and hold nothing else.
-fn checked(context: &Context, rungs: &str) -> Result<Analysis, String> {
+fn checked(context: &Context, rungs: &str, errors: usize) -> Result<Analysis, String> {
     let parsed = Arc::new(parse(rungs));
     let items = &parsed.structure().items;
     if !items
@@ -110,21 +126,32 @@ fn checked(context: &Context, rungs: &str) -> Result<Analysis, String> {
         return Err("only networks and comments can be put in here".to_owned());
     }
     let analysis = analyze(&parsed, AnalyzeOptions::new(&context.name).among(&context.others));
-    let diagnostics = analysis.diagnostics();
-    let wrong = diagnostics.iter().find(|found| {
-        let is_drawing = matches!(found.rule.group(), RuleGroup::Text | RuleGroup::Connectors);
-        is_drawing && found.severity == Severity::Error
-    });
-    match wrong {
-        Some(found) => Err(found.message.clone()),
-        None => Ok(analysis),
+    let is_unpaired = analysis
+        .context
+        .networks
+        .iter()
+        .any(|network| !network.wiring.unpaired.is_empty());
+    let in_text = parsed.errors();
+    if in_text.len() <= errors && !is_unpaired {
+        return Ok(analysis);
     }
+    let place = in_text.first().map(|error| error.range);
+    let mut found = analysis
+        .diagnostics()
+        .iter()
+        .filter(|found| found.severity == Severity::Error);
+    let wrong = found.find(|found| match place {
+        Some(place) => found.range.contains_inclusive(place.start()),
+        None => found.rule.group() == RuleGroup::Connectors,
+    });
+    let wrong = wrong.or_else(|| analysis.diagnostics().first());
+    Err(wrong.map_or_else(|| "this cannot be read".to_owned(), |found| found.message.clone()))
 }
 
 /// What the first blocks are, in words.
 fn said(analysis: &Analysis) -> String {
     let context = &analysis.context;
-    let mut blocks = context.networks.iter().flat_map(|network| network.blocks());
+    let mut blocks = context.networks.iter().flat_map(NetworkAt::blocks);
     let Some(first) = blocks.next() else {
         return "Comment".to_owned();
     };
@@ -156,7 +183,7 @@ pub(super) struct Copied {
 fn own_states(context: &Context, scope: usize, analysis: &Analysis) -> (Vec<Edit>, Vec<Copied>) {
     let fragment = &analysis.context;
     let mut found: Vec<Copied> = Vec::new();
-    for block in fragment.networks.iter().flat_map(|network| network.blocks()) {
+    for block in fragment.networks.iter().flat_map(NetworkAt::blocks) {
         for (number, (operand, formal)) in block.facts.operands.iter().zip(&block.formals).enumerate() {
             let ty = match formal {
                 Formal::Operand(row) => match row.accepts {
@@ -196,7 +223,7 @@ fn own_states(context: &Context, scope: usize, analysis: &Analysis) -> (Vec<Edit
         }
     }
     let mut edits = Vec::new();
-    for block in fragment.networks.iter().flat_map(|network| network.blocks()) {
+    for block in fragment.networks.iter().flat_map(NetworkAt::blocks) {
         for operand in &block.facts.operands {
             each_name(&operand.value, &mut |name, range| {
                 let copy = found.iter().find(|copy| copy.of.eq_ignore_ascii_case(name));
@@ -212,7 +239,7 @@ fn own_states(context: &Context, scope: usize, analysis: &Analysis) -> (Vec<Edit
 }
 
 /// Whether the first operand of a block that the fragment does not know is the tag that keeps its state.
-fn is_instance(context: &Context, scope: usize, block: &ladder_analysis::networks::BlockAt<'_>) -> bool {
+fn is_instance(context: &Context, scope: usize, block: &BlockAt<'_>) -> bool {
     let head = Name::new(block.facts.head.text());
     let Some(definition) = context.user_blocks.iter().find(|known| known.key == head) else {
         return false;
@@ -259,7 +286,7 @@ fn new_names(
         })
         .collect();
     // What a block of the file itself takes.
-    for block in fragment.networks.iter().flat_map(|network| network.blocks()) {
+    for block in fragment.networks.iter().flat_map(NetworkAt::blocks) {
         if let Meaning::UnknownUser = block.meaning {
             let own = of_user_block(context, scope, &block);
             new.extend(own.into_iter().filter(|own| !is_known(&own.name)));
@@ -289,11 +316,7 @@ fn new_names(
 }
 
 /// The tags that a block of the file is called with, each of the type of its parameter.
-fn of_user_block(
-    context: &Context,
-    scope: usize,
-    block: &ladder_analysis::networks::BlockAt<'_>,
-) -> Vec<Declared> {
+fn of_user_block(context: &Context, scope: usize, block: &BlockAt<'_>) -> Vec<Declared> {
     let head = Name::new(block.facts.head.text());
     let own = context.user_blocks[..context.own_blocks].iter();
     let Some((number, definition)) = own.enumerate().find(|(_, known)| known.key == head) else {
@@ -326,7 +349,7 @@ fn of_user_block(
         };
         let mut names: Vec<(String, TextRange)> = Vec::new();
         each_name(&operand.value, &mut |name, range| {
-            names.push((name.to_owned(), range))
+            names.push((name.to_owned(), range));
         });
         if let ([(name, range)], Some(ty)) = (names.as_slice(), ty)
             && *range == operand.value.range

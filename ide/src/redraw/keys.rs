@@ -112,8 +112,8 @@ impl<'c> Key<'c> {
             piece.focus = Some(new.start() + TextSize::new(at as u32));
         }
         let said = format!("{} added", fragment.said);
-        let mut pieces = vec![piece];
-        pieces.extend(fragment.declarations);
+        let mut pieces = fragment.declarations;
+        pieces.push(piece);
         Redrawn::of(&self.context.parse, pieces, said, fragment.declared)
     }
 
@@ -281,9 +281,10 @@ impl<'c> Key<'c> {
         if !items.clone().any(|index| own[index].is_block()) {
             return Err(NO_BLOCK.to_owned());
         }
-        let what = match self.place.range.is_empty() {
-            true => items.map(|index| own[index].at).collect(),
-            false => vec![self.place.range],
+        let what = if self.place.range.is_empty() {
+            items.map(|index| own[index].at).collect()
+        } else {
+            vec![self.place.range]
         };
         change(self.context, &Change::Delete { what }, self.options)
     }

@@ -105,13 +105,15 @@ fn laid_out(
     Ok((apply(&text, &originals), places))
 }
 
+/// What is around networks in a body.
+const HEADER: &str = "FUNCTION_BLOCK [$B]\n";
+const END: &str = "\nEND_FUNCTION_BLOCK\n";
+
 /// The canonical layout of networks of the file or of a body.
 pub(super) fn formatted(text: &str, in_body: bool, options: &Options) -> String {
     if !in_body {
         return format_text(text, options);
     }
-    const HEADER: &str = "FUNCTION_BLOCK [$B]\n";
-    const END: &str = "\nEND_FUNCTION_BLOCK\n";
     let whole = format_text(&format!("{HEADER}{text}{END}"), options);
     let own = whole.strip_prefix(HEADER).and_then(|own| own.strip_suffix(END));
     own.unwrap_or(text).to_owned()

@@ -33,9 +33,10 @@ pub(super) fn with_heading(context: &Context, network: NetworkAt<'_>) -> Range<u
 /// Where some lines are, line ends included; without a byte order mark before them.
 pub(super) fn range_of(context: &Context, lines: Range<usize>) -> TextRange {
     let parse = &context.parse;
-    let end = match parse.lines().len() <= lines.end {
-        true => parse.text_len(),
-        false => parse.line_start(lines.end),
+    let end = if parse.lines().len() <= lines.end {
+        parse.text_len()
+    } else {
+        parse.line_start(lines.end)
     };
     let range = TextRange::new(parse.line_start(lines.start), end);
     let mark = TextSize::of('\u{feff}');

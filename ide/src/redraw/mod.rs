@@ -11,15 +11,22 @@
 //! Only the network that changes is laid out, and of the file nothing is asked but what the scope knows: it takes as long in a
 //! large file as in a small one.
 
+mod blocks;
 mod change;
+#[cfg(test)]
+mod change_tests;
+mod comments;
 mod declaring;
 mod editable;
 mod fragment;
 mod keys;
 mod layout;
 mod lines;
+mod networks;
 mod offer;
 mod piece;
+#[cfg(test)]
+mod properties;
 #[cfg(test)]
 mod tests;
 mod words;

@@ -101,12 +101,16 @@ pub fn offer(
     Ok(offered)
 }
 
+const NOT_A_RUN: &str = "select things that follow each other on one line";
+const NO_ABOVE: &str = "no network of its program, function or block is above it";
+const NO_BELOW: &str = "no network of its program, function or block is below it";
+
 struct Desk<'c> {
     context: &'c Context,
     options: &'c Options,
 }
 
-impl<'c> Desk<'c> {
+impl Desk<'_> {
     /// Whether a change can be made.
     fn tried(&self, op: &'static str, what: Result<Change, &'static str>) -> Offer {
         let done = what.map_err(str::to_owned);
@@ -162,7 +166,6 @@ impl<'c> Desk<'c> {
         let run = carry::copied(&drawing, &spots);
         let around = gaps_around(&drawing, &spots);
         let anchors = around.map(|gaps| gaps.map(|gap| gap.anchor(&drawing)));
-        const NOT_A_RUN: &str = "select things that follow each other on one line";
         let parallel = |side| {
             let [from, to] = anchors.ok_or(NOT_A_RUN)?;
             Ok(Change::Parallel {
@@ -243,8 +246,6 @@ impl<'c> Desk<'c> {
             network: start(network),
             before: before.map(start),
         };
-        const NO_ABOVE: &str = "no network of its program, function or block is above it";
-        const NO_BELOW: &str = "no network of its program, function or block is below it";
         let offers = vec![
             self.tried("networkAbove", Ok(network_there(true))),
             self.tried("networkBelow", Ok(network_there(false))),

@@ -84,9 +84,10 @@ impl Redrawn {
             select.extend(piece.new.iter().map(|range| *range + new_start));
             let focus = piece.focus.map(|focus| focus + new_start);
             // Where something is new a person goes on, rather than where something was.
-            match piece.new.is_empty() {
-                true => on_old = on_old.or(focus),
-                false => on_new = on_new.or(focus),
+            if piece.new.is_empty() {
+                on_old = on_old.or(focus);
+            } else {
+                on_new = on_new.or(focus);
             }
             shift += piece.text.len() as i64 - i64::from(u32::from(piece.range.len()));
         }

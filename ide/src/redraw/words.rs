@@ -18,15 +18,12 @@ pub(super) fn as_rungs(text: &str) -> Result<String, String> {
         return Err("there is nothing to draw".to_owned());
     };
     let options = Options::default();
-    if may_be_rung_text(first) || begins_with_word(first) {
-        // What was copied from Logix has its meaning there.
-        if let Some(read) = read_rung_text(text)
-            && read.problems.is_empty()
-        {
-            return Ok(read.program.write(&options).text);
-        }
-        let program = read_entry(text).map_err(|wrong| wrong.message)?;
-        return Ok(program.write(&options).text);
+    // What was copied from Logix has its meaning there.
+    if may_be_rung_text(first)
+        && let Some(read) = read_rung_text(text)
+        && read.problems.is_empty()
+    {
+        return Ok(read.program.write(&options).text);
     }
     let drawn: Vec<&str> = lines
         .iter()
@@ -39,6 +36,10 @@ pub(super) fn as_rungs(text: &str) -> Result<String, String> {
             return Err(format!("`{}`: {}", problem.text.trim(), problem.why));
         }
         return Ok(read.program.write(&options).text);
+    }
+    if may_be_rung_text(first) || begins_with_word(first) {
+        let program = read_entry(text).map_err(|wrong| wrong.message)?;
+        return Ok(program.write(&options).text);
     }
     if lines.iter().any(|line| line.trim_start().starts_with('+')) {
         return Ok(text.to_owned());

@@ -86,20 +86,19 @@ pub(crate) fn operand<'t>(block: &BoundBlock, text: &'t str, number: usize) -> O
 
 /// Every name in an expression, with its place.
 pub(crate) fn each_name(node: &Node, found: &mut dyn FnMut(&str, TextRange)) {
+    let mut each = |nodes: &[&Node]| {
+        for node in nodes {
+            each_name(node, found);
+        }
+    };
     match &node.kind {
         NodeKind::Name(name) => found(name, node.range),
-        NodeKind::Member(base, _) | NodeKind::Unary(_, base) | NodeKind::Paren(base) => {
-            each_name(base, found)
-        }
-        NodeKind::Index(base, index) => [base, index].into_iter().for_each(|node| each_name(node, found)),
-        NodeKind::Range(base, first, last) => {
-            [base, first, last]
-                .into_iter()
-                .for_each(|node| each_name(node, found));
-        }
-        NodeKind::Binary(_, left, right) => [left, right].into_iter().for_each(|node| each_name(node, found)),
+        NodeKind::Member(base, _) | NodeKind::Unary(_, base) | NodeKind::Paren(base) => each(&[base]),
+        NodeKind::Index(base, index) => each(&[base, index]),
+        NodeKind::Range(base, first, last) => each(&[base, first, last]),
+        NodeKind::Binary(_, left, right) => each(&[left, right]),
         NodeKind::Call(_, values) | NodeKind::Array(values) | NodeKind::Repeat(_, values) => {
-            values.iter().for_each(|node| each_name(node, found));
+            each(&values.iter().collect::<Vec<_>>());
         }
         NodeKind::Address(_)
         | NodeKind::Members(_)

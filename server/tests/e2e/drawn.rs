@@ -113,3 +113,164 @@ async fn each_operation_gives_its_drawing() {
     }
     assert!(failed.is_empty(), "{}", failed.join("\n"));
 }
+
+const MOTOR: &str = "\
+# Motor #
++--\\--[ ]( start )--\\--[/]( stop )---------------------------------( )( run )--+
+|  /--[ ]( run )----/                                                          |
+
+# ladder: fmt off #
++--[ ]( run )--( )( lamp )--+
+# ladder: fmt on #
+";
+
+#[tokio::test]
+async fn a_change_is_for_the_text_that_the_server_has() {
+    let mut client = Client::new().await;
+    client.open(MOTOR).await;
+    let insert = json!({"op": "insert", "at": {"line": 1, "character": 22}, "text": "[/]( overload )"});
+    let outdated = edited(&mut client, 7, insert.clone()).await;
+    assert_eq!(outdated.unwrap_err().0, -32801);
+    let done = edited(&mut client, 1, insert).await.unwrap();
+    assert_eq!(done["said"], "Closed contact overload added");
+    assert_eq!(done["focus"], done["select"][0]["start"]);
+    let asked_of_none = json!({"uri": "file:///plant/none.clad", "version": 1, "network": 0});
+    let refused = asked(&mut client, "ladder.diagramOffer", asked_of_none)
+        .await
+        .unwrap_err();
+    assert_eq!(
+        refused,
+        (
+            -32803,
+            "file:///plant/none.clad is not open in the editor".to_owned()
+        )
+    );
+    let by_hand = json!({"op": "insert", "at": {"line": 5, "character": 14}, "text": "[ ]( x )"});
+    let refused = edited(&mut client, 1, by_hand).await.unwrap_err();
+    assert_eq!(refused.0, -32803);
+    assert!(refused.1.contains("`fmt off`"), "{}", refused.1);
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn names_change_everywhere() {
+    let mut client = Client::new().await;
+    client.open(MOTOR).await;
+    let what = json!({"start": {"line": 2, "character": 11}, "end": {"line": 2, "character": 14}});
+    let rename = json!({"op": "rename", "what": what, "text": "motor"});
+    let done = edited(&mut client, 1, rename).await.unwrap();
+    assert_eq!(
+        applied(MOTOR, &done),
+        "\
+# Motor #
++--\\--[ ]( start )--\\--[/]( stop )-------------------------------( )( motor )--+
+|  /--[ ]( motor )--/                                                          |
+
+# ladder: fmt off #
++--[ ]( motor )--( )( lamp )--+
+# ladder: fmt on #
+"
+    );
+    client.finish().await;
+}
+
+/// What of a drawing is about drawing in it.
+fn drawing_in(svg: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for name in ["point", "joins", "tight"] {
+        let attribute = format!(" data-{name}=\"");
+        let values = svg.split(&attribute).skip(1);
+        found.extend(values.map(|rest| format!("{name} {}", rest.split('"').next().unwrap())));
+    }
+    found
+}
+
+#[tokio::test]
+async fn a_drawing_has_its_points() {
+    let mut client = Client::new().await;
+    client
+        .open(
+            "\
++--\\--[ ]( a )--\\--[ ]( b )--\\-----\\--# c #--( )( y )--+
+|  /--\\         /--[ ]( c )--/  \\--/
+|     /--[ ]( d )---------------/
+
++--[ ]( a )[ ]( b )--|--( )( y )--+
+",
+        )
+        .await;
+    let argument = json!({"uri": URI, "lines": {"first": 0, "last": 9}});
+    let drawn = asked(&mut client, "ladder.diagram", argument).await.unwrap();
+    let svg = drawn["pieces"][0]["svg"].as_str().unwrap();
+    assert_eq!(
+        drawing_in(svg),
+        [
+            "point 0:1",
+            "point 0:4",
+            "point 0:14",
+            "point 0:17",
+            "point 0:27",
+            "point 0:36",
+            "point 0:43",
+            "point 0:53",
+            "point 1:17",
+            "point 1:27",
+            "point 2:7",
+            "point 2:17",
+            "joins 0:3,1:3",
+            "joins 0:16,1:16",
+            "joins 0:29,1:29 0:35,1:35",
+            "joins 1:6,2:6",
+            "joins 1:32,2:32",
+            "tight 0:30",
+        ]
+    );
+    assert!(svg.contains("data-at=\"0:38\" data-end=\"0:43\""), "{svg}");
+    let broken = &drawn["pieces"][1];
+    assert_eq!(broken["editable"], false);
+    assert!(broken["why"].as_str().unwrap().contains("`|`"), "{broken}");
+    assert_eq!(
+        drawing_in(broken["svg"].as_str().unwrap_or_default()),
+        Vec::<String>::new()
+    );
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn what_can_be_done_is_said_with_why_not() {
+    let mut client = Client::new().await;
+    client.open(MOTOR).await;
+    let mut offers = Vec::new();
+    for asked_about in [
+        json!({"at": {"line": 1, "character": 22}}),
+        json!({"what": [{"start": {"line": 1, "character": 3}, "end": {"line": 1, "character": 21}}]}),
+        json!({"network": 1}),
+        json!({"network": 5}),
+        json!({"at": {"line": 1, "character": 22}, "text": "[TON]( t, T#1s )"}),
+    ] {
+        let mut argument = json!({"uri": URI, "version": 1});
+        argument
+            .as_object_mut()
+            .unwrap()
+            .extend(asked_about.as_object().unwrap().clone());
+        let offered = asked(&mut client, "ladder.diagramOffer", argument).await.unwrap();
+        let not = offered["offers"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .filter(|offer| offer.get("why").is_some());
+        let not: Vec<&str> = not.map(|offer| offer["op"].as_str().unwrap()).collect();
+        offers.push(format!("{not:?} {}", offered.get("text").unwrap_or(&Value::Null)));
+    }
+    assert_eq!(
+        offers,
+        [
+            "[] null",
+            "[\"operand\", \"head\", \"split\"] \"\\\\--[ ]( start )--\\\\\\n   /--[ ]( run )--/\"",
+            "[\"moveUp\", \"merge\"] \"# Motor #\\n+--\\\\--[ ]( start )--\\\\--[/]( stop )---------------------------------( )( run )--+\\n|  /--[ ]( run )----/                                                          |\\n\"",
+            "[\"moveDown\", \"merge\"] \"# ladder: fmt off #\\n+--[ ]( run )--( )( lamp )--+\\n\"",
+            "[] null",
+        ]
+    );
+    client.finish().await;
+}

@@ -1,12 +1,13 @@
 //! What an editor asks of a text, at a place and as a whole.
 
 use ladder_analysis::Analysis;
-use ladder_format::{Edit, Options};
+use ladder_format::{Edit, Options, apply};
 use ladder_ide::{
-    Alone, TRIGGERS, callers_at, completions, declaration, definition, documentation, fix_all, folds,
-    highlights, hover, implementation, incoming_calls, inlays, lenses, links, on_type, outgoing_calls,
-    outline, prepare_rename, quick_fixes, refactorings, references, rename, selections, semantic_tokens,
-    signature_help, type_definition, workspace_symbols,
+    Alone, Asked, Change, Given, Redraw, Side, TRIGGERS, callers_at, change, completions, declaration,
+    definition, documentation, fix_all, folds, highlights, hover, implementation, incoming_calls, inlays,
+    lenses, links, offer, on_type, outgoing_calls, outline, points_of, prepare_rename, quick_fixes, redraw,
+    refactorings, references, rename, selections, semantic_tokens, signature_help, type_definition,
+    workspace_symbols,
 };
 use ladder_picture::live::pieces;
 use ladder_syntax::{TextRange, TextSize};
@@ -15,7 +16,7 @@ use ladder_syntax::{TextRange, TextSize};
 pub type Ask = fn(&Analysis, TextSize, TextSize);
 
 /// All features that are asked at a place.
-pub const FEATURES: [(&str, Ask); 20] = [
+pub const FEATURES: [(&str, Ask); 21] = [
     ("hover", |it, at, _| drop(hover(&it.context, at))),
     ("completion", |it, at, end| {
         for item in completions(&it.context, at, None).items {
@@ -111,7 +112,53 @@ pub const FEATURES: [(&str, Ask); 20] = [
                 assert!(piece.range.contains_inclusive(offset));
                 String::new()
             };
-            drop(piece.svg(&it.context, &[], &place));
+            let points = piece.network().map(|network| points_of(&it.context, network));
+            let points = points.and_then(Result::ok).unwrap_or_default();
+            drop(piece.svg(&it.context, &points, &place));
+        }
+    }),
+    ("what is drawn there", |it, at, end| {
+        let what = TextRange::new(at, end.min(at + TextSize::new(24)));
+        let given = Given {
+            text: "[ ]( drawn )".to_owned(),
+            ..Given::default()
+        };
+        let changes = [
+            Change::Insert {
+                at,
+                given: given.clone(),
+            },
+            Change::Parallel {
+                from: what.start(),
+                to: what.end(),
+                side: Side::Below,
+                given: given.clone(),
+            },
+            Change::Delete { what: vec![what] },
+            Change::Network {
+                near: Some(at),
+                is_above: true,
+                given,
+            },
+        ];
+        for wanted in changes {
+            if let Ok(done) = change(&it.context, &wanted, &Options::default()) {
+                apart(&done.edits, end);
+                let new = apply(&it.context.parse.to_string(), &done.edits);
+                let is_there = |range: &TextRange| new.get(std::ops::Range::<usize>::from(*range)).is_some();
+                assert!(done.select.iter().all(is_there), "{wanted:?}");
+            }
+        }
+        drop(offer(
+            &it.context,
+            &Asked::What(vec![what]),
+            None,
+            &Options::default(),
+        ));
+        for key in [Redraw::Branch, Redraw::Left, Redraw::Down, Redraw::Delete] {
+            if let Ok(done) = redraw(&it.context, what, key, &Options::default()) {
+                apart(&done.edits, end);
+            }
         }
     }),
     ("tokens from there on", |it, at, end| {
