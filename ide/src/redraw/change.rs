@@ -158,7 +158,7 @@ impl Work<'_> {
     fn parallel(&self, from: TextSize, to: TextSize, side: Side, given: &Given) -> Done {
         let (network, drawing) = self.drawn(from)?;
         let gap = |place| Gap::on_line(&drawing, place).ok_or(NO_WIRE);
-        let gaps = [gap(from)?, gap(to)?];
+        let gaps = [gap(from.min(to))?, gap(to.max(from))?];
         let fragment = self.fragment(network.scope, given)?;
         let new = beside::with(&drawing, gaps, fragment.parts()?, side)?;
         let things = things(&drawing, TextRange::new(from.min(to), to.max(from)));

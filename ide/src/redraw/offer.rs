@@ -65,8 +65,8 @@ pub struct Offered {
     pub name: String,
 }
 
-/// A contact to try things with.
-const TRIAL: &str = "[ ]( x )";
+/// A contact to try things with: it names no tag that would be declared.
+const TRIAL: &str = "[ ]( %I0.0 )";
 
 /// What can be done; `text` is what a person wants to put in.
 ///

@@ -2,7 +2,7 @@
 
 use super::{Change, Given, change, points_of};
 use crate::drawing::beside::Side;
-use crate::drawing::rows::{Drawing, Item};
+use crate::drawing::rows::{Drawing, Item, ItemKind};
 use crate::drawing::term::{Rung, items, normal};
 use ladder_analysis::context as read;
 use ladder_analysis::context::Context;
@@ -222,6 +222,77 @@ fn a_network_stays_the_drawing_of_its_term() {
         made > 4_000 && refused < 500,
         "{made} were made, {refused} refused"
     );
+}
+
+/// A network from a fork on: branches that end by themselves, at the right rail, at nothing, or with a loose wire.
+fn with_ends(random: &mut Random, depth: usize, names: &mut usize) -> Vec<Circuit<Item>> {
+    let own = series(random, depth, names);
+    let by = |text: String| Circuit::Element(Item::block(text));
+    let mut parts: Vec<Circuit<Item>> = own.into_iter().map(|part| part.replaced(&by)).collect();
+    if depth > 0 && random.below(2) == 0 {
+        let branches = (0..2 + random.below(2)).map(|_| Circuit::Series(with_ends(random, depth - 1, names)));
+        parts.push(Circuit::Parallel(branches.collect()));
+    } else {
+        let end = match random.below(3) {
+            0 => Item::new(ItemKind::Open, "", true),
+            1 => Item::new(ItemKind::Stub, "--", true),
+            _ => Item::right_rail(),
+        };
+        parts.push(Circuit::Element(end));
+    }
+    parts
+}
+
+#[test]
+fn branches_that_end_by_themselves_are_a_term() {
+    let mut random = Random(11);
+    for step in 0..1_000 {
+        let mut names = 0;
+        let parts = with_ends(&mut random, 3, &mut names);
+        let like = parse("+--[ ]( a )--+\n");
+        let like = Drawing::of_text(&like, &like.structure().networks[0]).expect("it is drawn");
+        let rung = Rung {
+            parts: Vec::new(),
+            railed: false,
+        };
+        let drawn = rung.draw_bare(&like, normal(parts)).text();
+        let text = format_text(&format!("{drawn}\n"), &Options::default());
+        let parsed = parse(&text);
+        assert_eq!(parsed.structure().networks.len(), 1, "{text}");
+        let drawing = Drawing::of_text(&parsed, &parsed.structure().networks[0]).expect("it is drawn");
+        let read = Rung::with_ends(&drawing).unwrap_or_else(|| panic!("no term:\n{text}"));
+        let again = read.draw(&drawing, read.parts.clone()).text();
+        assert_eq!(format_text(&format!("{again}\n"), &Options::default()), text);
+        // What is put in goes again, and nothing else with it.
+        let points = points_of(&context(&text), 0).expect("it can be changed");
+        let insert = Change::Insert {
+            at: points[random.below(points.len())],
+            given: given("[/]( m )"),
+        };
+        let (new, selected) = changed(&text, &insert).unwrap_or_else(|why| panic!("{why}\n{text}"));
+        assert_eq!(selected, ["[/]( m )"]);
+        assert_eq!(format_text(&new, &Options::default()), new);
+        let name = format!("[ ]( n{} )", 1 + step % names);
+        let around = at(&new, &name);
+        let beside = Change::Parallel {
+            from: around.start(),
+            to: around.end(),
+            side: Side::Below,
+            given: given("[P]( p )"),
+        };
+        let (more, _) = changed(&new, &beside).unwrap_or_else(|why| panic!("{why}\n{new}"));
+        assert_eq!(format_text(&more, &Options::default()), more);
+        for (from, gone, to) in [(&more, "[P]( p )", &new), (&new, "[/]( m )", &text)] {
+            let back = Change::Delete {
+                what: vec![at(from, gone)],
+            };
+            assert_eq!(
+                &changed(from, &back).expect("it goes again").0,
+                to,
+                "from\n{from}"
+            );
+        }
+    }
 }
 
 #[test]
