@@ -52,7 +52,7 @@ pub(crate) async fn asked(client: &mut Client, command: &str, argument: Value) -
     client.request("workspace/executeCommand", params).await
 }
 
-async fn edited(client: &mut Client, version: i64, edit: Value) -> Answer {
+async fn edited(client: &mut Client, version: i32, edit: Value) -> Answer {
     asked(
         client,
         "ladder.diagramEdit",
@@ -96,8 +96,8 @@ async fn each_operation_gives_its_drawing() {
     let mut failed = Vec::new();
     let cases = cases();
     assert!(cases.len() >= 24);
+    let mut client = Client::with_encoding("utf-16").await;
     for case in cases {
-        let mut client = Client::with_encoding("utf-16").await;
         let before = read(&case, "before.clad");
         client.open(&before).await;
         let operation: Value = serde_json::from_str(&read(&case, "operation.json")).unwrap();
@@ -109,8 +109,9 @@ async fn each_operation_gives_its_drawing() {
         if got != after {
             failed.push(format!("{}\nwant\n{after}\ngot\n{got}", case.display()));
         }
-        client.finish().await;
+        client.close().await;
     }
+    client.finish().await;
     assert!(failed.is_empty(), "{}", failed.join("\n"));
 }
 
@@ -271,6 +272,86 @@ async fn what_can_be_done_is_said_with_why_not() {
             "[\"moveDown\", \"merge\"] \"# ladder: fmt off #\\n+--[ ]( run )--( )( lamp )--+\\n\"",
             "[] null",
         ]
+    );
+    client.finish().await;
+}
+
+/// Makes a change, as an editor does, and returns the new text.
+async fn drawn(client: &mut Client, text: &str, version: i32, edit: Value) -> String {
+    let done = edited(client, version, edit).await.unwrap();
+    let new = applied(text, &done);
+    client.replace(version + 1, &new).await;
+    new
+}
+
+/// Where something is in a text: its first place, and the one behind it.
+fn around(text: &str, what: &str) -> [Value; 2] {
+    let start = text
+        .find(what)
+        .unwrap_or_else(|| panic!("{what} is not in\n{text}"));
+    [start, start + what.len()].map(|at| {
+        let line = text[..at].matches('\n').count();
+        let character = at - text[..at].rfind('\n').map_or(0, |end| end + 1);
+        json!({"line": line, "character": character})
+    })
+}
+
+#[tokio::test]
+async fn a_motor_starter_is_drawn_from_nothing() {
+    let mut client = Client::new().await;
+    client.open("").await;
+    let first = json!({"op": "network", "place": "below", "entry": "XIC start OTE run",
+        "declare": {"section": "VAR_INPUT", "type": "BOOL"}});
+    let mut text = drawn(&mut client, "", 1, first).await;
+    let [from, to] = around(&text, "[ ]( start )");
+    let seal_in = json!({"op": "parallel", "from": from, "to": to, "side": "below", "text": "[ ]( run )"});
+    text = drawn(&mut client, &text, 2, seal_in).await;
+    let [at, _] = around(&text, "( )( run )");
+    text = drawn(
+        &mut client,
+        &text,
+        3,
+        json!({"op": "insert", "at": at, "text": "[/]( stop )"}),
+    )
+    .await;
+    let second = json!({"op": "network", "place": "below", "entry": "XIC run TON warm T#5s OTE ready"});
+    text = drawn(&mut client, &text, 4, second).await;
+    let [at, _] = around(&text, "+--\\--[ ]( start )");
+    text = drawn(
+        &mut client,
+        &text,
+        5,
+        json!({"op": "comment", "network": at["line"], "text": "Motor"}),
+    )
+    .await;
+    let [from, to] = around(&text, "( )( ready )");
+    let lamp =
+        json!({"op": "parallel", "from": from, "to": to, "side": "below", "text": "[/]( off )--( )( lamp )"});
+    text = drawn(&mut client, &text, 6, lamp).await;
+    assert_eq!(
+        text,
+        "\
+VAR_INPUT
+    start : BOOL;
+    stop  : BOOL;
+    off   : BOOL;
+END_VAR
+VAR_OUTPUT
+    run   : BOOL;
+    ready : BOOL;
+    lamp  : BOOL;
+END_VAR
+VAR
+    warm : TON;
+END_VAR
+
+# Motor #
++--\\--[ ]( start )--\\--[/]( stop )---------------------------------( )( run )--+
+|  /--[ ]( run )----/                                                          |
+
++--[ ]( run )--[TON]( warm, T#5s )--\\-------------------------( )( ready )--\\--+
+|                                   /--[/]( off )--------------( )( lamp )--/  |
+"
     );
     client.finish().await;
 }
