@@ -237,7 +237,14 @@ impl Uses<'_> {
             ExpressionKind::Call(call) => {
                 self.place(&call.callee);
                 for argument in &call.arguments {
-                    argument.value.iter().for_each(|value| self.expression(value));
+                    match &argument.value {
+                        Some(Expression {
+                            kind: ExpressionKind::Place(place),
+                            ..
+                        }) if argument.direction != Direction::In => self.target(place),
+                        Some(value) => self.expression(value),
+                        None => {}
+                    }
                 }
             }
         }

@@ -80,7 +80,11 @@ impl Lowering<'_, '_> {
     pub(super) fn call(&mut self, call: &Call) -> Lowered<()> {
         if call.callee.steps.is_empty() {
             if let Some(shape) = self.around.scope.function_named(&call.callee.root) {
-                return self.function_alone(&Rc::clone(shape), call);
+                let shape = Rc::clone(shape);
+                return match self.enabled(call)? {
+                    Some(enabled) => self.enabled_alone(&enabled, &shape),
+                    None => self.function_alone(&shape, call),
+                };
             }
             if self.around.scope.known(&call.callee.root).is_none() {
                 if let Some(instructions) = self.around.instructions {
@@ -91,9 +95,15 @@ impl Lowering<'_, '_> {
         }
         let (path, ty) = self.instance(&call.callee)?;
         match ty {
+            Type::Standard(_) | Type::Trigger(_) if self.enabled(call)?.is_some() => {
+                Err(format!("a call of `{path}` with EN or ENO is not read: use IF"))
+            }
             Type::Standard(mnemonic) => self.standard_block(mnemonic, &path, call),
             Type::Trigger(edge) => self.trigger(edge, &path, call),
-            Type::Block(shape) => self.user_block(&shape, &path, call),
+            Type::Block(shape) => match self.enabled(call)? {
+                Some(enabled) => self.enabled_block(&enabled, &shape, &path),
+                None => self.user_block(&shape, &path, call),
+            },
             _ => Err(format!("`{path}` is not a block that can be called")),
         }
     }
@@ -204,7 +214,7 @@ impl Lowering<'_, '_> {
     }
 
     /// An output that goes into a tag, after the call.
-    fn taken(&mut self, value: Value, to: &Path, ty: &Type, direction: Direction) -> Lowered<()> {
+    pub(super) fn taken(&mut self, value: Value, to: &Path, ty: &Type, direction: Direction) -> Lowered<()> {
         let value = if direction == Direction::OutNegated {
             Value::of(value.expression.negated(), Type::BOOL)
         } else {
@@ -216,7 +226,7 @@ impl Lowering<'_, '_> {
     }
 
     /// A second block on one instance works on the one state, as a second call does there.
-    fn once_more(&mut self, path: &Path, rule: &str) {
+    pub(super) fn once_more(&mut self, path: &Path, rule: &str) {
         if !self.instances.insert(path.to_string().to_lowercase()) {
             self.directives
                 .push(format!("allow({rule}): several calls of {path}"));

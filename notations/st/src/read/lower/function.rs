@@ -100,6 +100,9 @@ impl Lowering<'_, '_> {
         if !call.callee.steps.is_empty() {
             return Err(format!("`{name}` has methods, which have no counterpart"));
         }
+        if let Some(enabled) = self.enabled(call)? {
+            return self.enabled_function(&enabled, None);
+        }
         if let Some(shape) = self.around.scope.function_named(name) {
             return self.of_user(&Rc::clone(shape), call);
         }
@@ -396,9 +399,6 @@ impl Lowering<'_, '_> {
         } in &call.arguments
         {
             let parameter = match name {
-                Some(name) if name.eq_ignore_ascii_case("EN") || name.eq_ignore_ascii_case("ENO") => {
-                    return Err("a call with EN or ENO is not read: use IF".to_owned());
-                }
                 Some(name) => parameters.iter().find(|own| own.name.eq_ignore_ascii_case(name)),
                 None => places.next(),
             };

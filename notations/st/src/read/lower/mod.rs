@@ -4,6 +4,7 @@ mod call;
 mod cases;
 mod condition;
 mod conversion;
+mod enabled;
 mod expression;
 mod function;
 mod literal;

@@ -100,7 +100,8 @@ fn begin(path: &Path, ty: &Type, initial: Option<&Expression>) -> Option<Block> 
     Block::of(Op::Mov, [Operand::from(path), literal.into()]).ok()
 }
 
-fn zero(ty: Scalar) -> Literal {
+/// What a type begins with.
+pub(super) fn zero(ty: Scalar) -> Literal {
     let text = match ty {
         Scalar::Bool => "FALSE",
         Scalar::Real | Scalar::Lreal => "0.0",

@@ -1,9 +1,10 @@
 //! Assignments, IF and CASE.
 
-use super::super::scope::{ParameterRole, Type};
+use super::super::scope::{ParameterRole, Scope, Type};
 use super::super::tree::{
     Assignment, Expression as Tree, ExpressionKind, LiteralKind, Place, Span, Statement, StatementKind, Step,
 };
+use super::super::uses::Uses;
 use super::condition::Power;
 use super::expression::may_fault;
 use super::place::has_computed_index;
@@ -192,6 +193,20 @@ impl Lowering<'_, '_> {
             }
             let parts = vec![self.circuit(&power), self.element(Block::coil(&path))];
             self.network(parts);
+            return Ok(());
+        }
+        if let ([], ExpressionKind::Call(call), Some(scalar)) = (others, &value.kind, ty.scalar())
+            && path.whole().is_some()
+            && is_named_once(statement, &last.root)
+            && let Some(enabled) = self.enabled(call)?
+        {
+            let shown = self.shown(&statement.span);
+            self.comments.extend(shown);
+            let value = self.enabled_function(&enabled, Some((&path, scalar)))?;
+            if value.expression.path() != Some(&path) {
+                self.assign(&path, &ty, value)?;
+                self.flush();
+            }
             return Ok(());
         }
         let value = self.value(value)?;
@@ -497,6 +512,14 @@ fn has_call(tree: &Tree) -> bool {
         ExpressionKind::Binary(_, left, right) => may_fault(right) || has_call(left) || has_call(right),
         _ => false,
     }
+}
+
+/// Whether a statement names a tag in one place only.
+fn is_named_once(statement: &Statement, root: &str) -> bool {
+    let scope = Scope::default();
+    let uses = Uses::of(std::slice::from_ref(statement), &scope);
+    let root = root.to_lowercase();
+    uses.names().any(|(name, count)| *name == root && count == 1)
 }
 
 /// Whether what follows some statements is not reached from them.

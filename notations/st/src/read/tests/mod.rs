@@ -1,5 +1,6 @@
 //! Each construct of Structured Text, with the ladder text that it becomes.
 
+mod enabled;
 mod hostile;
 
 use super::dialect::Dialect;
