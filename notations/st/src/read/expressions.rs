@@ -181,9 +181,7 @@ impl Cursor<'_> {
             }
             TokenKind::Address => {
                 self.bump();
-                let bit = word.strip_prefix("%X").or_else(|| word.strip_prefix("%x"));
-                let bit = bit.and_then(|bit| bit.parse().ok());
-                Ok(bit.map_or(Step::Other("a byte or word of a word"), Step::Bit))
+                Ok(part(word).unwrap_or(Step::Other("a part of a word of this kind")))
             }
             TokenKind::Sign("[") => {
                 self.bump();
@@ -247,4 +245,18 @@ impl Cursor<'_> {
             value,
         })
     }
+}
+
+/// `%X3`, `%B1`, `%W0`, `%D1`: a part of a word.
+fn part(word: &str) -> Option<Step> {
+    let mut letters = word.strip_prefix('%')?.chars();
+    let size = letters.next()?.to_ascii_uppercase();
+    let number: u32 = letters.as_str().parse().ok()?;
+    Some(match size {
+        'X' => Step::Bit(number),
+        'B' => Step::Part(8, number),
+        'W' => Step::Part(16, number),
+        'D' => Step::Part(32, number),
+        _ => return None,
+    })
 }

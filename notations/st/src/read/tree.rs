@@ -80,7 +80,9 @@ pub(super) enum Step {
     ComputedBit(Box<Expression>),
     /// `[i, j]`
     Index(Vec<Expression>),
-    /// `^`, `.%B1`: what ladder text does not have.
+    /// `.%B1`, `.%W0`, `.%D1`: how many bits, and the number of the part.
+    Part(u32, u32),
+    /// `^`: what ladder text does not have.
     Other(&'static str),
 }
 

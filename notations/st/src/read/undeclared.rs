@@ -1,7 +1,7 @@
 //! Tags that another file declares: the types that their places ask for.
 
 use super::dialect::Dialect;
-use super::lower::plain_types;
+use super::lower::{bits_of, plain_types};
 use super::scope::{ParameterRole, Scope, Type, elementary};
 use super::token::{TokenKind, tokens};
 use super::tree::{
@@ -237,6 +237,7 @@ impl Asked<'_> {
         for step in &place.steps {
             ty = match (step, ty) {
                 (Step::Member(_), Type::Trigger(_)) | (Step::Bit(_) | Step::ComputedBit(_), _) => Type::BOOL,
+                (Step::Part(bits, _), _) => Type::Scalar(bits_of(*bits)?),
                 (Step::Member(name), ty) => ty.member(name)?.1,
                 (Step::Index(_), Type::Array(_, of)) => *of,
                 _ => return None,

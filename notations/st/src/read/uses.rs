@@ -185,7 +185,7 @@ impl Uses<'_> {
             match step {
                 Step::Index(indices) => indices.iter().for_each(|index| self.expression(index)),
                 Step::ComputedBit(bit) => self.expression(bit),
-                Step::Member(_) | Step::Bit(_) | Step::Other(_) => {}
+                Step::Member(_) | Step::Bit(_) | Step::Part(..) | Step::Other(_) => {}
             }
         }
     }

@@ -72,7 +72,11 @@ impl Lowering<'_, '_> {
     }
 
     /// The value of a function with `EN`. It goes into a place that the call does not name, or into a tag of the reader's own.
-    pub(super) fn enabled_function(&mut self, enabled: &Enabled, to: Option<(&Path, Scalar)>) -> Lowered<Value> {
+    pub(super) fn enabled_function(
+        &mut self,
+        enabled: &Enabled,
+        to: Option<(&Path, Scalar)>,
+    ) -> Lowered<Value> {
         let power = self.power_of(enabled)?;
         let value = self.function(&enabled.call)?;
         let ty = match value.scalar() {
@@ -108,7 +112,10 @@ impl Lowering<'_, '_> {
         let mut in_outs = Vec::new();
         for one in std::mem::take(&mut own.arguments) {
             let parameter = match &one.name {
-                Some(name) => shape.parameters.iter().find(|own| own.name.eq_ignore_ascii_case(name)),
+                Some(name) => shape
+                    .parameters
+                    .iter()
+                    .find(|own| own.name.eq_ignore_ascii_case(name)),
                 None => places.next(),
             };
             let parameter = parameter.ok_or_else(|| format!("`{path}` does not have such an operand"))?;

@@ -29,6 +29,9 @@ impl Lowering<'_, '_> {
                     let is_on = shifted.with(Operator::And, 1).with(Operator::NotEqual, 0);
                     return Ok(Value::of(is_on, Type::BOOL));
                 }
+                if let Some(part) = self.part(place)? {
+                    return self.value_of_part(&part);
+                }
                 let (path, ty) = self.path(place)?;
                 Ok(Value::of(path, ty))
             }

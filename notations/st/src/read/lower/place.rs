@@ -162,6 +162,7 @@ impl Lowering<'_, '_> {
                 Ok((path.index(all), ty))
             }
             Step::ComputedBit(_) => Err("a bit whose number is computed has no counterpart here".to_owned()),
+            Step::Part(..) => Err("a part of a word is not used so here".to_owned()),
             Step::Other(what) => Err(format!("{what} has no counterpart here")),
         }
     }

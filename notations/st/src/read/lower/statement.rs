@@ -162,6 +162,9 @@ impl Lowering<'_, '_> {
         if let ([], Assignment::Value, Some((word, index))) = (others, how, self.computed_bit(last)?) {
             return self.assign_bit(&word, index, value);
         }
+        if let ([], Assignment::Value, Some(part)) = (others, how, self.part(last)?) {
+            return self.assign_part(&part, last, value);
+        }
         let (path, ty) = self.target(last)?;
         match how {
             Assignment::Value => {}

@@ -138,7 +138,10 @@ fn what_is_not_read() {
             +----------------------------------------------------------[$line_1_of_Main4]--+
         "#]],
     );
-    check("#i := ADD(EN := #a, IN1 := #j, IN2 := #k);", Dialect::Scl, &expect![[r#"
+    check(
+        "#i := ADD(EN := #a, IN1 := #j, IN2 := #k);",
+        Dialect::Scl,
+        &expect![[r#"
         # line 1 of Main: a call with EN or ENO is not read: use IF; it is not run here. #
         FUNCTION_BLOCK [$line_1_of_Main]
         # ladder: unread #
@@ -146,5 +149,6 @@ fn what_is_not_read() {
         END_FUNCTION_BLOCK
 
         +-----------------------------------------------------------[$line_1_of_Main]--+
-    "#]]);
+    "#]],
+    );
 }

@@ -2,6 +2,7 @@
 
 mod enabled;
 mod hostile;
+mod parts;
 
 use super::dialect::Dialect;
 use super::program::read;
