@@ -28,6 +28,7 @@ mod safe_fixes;
 mod scenarios;
 mod settings_reference;
 mod structured_text;
+mod structured_text_again;
 mod structures;
 mod system_tags;
 mod tested;

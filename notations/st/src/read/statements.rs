@@ -269,15 +269,21 @@ impl Cursor<'_> {
 
     /// Whether labels come next: there is a `:` before anything that a statement has.
     fn begins_arm(&self) -> bool {
+        let mut follows_sign = true;
         for by in 0..MOST_LABELS {
             match self.ahead(by).0 {
                 TokenKind::Sign(":") => return true,
-                TokenKind::Sign("," | ".." | "." | "-" | "+") => {}
+                TokenKind::Sign("," | ".." | "." | "-" | "+") => follows_sign = true,
+                // Of `IF a THEN CASE n OF 1:` no two words are one label.
                 TokenKind::Word
                 | TokenKind::Name
                 | TokenKind::Integer
                 | TokenKind::Typed
-                | TokenKind::Text => {}
+                | TokenKind::Text
+                    if follows_sign =>
+                {
+                    follows_sign = false;
+                }
                 _ => return false,
             }
         }

@@ -36,6 +36,9 @@ impl Lowering<'_, '_> {
             let expression = value.bare().clone();
             return Ok(Value { expression, ..value });
         }
+        if let Some(number) = only_number(&value) {
+            return Ok(number);
+        }
         let ty = value.scalar().ok_or("such a value cannot be computed here")?;
         let ty = match ty {
             _ if value.is_free || !ty.is_integer() || !self.around.dialect.is_exact() => ty,
@@ -178,6 +181,9 @@ impl Lowering<'_, '_> {
                     ..Value::path(path, to)
                 });
             }
+            if to.is_integer() || to.is_bits() {
+                return self.made_by("WRAP", to, vec![value.expression]);
+            }
         }
         let Value {
             range: (number, last),
@@ -200,11 +206,19 @@ impl Lowering<'_, '_> {
             return Err(format!("a number is used as {to}"));
         }
         if is_within(value.extent(), to) {
-            return Ok(Value {
-                ty: Type::Scalar(to),
-                is_free: true,
-                ..value
-            });
+            // There is no arithmetic on bit strings.
+            let computed = match only_number(&value) {
+                Some(number) if to.is_bits() => Some(number),
+                _ if to.is_bits() && !value.is_atom() => None,
+                _ => Some(value.clone()),
+            };
+            if let Some(computed) = computed {
+                return Ok(Value {
+                    ty: Type::Scalar(to),
+                    is_free: true,
+                    ..computed
+                });
+            }
         }
         let value = self.atom(Value {
             ty: Type::Scalar(Scalar::Lint),
@@ -284,4 +298,12 @@ fn beside(ty: Scalar, free: &Value) -> Scalar {
         return wide(free.range);
     }
     ty
+}
+
+/// The number that literals make, where no formula is to be kept.
+fn only_number(value: &Value) -> Option<Value> {
+    let (number, last) = value.range;
+    let is_one = value.is_free && value.is_integer() && number == last && !value.is_atom();
+    let number = i64::try_from(number).ok().filter(|_| is_one)?;
+    Some(Value::number(i128::from(number), Literal::from(number)))
 }

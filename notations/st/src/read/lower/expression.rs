@@ -139,10 +139,20 @@ impl Lowering<'_, '_> {
 
     /// `left operator right`
     pub(super) fn binary(&mut self, operator: Operator, left: Value, right: Value) -> Lowered<Value> {
+        let (left, right) = (self.as_it_is(left), self.as_it_is(right));
         match operator {
             Operator::And | Operator::Or | Operator::Xor => self.logic(operator, left, right),
             _ if operator.compares() => self.comparison(operator, left, right),
             _ => self.arithmetic(operator, left, right),
+        }
+    }
+
+    /// What an instruction has made of literals has a type once something else is made of it.
+    pub(super) fn as_it_is(&self, value: Value) -> Value {
+        let is_made = value.bare().path().is_some_and(|path| self.is_temporary(path));
+        Value {
+            is_free: value.is_free && !is_made,
+            ..value
         }
     }
 

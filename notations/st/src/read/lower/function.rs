@@ -261,6 +261,7 @@ impl Lowering<'_, '_> {
         }
         let mut rest: Vec<Value> = Vec::new();
         for value in values {
+            let value = self.as_it_is(value);
             rest.push(self.atom(value)?);
         }
         let mut common: Option<Value> = None;

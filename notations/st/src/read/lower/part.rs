@@ -12,7 +12,7 @@ pub(super) struct Part {
     /// What the word is, and the bits that it has.
     own: Scalar,
     bits: Scalar,
-    part: Scalar,
+    size: Scalar,
     /// The number of its lowest bit.
     first: u32,
 }
@@ -42,7 +42,7 @@ impl Lowering<'_, '_> {
         let own = ty.scalar().filter(|ty| ty.is_integer() || ty.is_bits());
         let own = own.ok_or_else(|| format!("`{word}` has no parts of bits"))?;
         let first = u64::from(*size) * u64::from(*number);
-        let (Some(bits), Some(part)) = (bits_of(own.width()), bits_of(*size)) else {
+        let (Some(bits), Some(size_here)) = (bits_of(own.width()), bits_of(*size)) else {
             return Err(format!("`{word}` has no parts of bits"));
         };
         if first + u64::from(*size) > u64::from(own.width()) {
@@ -52,7 +52,7 @@ impl Lowering<'_, '_> {
             word,
             own,
             bits,
-            part,
+            size: size_here,
             first: first as u32,
         }))
     }
@@ -71,10 +71,10 @@ impl Lowering<'_, '_> {
             let places = Literal::from(i64::from(part.first)).into();
             value = self.made_by("SHR", part.bits, vec![value.expression, places])?;
         }
-        if part.bits == part.part {
+        if part.bits == part.size {
             return Ok(value);
         }
-        self.made_by("WRAP", part.part, vec![value.expression])
+        self.made_by("WRAP", part.size, vec![value.expression])
     }
 
     /// `w.%B1 := value`: the other bits stay.
@@ -85,8 +85,8 @@ impl Lowering<'_, '_> {
             ..place.clone()
         })?;
         let value = self.value(tree)?;
-        let mut value = self.settled(value, part.part)?;
-        if part.bits != part.part {
+        let mut value = self.settled(value, part.size)?;
+        if part.bits != part.size {
             value = self.made_by("WRAP", part.bits, vec![value.expression])?;
         }
         if part.first > 0 {
@@ -95,8 +95,8 @@ impl Lowering<'_, '_> {
         }
         let bits = self.bits(part)?;
         let all = u64::MAX >> (64 - part.bits.width());
-        let own = (u64::MAX >> (64 - part.part.width())) << part.first;
-        let others = Literal::read(&format!("16#{:X}", all & !own)).map_err(|error| error.to_string())?;
+        let own = (u64::MAX >> (64 - part.size.width())) << part.first;
+        let others = Literal::read(format!("16#{:X}", all & !own)).map_err(|error| error.to_string())?;
         let kept = bits.expression.with(Operator::And, Expression::from(others));
         let whole = kept.with(Operator::Or, value.expression);
         if part.own == part.bits {
