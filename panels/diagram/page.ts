@@ -156,7 +156,12 @@ export class Page {
         if (!found) {
             return;
         }
-        this.select(found);
+        if (document.activeElement instanceof HTMLInputElement) {
+            // Who types already goes on typing.
+            this.hasFocus(found);
+        } else {
+            this.select(found);
+        }
         for (const { line, character } of places) {
             const isAt = ({ drawing, part }: Found) => drawing.first + part.at[0] === line && part.at[1] === character;
             const node = this.spots().find(({ found }) => found.part.kind !== 'point' && isAt(found))?.found.part.node;

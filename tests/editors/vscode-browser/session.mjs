@@ -18,6 +18,7 @@ import { heldTest } from './heldTest.mjs';
 import { HOVERED, HOVERED_TEXT, hovering } from './hovering.mjs';
 import { live, LIVE, LIVE_TEXT } from './live.mjs';
 import { command, open } from './palette.mjs';
+import { PENNED, pen } from './pen.mjs';
 import { files as PROPERTIES, proofs } from './proofs.mjs';
 import { PROGRAMS, running } from './running.mjs';
 import { FILE as SCENARIO_FILE, files as SCENARIOS, scenarios } from './scenarios.mjs';
@@ -56,7 +57,7 @@ function prepare() {
     writeFileSync(join(scratch, 'project', DRAWN), DRAWN_TEXT);
     comparedProgram(join(scratch, 'project'));
     emptyFiles(join(scratch, 'project'));
-    for (const [name, text] of Object.entries({ ...programs, ...PROGRAMS, ...SCENARIOS, ...PROPERTIES })) {
+    for (const [name, text] of Object.entries({ ...programs, ...PENNED, ...PROGRAMS, ...SCENARIOS, ...PROPERTIES })) {
         writeFileSync(join(scratch, 'project', name), text);
     }
 }
@@ -371,6 +372,7 @@ const parts = (page) => ({
     hovering: () => hovering(page, { step, until, screenshot }),
     typing: () => typing(page, { step, until, screenshot, project: join(scratch, 'project') }),
     drawing: () => drawing(page, { step, until }),
+    pen: () => pen(page, { step, until, screenshot }),
     foreign: () => foreign(page, { step, until, screenshot }),
     dying: () => dying(page, { step, until, screenshot, scratch, answer }),
     book: () => book(page, { step, until, project: join(scratch, 'project') }),
