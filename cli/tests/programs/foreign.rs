@@ -411,7 +411,7 @@ fn a_draft_that_is_called_ladder_text_is_reported_once() {
          7 +     lamp : BOOL;
          8 + END_VAR
          9 + 
-        10 ~ +--[ ]( go )--# [PID]<x> #----------------------------------------( )( lamp )--+
+        10 + +--[ ]( go )--# [PID]<x> #----------------------------------------( )( lamp )--+
            |
 
         Checked 1 file: 1 error.

@@ -198,7 +198,7 @@ fn a_drawing_in_characters() {
         1 + # Rung 1: seal-in #
         2 + # main drive #
         3 + +--[ ]( start )--\--[/]( stop )------------------------------------( )( run )--+
-        4 ~ +--[ ]( run )----/                                                             |
+        4 + +--[ ]( run )----/                                                             |
           |
 
         Checked 1 file: 1 error.
