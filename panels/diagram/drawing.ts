@@ -4,7 +4,8 @@ import type { Tag } from '../protocol.ts';
 import { type Changed, isSwitch, type Live, type Power, toggles } from './live.ts';
 import type { Piece } from './layout.ts';
 import type { Spot } from './neighbours.ts';
-import { addPoints, wordsOf } from './draw/points.ts';
+import { addPoints } from './draw/points.ts';
+import { wordsOf } from './draw/words.ts';
 import { describe } from './speech.ts';
 
 const SVG = 'http://www.w3.org/2000/svg';

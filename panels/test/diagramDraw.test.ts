@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { Asker, answerOf, reply } from '../diagram/draw/asker.ts';
-import { wordsOf } from '../diagram/draw/points.ts';
+import { wordsOf } from '../diagram/draw/words.ts';
 import type { FromPage, Question } from '../diagram/messages.ts';
 
 test('a place is called by what is next to it, and by its line', () => {

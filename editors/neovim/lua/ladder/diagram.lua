@@ -3,6 +3,7 @@
 require('ladder.highlight')
 
 local cursor = require('ladder.diagram.cursor')
+local draw = require('ladder.diagram.draw')
 local keys = require('ladder.diagram.keys')
 local picture = require('ladder.diagram.picture')
 local server = require('ladder.server')
@@ -166,6 +167,9 @@ function M.open(source)
   diagrams[source] = diagram
   keys.map(source, diagram, function()
     M.close(source)
+  end)
+  draw.map(source, diagram, function()
+    ask(source)
   end)
   watch(source, diagram.bufnr)
   -- Next to the text where both have room, else below it.
