@@ -7,6 +7,7 @@ use ladder_analysis::library;
 use ladder_analysis::written::user_block::UserBlockFacts;
 use ladder_format::names::Names;
 use ladder_instructions::{Accepts, Group, Instruction, Op, Purpose, TABLE, purpose};
+use ladder_syntax::Name;
 use rustc_hash::FxHashSet;
 
 /// One thing that can be drawn.
@@ -44,13 +45,14 @@ const SECTIONS: [&str; 9] = [
 pub fn palette(context: &Context, search: &str) -> Vec<PaletteRow> {
     let search = search.trim();
     let mut rows: Vec<(u8, PaletteRow)> = Vec::new();
+    let taken = taken(context);
     for row in TABLE.iter().filter(|row| row.profiles.contain(context.profile)) {
         if let Some(likeness) = of_row(row, search) {
-            rows.push((likeness, instruction(context, row)));
+            rows.push((likeness, instruction(&taken, row)));
         }
     }
     for (block, file) in blocks(context) {
-        let row = user_block(context, block, file);
+        let row = user_block(&taken, block, file);
         let is_like = |text: &str| text.to_lowercase().contains(&search.to_lowercase());
         if is_like(&row.block) || is_like(&row.title) {
             rows.push((if row.section == OWN_BLOCKS { 1 } else { 2 }, row));
@@ -93,7 +95,7 @@ fn of_row(row: &Instruction, search: &str) -> Option<u8> {
     })
 }
 
-fn instruction(context: &Context, row: &Instruction) -> PaletteRow {
+fn instruction(taken: &FxHashSet<Name>, row: &Instruction) -> PaletteRow {
     let section = match (row.group, row.op) {
         (Group::Condition, Op::Eq | Op::Ne | Op::Gt | Op::Ge | Op::Lt | Op::Le) => COMPARE,
         (Group::Condition, _) => CONTACTS,
@@ -105,10 +107,9 @@ fn instruction(context: &Context, row: &Instruction) -> PaletteRow {
             // The tag of a contact or coil is what a person writes first.
             return String::new();
         }
-        let mut names = None;
         for (index, operand) in operands.iter_mut().enumerate() {
             if let Some(Accepts::State(_)) = accepts(index) {
-                *operand = names.get_or_insert_with(|| taken(context)).fresh(operand);
+                *operand = free(taken, operand);
             }
         }
         operands.join(", ")
@@ -122,12 +123,19 @@ fn instruction(context: &Context, row: &Instruction) -> PaletteRow {
 }
 
 /// The names that the program's tags have.
-fn taken(context: &Context) -> Names {
-    let mut names = Names::default();
-    for tag in context.scopes.iter().flat_map(|scope| &scope.tags) {
-        names.spell(&tag.name);
-    }
+fn taken(context: &Context) -> FxHashSet<Name> {
+    let tags = context.scopes.iter().flat_map(|scope| &scope.tags);
+    tags.map(|tag| Name::new(&tag.name)).collect()
+}
+
+/// A name that no tag has, like this one.
+fn free(taken: &FxHashSet<Name>, like: &str) -> String {
+    let like = Names::default().fresh(like);
+    let numbered = (2..).map(|number| format!("{like}_{number}"));
+    let mut names = std::iter::once(like.clone()).chain(numbered);
     names
+        .find(|name| !taken.contains(&Name::new(name)))
+        .unwrap_or(like)
 }
 
 /// The blocks that the program sees, each with the file that defines it if that is another one.
@@ -146,12 +154,12 @@ fn blocks(context: &Context) -> Vec<(&UserBlockFacts, Option<&str>)> {
     blocks
 }
 
-fn user_block(context: &Context, block: &UserBlockFacts, file: Option<&str>) -> PaletteRow {
+fn user_block(taken: &FxHashSet<Name>, block: &UserBlockFacts, file: Option<&str>) -> PaletteRow {
     let (open, close) = block.shape.brackets();
     let source = file.and_then(library::source);
     let mut operands = operands_of_user(block);
     // Each use has a state of its own.
-    operands.insert(0, taken(context).fresh(&block.name[1..].to_lowercase()));
+    operands.insert(0, free(taken, &block.name[1..].to_lowercase()));
     PaletteRow {
         section: if source.is_some() { LIBRARY } else { OWN_BLOCKS },
         block: format!("{open}{}{close}", block.name),

@@ -3,6 +3,7 @@ import type { FromPage } from './messages.ts';
 import type { Tag } from '../protocol.ts';
 import { isSwitch, type Live, toggles } from './live.ts';
 import type { Drag } from './draw/drag.ts';
+import { CONTACT } from './draw/palette.ts';
 import { rangeOf, type Pen } from './draw/pen.ts';
 import { type Direction, neighbour } from './neighbours.ts';
 import type { Found, Page } from './page.ts';
@@ -136,7 +137,7 @@ export class Hands {
         if (this.#drawing.mode.isDraw) {
             const index = found?.part.operands.findIndex(({ node }) => node === event.target) ?? -1;
             if (found?.part.kind === 'point') {
-                void this.#drawing.pen.draw({ block: '[ ]', title: 'Open contact', operands: '' }, found);
+                void this.#drawing.pen.draw(CONTACT, found);
             } else if (found) {
                 void this.#drawing.pen.operand(found, Math.max(index, 0));
             }

@@ -2,12 +2,12 @@
 import type { DrawableRow } from '../../protocol.ts';
 import type { Ask } from './asker.ts';
 
+export const CONTACT: DrawableRow = { section: '', block: '[ ]', title: 'Open contact', operands: '' };
+export const CLOSED_CONTACT: DrawableRow = { section: '', block: '[/]', title: 'Closed contact', operands: '' };
+export const COIL: DrawableRow = { section: '', block: '( )', title: 'Coil', operands: '' };
+
 /** Always there, in this order. */
-const FAVOURITES: readonly DrawableRow[] = [
-    { section: '', block: '[ ]', title: 'Open contact', operands: '' },
-    { section: '', block: '[/]', title: 'Closed contact', operands: '' },
-    { section: '', block: '( )', title: 'Coil', operands: '' },
-];
+const FAVOURITES: readonly DrawableRow[] = [CONTACT, CLOSED_CONTACT, COIL];
 
 /** So many of those that were used last are buttons, too. */
 const MOST_USED = 5;

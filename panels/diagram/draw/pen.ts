@@ -1,11 +1,13 @@
 // Drawing: what keys and the mouse change in the text by way of the diagram. Each change is one edit of the server; what a
 // person writes is asked for first, so that nothing half written is ever in the text.
 import type { DrawableRow, Range } from '../../protocol.ts';
+import { reasonOf } from '../../reason.ts';
 import type { FromPage, Place } from '../messages.ts';
 import type { Found, Page } from '../page.ts';
 import type { Ask } from './asker.ts';
 import type { Choice, Field, Written } from './field.ts';
-import type { Asked, Edit, Offered } from './requests.ts';
+import type { Asked, Edit, Offered, Requests } from './requests.ts';
+import { CLOSED_CONTACT, COIL, CONTACT } from './palette.ts';
 
 /** What is said of a change, and of one that cannot be made. */
 export interface Voice {
@@ -46,6 +48,8 @@ export class Pen {
     /** The elements that are to be moved, and the text that is copied. */
     #held: readonly Range[] = [];
     #copied = '';
+    /** The tags that there were when the field was opened. */
+    #known: Promise<Requests['tags']['answer']> | undefined;
 
     constructor(page: Page, field: Field, ask: Ask, voice: Voice, send: (message: FromPage) => void, palette: () => void) {
         this.#page = page;
@@ -107,7 +111,7 @@ export class Pen {
             const places = select.length > 0 ? select.map(({ start }) => start) : focus ? [focus] : [];
             await this.#page.focusSoon(places, becomes, select.length === 0);
         } catch (error) {
-            this.#voice.refused(error instanceof Error ? error.message : String(error));
+            this.#voice.refused(reasonOf(error));
         }
     }
 
@@ -115,7 +119,7 @@ export class Pen {
         try {
             return await this.#ask('offer', { version: this.#page.layout.version, ...asked });
         } catch (error) {
-            this.#voice.refused(error instanceof Error ? error.message : String(error));
+            this.#voice.refused(reasonOf(error));
             return undefined;
         }
     }
@@ -138,7 +142,12 @@ export class Pen {
     async #tags(text: string, isBool: boolean): Promise<Choice[]> {
         const word = /[\w.]*$/.exec(text)?.[0].toLowerCase() ?? '';
         const before = text.slice(0, text.length - word.length);
-        const { tags } = await this.#ask('tags', {});
+        // Each letter narrows the same tags.
+        this.#known ??= this.#ask('tags', {}).catch((error: unknown) => {
+            this.#known = undefined;
+            throw error;
+        });
+        const { tags } = await this.#known;
         const fitting = tags.filter(({ name, type }) => name.toLowerCase().includes(word) && (!isBool || type === 'BOOL'));
         const rank = (name: string) => (name.toLowerCase().startsWith(word) ? 0 : 1);
         return fitting
@@ -158,6 +167,7 @@ export class Pen {
     /** Asks for what is in the parentheses of a block. */
     async #operands(found: Found, label: string, head: string, text: string, asked: Asked): Promise<Written | undefined> {
         const isBool = head.length === HEAD;
+        this.#known = undefined;
         const written = await this.#field.ask({
             label,
             text,
@@ -193,7 +203,7 @@ export class Pen {
         const asked: Asked = found.part.kind === 'point' ? { at: rangeOf(found).start } : { what: [rangeOf(found)] };
         const offer = await this.#offer(asked);
         const acting = offer?.acting;
-        await this.draw({ block: '( )', title: 'Coil', operands: '' }, found, acting && { ...acting, side: 'below' });
+        await this.draw(COIL, found, acting && { ...acting, side: 'below' });
     }
 
     /** A contact in parallel to what is selected. */
@@ -220,6 +230,7 @@ export class Pen {
         const start = { line: drawing.first + line, character };
         const what = { start, end: { ...start, character: character + operand.text.length } };
         const isBool = part.kind !== 'block';
+        this.#known = undefined;
         const written = await this.#field.ask({
             label: part.name,
             text: operand.text,
@@ -383,7 +394,7 @@ export class Pen {
         const network = found.drawing.first;
         switch (letter) {
             case 'c':
-                return () => this.draw(isShifted ? { block: '[/]', title: 'Closed contact', operands: '' } : { block: '[ ]', title: 'Open contact', operands: '' }, found);
+                return () => this.draw(isShifted ? CLOSED_CONTACT : CONTACT, found);
             case 'q':
                 return () => this.coil(found);
             case 'f':
