@@ -8,6 +8,7 @@ mod body;
 mod call_hierarchy;
 mod comments;
 mod completion;
+mod declarations;
 mod definition;
 mod described;
 mod drawing;
@@ -50,6 +51,7 @@ pub use call_hierarchy::{Caller, CallerKind, Calls, callers_at, incoming_calls, 
 pub use completion::{
     Completion, CompletionKind, Completions, Snippet, Topic, card, completions, documentation,
 };
+pub use declarations::{DeclaredRow, Row, declarations};
 pub use definition::{declaration, definition, implementation, type_definition};
 pub use drawing::beside::Side;
 pub use exclusive::{Exclusive, exclusive_outputs, place_of_new as place_of_new_property};

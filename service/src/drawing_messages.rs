@@ -56,6 +56,8 @@ pub enum DrawingEdit {
     Network(NewNetwork),
     /// A comment above a network, or another text for one.
     Comment(Commented),
+    /// A tag is declared, or its declaration changes or goes.
+    Declaration(Declared),
     /// A network goes to before another one.
     MoveNetwork { network: u32, before: Option<u32> },
     /// A network is there twice.
@@ -95,6 +97,82 @@ pub struct Declare {
     /// The type.
     #[serde(rename = "type")]
     pub ty: String,
+}
+
+/// A row of the table of declarations.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(untagged, deny_unknown_fields)]
+pub enum Declared {
+    /// The declaration at a name; without a row it goes.
+    #[allow(missing_docs)]
+    At {
+        what: Range,
+        row: Option<DeclarationCells>,
+    },
+    /// A new one, in the file or in the body of a block.
+    New {
+        /// The block.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        block: Option<String>,
+        /// What it says.
+        row: DeclarationCells,
+    },
+}
+
+/// What a row of the table of declarations says.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DeclarationCells {
+    /// The first line of its section: `VAR RETAIN`.
+    pub section: String,
+    /// Its name.
+    pub name: String,
+    /// Its direct address.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub address: String,
+    /// Its type.
+    #[serde(rename = "type")]
+    pub ty: String,
+    /// Its initial value.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub initial: String,
+    /// Its comment.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub comment: String,
+}
+
+/// The argument of `ladder.declarations`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Declarations {
+    /// The program, which must be open.
+    pub uri: String,
+}
+
+/// The answer to `ladder.declarations`: all that a program declares, in the order of its text.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DeclarationTable {
+    /// The version of the text.
+    pub version: i32,
+    /// The tags.
+    pub rows: Vec<DeclaredRow>,
+    /// The blocks that are defined in the file, which have declarations of their own.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub blocks: Vec<String>,
+}
+
+/// A declared tag.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DeclaredRow {
+    /// The user-defined block in whose body it is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub block: Option<String>,
+    /// What it says.
+    pub cells: DeclarationCells,
+    /// Where its name is.
+    pub at: Range,
 }
 
 /// On which side of what is there a branch comes.

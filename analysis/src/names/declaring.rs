@@ -3,15 +3,15 @@
 use crate::names::context::Context;
 use crate::names::scope::SectionKind;
 use ladder_format::Edit;
-use ladder_syntax::ast::{AstNode, SectionHeader};
+use ladder_syntax::ast::{AstNode, NodeView, SectionHeader};
 use ladder_syntax::{LineKind, Parse, Section, TextRange, TextSize};
 use std::collections::HashMap;
 
 /// Where declarations of a scope go.
 #[derive(Debug, Clone)]
 pub struct Places {
-    /// The last section of each kind that takes them: the place, and whether it begins a line.
-    sections: HashMap<SectionKind, (TextSize, bool)>,
+    /// The last section of each header that takes them, as in `VAR RETAIN`: the place, and whether it begins a line.
+    sections: HashMap<String, (TextSize, bool)>,
     /// Where a new section goes, what must be before it, and whether a blank line follows it.
     new: TextSize,
     before_new: &'static str,
@@ -49,7 +49,7 @@ impl Places {
                 .filter_map(|section| {
                     let end = section.lines.end - 1;
                     Some((
-                        plain_kind(parse, section)?,
+                        header_of(parse, section)?,
                         (parse.line_start(end), begins_line(parse, end)),
                     ))
                 })
@@ -71,39 +71,38 @@ impl Places {
     /// The edits that declare some tags, each with its section, name and type: those of one section together, in the
     /// order given; new sections in the order of inputs, outputs and others.
     pub fn declare_all(&self, tags: &[(SectionKind, String, String)]) -> Option<Vec<Edit>> {
+        let declarations = tags
+            .iter()
+            .map(|(section, name, ty)| (section.keyword().to_owned(), format!("{name} : {ty};")));
+        self.put(&declarations.collect::<Vec<_>>())
+    }
+
+    /// The same for whole declarations, each with the header of its section, as in `VAR RETAIN`.
+    pub fn put(&self, declarations: &[(String, String)]) -> Option<Vec<Edit>> {
         if self.open {
             return None;
         }
         let line_end = self.line_end;
+        let mut headers: Vec<&String> = declarations.iter().map(|(header, _)| header).collect();
+        headers.sort_by_key(|header| (order_of(header), *header));
+        headers.dedup();
         let mut edits = Vec::new();
         let mut new = String::new();
-        for section in [
-            SectionKind::Input,
-            SectionKind::Output,
-            SectionKind::InOut,
-            SectionKind::Var,
-            SectionKind::Global,
-            SectionKind::External,
-        ] {
-            let own = tags.iter().filter(|(of, ..)| *of == section);
-            let place = self.sections.get(&section);
-            let declarations: String = own
-                .map(|(_, name, ty)| match place {
-                    Some((_, false)) => format!(" {name} : {ty}; "),
-                    _ => format!("    {name} : {ty};{line_end}"),
+        for header in headers {
+            let own = declarations.iter().filter(|(of, _)| of == header);
+            let place = self.sections.get(header);
+            let lines: String = own
+                .map(|(_, declaration)| match place {
+                    Some((_, false)) => format!(" {declaration} "),
+                    _ => format!("    {declaration}{line_end}"),
                 })
                 .collect();
             match place {
-                _ if declarations.is_empty() => {}
                 Some((at, _)) => edits.push(Edit {
                     range: TextRange::empty(*at),
-                    text: declarations,
+                    text: lines,
                 }),
-                None => {
-                    let keyword = section.keyword();
-                    let section = [keyword, line_end, &declarations, "END_VAR", line_end];
-                    new.extend(section);
-                }
+                None => new.extend([header, line_end, &lines, "END_VAR", line_end]),
             }
         }
         if !new.is_empty() {
@@ -118,13 +117,32 @@ impl Places {
     }
 }
 
-/// The kind of a section that is neither RETAIN nor CONSTANT.
-fn plain_kind(parse: &Parse, section: &Section) -> Option<SectionKind> {
-    let header = SectionHeader::cast(parse.lines()[section.lines.start].view())?;
-    if header.qualifiers().next().is_some() {
-        return None;
+/// Where a new section with a header comes among others: inputs first.
+fn order_of(header: &str) -> usize {
+    let keyword = header.split(' ').next().unwrap_or_default();
+    let order = [
+        SectionKind::Input,
+        SectionKind::Output,
+        SectionKind::InOut,
+        SectionKind::Var,
+        SectionKind::Global,
+    ];
+    let found = order.iter().position(|section| section.keyword() == keyword);
+    found.unwrap_or(order.len())
+}
+
+/// The words of a section's first line, in capitals and one blank apart: `VAR RETAIN`. None of one that declares no tags.
+pub fn header_of(parse: &Parse, section: &Section) -> Option<String> {
+    let line = parse.lines()[section.lines.start].tree();
+    let header = SectionHeader::cast(NodeView::root(&line))?;
+    let mut words = SectionKind::from_keyword(header.section()?.text())?
+        .keyword()
+        .to_owned();
+    for qualifier in header.qualifiers() {
+        words.push(' ');
+        words.push_str(&qualifier.text().to_ascii_uppercase());
     }
-    SectionKind::from_keyword(header.section()?.text())
+    Some(words)
 }
 
 /// Whether a logical line, or the end of the text, begins a physical one.

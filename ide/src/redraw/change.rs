@@ -5,6 +5,7 @@ use super::fragment::{Fragment, Given};
 use super::layout;
 use super::lines::{self, network_at};
 use super::piece::{Piece, Redrawn};
+use crate::declarations::Row;
 use crate::drawing::beside::{self, Side};
 use crate::drawing::gap::{Gap, row_at};
 use crate::drawing::remove::{Spot, without};
@@ -55,6 +56,10 @@ pub enum Change {
     Comment { network: TextSize, text: String },
     /// The comment at a place is replaced; without text it goes.
     EditComment { what: TextRange, text: String },
+    /// A tag is declared in the file or in the body of a block.
+    Declare { block: Option<String>, row: Row },
+    /// The tag whose name is at a place is declared in another way, or no longer.
+    Redeclare { what: TextRange, row: Option<Row> },
     /// A network goes to before another one, or to the end of its body.
     MoveNetwork {
         network: TextSize,
@@ -97,6 +102,8 @@ pub fn change(context: &Context, change: &Change, options: &Options) -> Result<R
         } => work.network(*near, *is_above, given)?,
         Change::Comment { network, text } => work.comment(*network, text)?,
         Change::EditComment { what, text } => work.edit_comment(*what, text)?,
+        Change::Declare { block, row } => work.declare(block.as_deref(), row)?,
+        Change::Redeclare { what, row } => work.redeclare(*what, row.as_ref())?,
         Change::MoveNetwork { network, before } => work.move_network(*network, *before)?,
         Change::Duplicate { network } => work.duplicate(*network)?,
         Change::Split { at } => work.split(*at)?,

@@ -2,6 +2,7 @@
 
 use super::fragment::Copied;
 use super::layout::formatted;
+use super::lines::gone;
 use super::piece::Piece;
 use ladder_analysis::context::Context;
 use ladder_analysis::names::declaring::Places;
@@ -64,7 +65,12 @@ fn beside(context: &Context, scope: usize, copy: &Copied) -> Option<Edit> {
 }
 
 /// Edits of declarations, each with the section that it is in laid out again.
-fn laid_out(context: &Context, scope: usize, mut edits: Vec<Edit>, options: &Options) -> Vec<Piece> {
+pub(super) fn laid_out(
+    context: &Context,
+    scope: usize,
+    mut edits: Vec<Edit>,
+    options: &Options,
+) -> Vec<Piece> {
     let parse = &context.parse;
     edits.sort_by_key(|edit| edit.range.start());
     let mut pieces: Vec<Piece> = Vec::new();
@@ -81,20 +87,26 @@ fn laid_out(context: &Context, scope: usize, mut edits: Vec<Edit>, options: &Opt
             let range = parse
                 .line_range(section.lines.start)
                 .cover(parse.line_range(last(section)));
-            (range.start() < at).then_some((section.lines.start, range))
+            (range.start() < at || (range.start() == at && !edit.range.is_empty()))
+                .then_some((section.lines.start, range))
         });
         let Some((line, range)) = around else {
             pieces.extend(edits.next().map(|edit| Piece::plain(edit.range, edit.text)));
             continue;
         };
         let mut own = Vec::new();
-        while let Some(edit) = edits.next_if(|edit| edit.range.end() < range.end()) {
+        while let Some(edit) = edits.next_if(|edit| edit.range.end() <= range.end()) {
             own.push(Edit {
                 range: edit.range - range.start(),
                 text: edit.text,
             });
         }
         let new = apply(&parse.text_in(range), &own);
+        if new.is_empty() {
+            let lines = line..parse.line_at(range.end()).unwrap_or(parse.lines().len());
+            pieces.push(Piece::gone(gone(context, lines)));
+            continue;
+        }
         let is_by_hand = is_switched_off(parse, line);
         let new = if is_by_hand {
             new

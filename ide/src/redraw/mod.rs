@@ -16,6 +16,7 @@ mod change;
 #[cfg(test)]
 mod change_tests;
 mod comments;
+mod declarations;
 mod declaring;
 mod editable;
 mod fragment;

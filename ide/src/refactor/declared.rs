@@ -9,19 +9,19 @@ use ladder_syntax::ast::{AstNode, Declaration, NodeView};
 use ladder_syntax::{LineKind, Name, TextRange, TextSize};
 
 /// A declared tag.
-pub(super) struct DeclaredTag<'c> {
+pub(crate) struct DeclaredTag<'c> {
     /// As declared.
-    pub(super) name: String,
-    pub(super) symbol: Symbol,
-    pub(super) tag: &'c TagFacts,
-    pub(super) kind: SectionKind,
-    pub(super) scope: usize,
+    pub(crate) name: String,
+    pub(crate) symbol: Symbol,
+    pub(crate) tag: &'c TagFacts,
+    pub(crate) kind: SectionKind,
+    pub(crate) scope: usize,
     /// The number of its section.
-    pub(super) section: usize,
+    pub(crate) section: usize,
     /// The number of its line.
-    pub(super) line: usize,
+    pub(crate) line: usize,
     /// Where its name is.
-    pub(super) at: TextRange,
+    pub(crate) at: TextRange,
 }
 
 /// All that are declared in sections like the one of a line: of the same kind, RETAIN or CONSTANT or neither, in the same scope.
@@ -56,6 +56,13 @@ pub(super) fn selected(context: &Context, range: TextRange) -> Vec<DeclaredTag<'
         .collect()
 }
 
+/// The one whose name is at a place.
+pub(crate) fn at(context: &Context, name: TextRange) -> Option<DeclaredTag<'_>> {
+    let sections = 0..context.parse.frame().sections.len();
+    let mut found = sections.flat_map(|section| in_section(context, section));
+    found.find(|tag| tag.at.contains_range(name))
+}
+
 fn in_section(context: &Context, section: usize) -> Vec<DeclaredTag<'_>> {
     let names = names_of(context, section).into_iter();
     let found = names.filter_map(|declared| {
@@ -83,18 +90,18 @@ fn header(context: &Context, line: usize) -> Vec<String> {
 }
 
 /// What a declaration says, in three parts.
-pub(super) struct Parts {
+pub(crate) struct Parts {
     /// Its names.
-    pub(super) names: Vec<(String, TextRange)>,
+    pub(crate) names: Vec<(String, TextRange)>,
     /// From after them to the last comment: ` : BOOL;  # it runs #`.
-    pub(super) says: String,
+    pub(crate) says: String,
     /// Where the names are, and all of it without the blanks around, in the file.
-    pub(super) list: TextRange,
-    pub(super) whole: TextRange,
+    pub(crate) list: TextRange,
+    pub(crate) whole: TextRange,
 }
 
 /// The parts of the declaration on a line.
-pub(super) fn parts(context: &Context, line: usize) -> Option<Parts> {
+pub(crate) fn parts(context: &Context, line: usize) -> Option<Parts> {
     let found = &context.parse.lines()[line];
     let start = context.parse.line_start(line);
     let tree = found.tree();
@@ -118,7 +125,7 @@ pub(super) fn parts(context: &Context, line: usize) -> Option<Parts> {
 ///
 /// # Errors
 /// Why that cannot be done.
-pub(super) fn replaced(
+pub(crate) fn replaced(
     context: &Context,
     out: &[DeclaredTag<'_>],
     with: &[String],
@@ -131,17 +138,31 @@ pub(super) fn replaced(
         if context.parse.text_in(parts.list).contains('#') {
             return Err("a comment stands between the names of a declaration".to_owned());
         }
-        let goes = |at: &TextRange| out.iter().any(|tag| tag.at == *at);
-        let stay: Vec<&str> = parts
+        let goes = |(_, at): &&(String, TextRange)| out.iter().any(|tag| tag.at == *at);
+        let first = parts
             .names
             .iter()
-            .filter(|(_, at)| !goes(at))
-            .map(|(name, _)| name.as_str())
-            .collect();
-        let mut new: Vec<String> = if number == 0 { with.to_vec() } else { Vec::new() };
-        if !stay.is_empty() {
-            new.push(format!("{}{}", stay.join(", "), parts.says));
-        }
+            .position(|name| goes(&name))
+            .unwrap_or_default();
+        let stay = |names: &[(String, TextRange)]| {
+            let names: Vec<&str> = names
+                .iter()
+                .filter(|name| !goes(name))
+                .map(|(name, _)| name.as_str())
+                .collect();
+            (!names.is_empty()).then(|| format!("{}{}", names.join(", "), parts.says))
+        };
+        // In the order of the names; without anything between them what stays is one list.
+        let new: Vec<String> = if number == 0 && !with.is_empty() {
+            let (before, after) = parts.names.split_at(first);
+            stay(before)
+                .into_iter()
+                .chain(with.to_vec())
+                .chain(stay(after))
+                .collect()
+        } else {
+            stay(&parts.names).into_iter().collect()
+        };
         let range = context.parse.line_range(line);
         edits.push(if new.is_empty() {
             Edit {
@@ -214,7 +235,7 @@ fn emptied(context: &Context, out: &[DeclaredTag<'_>], with: &[String]) -> Vec<E
 }
 
 /// Where a tag is used, its declaration aside.
-pub(super) fn uses(context: &Context, tag: &DeclaredTag<'_>) -> Vec<TextRange> {
+pub(crate) fn uses(context: &Context, tag: &DeclaredTag<'_>) -> Vec<TextRange> {
     let places = occurrences(context, &tag.symbol).into_iter();
     let uses = places.filter(|place| !place.usage.declares());
     uses.map(|place| place.range).collect()

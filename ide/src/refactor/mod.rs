@@ -11,7 +11,7 @@
 
 mod allow;
 mod declare_tags;
-mod declared;
+pub(crate) mod declared;
 mod extract_block;
 mod extract_function;
 mod extract_structure;

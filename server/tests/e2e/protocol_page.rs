@@ -8,7 +8,9 @@ use std::fmt::Write;
 
 use ladder_live::diagram_text::{DiagramText, DrawnText};
 use ladder_live::messages;
-use ladder_service::drawing_messages::{DiagramEdit, DiagramEdited, DiagramOffer, DiagramOffered};
+use ladder_service::drawing_messages::{
+    DeclarationTable, Declarations, DiagramEdit, DiagramEdited, DiagramOffer, DiagramOffered,
+};
 use ladder_service::typing_messages::{Cursor, EditDrawing, EditedDrawing, ToggleComment};
 use ladder_service::{
     AskedBlock, AskedPage, CrossReference, CrossReferenced, Diagram, Drawn, DrawnFence, Fence,
@@ -203,6 +205,11 @@ async fn the_page_shows_every_command_whole() {
             "diagramPalette" => {
                 is_whole::<ladder_service::Palette>(argument);
                 is_whole::<ladder_service::Drawable>(answer);
+                continue;
+            }
+            "declarations" => {
+                is_whole::<Declarations>(argument);
+                is_whole::<DeclarationTable>(answer);
                 continue;
             }
             "diagramEdit" => {

@@ -45,8 +45,8 @@ use crate::lsp::documents::{configuration, file_operations, folders, pull, sync,
 #[cfg(feature = "review")]
 use crate::lsp::features::compare;
 use crate::lsp::features::{
-    call_hierarchy, code_action, code_lens, comment, completion, cross_reference, debug, diagram,
-    diagram_edit, diagram_text, edit, fence, folding,
+    call_hierarchy, code_action, code_lens, comment, completion, cross_reference, debug, declarations,
+    diagram, diagram_edit, diagram_text, edit, fence, folding,
     formatting::{self, DocumentRangesFormattingParams},
     goto, hover, inlay_hint, library_block, links, notations, palette, preview, prove, references, rename,
     rule_page, run_scenarios, semantic_tokens, signature, simulate, symbols,
@@ -367,6 +367,7 @@ impl LanguageServer for Backend {
             diagram::DIAGRAM => diagram::execute(&self.shared, params).await,
             fence::FENCE => fence::execute(&self.shared, params).await,
             diagram_text::DIAGRAM_TEXT => diagram_text::execute(&self.shared, params).await,
+            declarations::DECLARATIONS => declarations::execute(&self.shared, params).await,
             palette::PALETTE => palette::execute(&self.shared, params).await,
             preview::PREVIEW => preview::execute(&self.shared, params).await,
             typed::CURSOR => typed::execute(&self.shared, params).await,

@@ -17,8 +17,9 @@ use tower_lsp::ls_types::{
 
 use crate::lsp::documents::{file_operations, pull, typed};
 use crate::lsp::features::{
-    code_action::KINDS, comment, completion, cross_reference, diagram, diagram_edit, diagram_text, edit,
-    fence, library_block, notations, palette, preview, rule_page, run_scenarios, semantic_tokens, signature,
+    code_action::KINDS, comment, completion, cross_reference, declarations, diagram, diagram_edit,
+    diagram_text, edit, fence, library_block, notations, palette, preview, rule_page, run_scenarios,
+    semantic_tokens, signature,
 };
 use crate::lsp::session::agreed::Agreed;
 
@@ -95,6 +96,7 @@ pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {
                     diagram_text::DIAGRAM_TEXT,
                     diagram_edit::DIAGRAM_EDIT,
                     diagram_edit::DIAGRAM_OFFER,
+                    declarations::DECLARATIONS,
                     palette::PALETTE,
                     fence::FENCE,
                     typed::CURSOR,

@@ -16,8 +16,9 @@ use tower_lsp::ls_types::{
 
 use super::rename;
 use crate::drawing_messages::{
-    BranchSide, Commented, Declare, DeclaredTag, Deleted, DiagramEdit, DiagramEdited, DiagramOffer,
-    DiagramOffered, DrawingEdit, FileEdits, Head, NetworkPlace, NewNetwork, Offer, OfferedSide, Span,
+    BranchSide, Commented, DeclarationCells, Declare, Declared, DeclaredTag, Deleted, DiagramEdit,
+    DiagramEdited, DiagramOffer, DiagramOffered, DrawingEdit, FileEdits, Head, NetworkPlace, NewNetwork,
+    Offer, OfferedSide, Span,
 };
 use crate::lsp::answers::{error, json};
 use crate::lsp::convert;
@@ -197,6 +198,14 @@ fn change_of(revision: &Revision, edit: DrawingEdit) -> std::result::Result<Chan
             what: range(revision, what),
             text,
         },
+        DrawingEdit::Declaration(Declared::New { block, row }) => Change::Declare {
+            block,
+            row: row_of(row),
+        },
+        DrawingEdit::Declaration(Declared::At { what, row }) => Change::Redeclare {
+            what: range(revision, what),
+            row: row.map(row_of),
+        },
         DrawingEdit::MoveNetwork { network, before } => Change::MoveNetwork {
             network: line(network),
             before: before.map(line),
@@ -210,6 +219,25 @@ fn change_of(revision: &Revision, edit: DrawingEdit) -> std::result::Result<Chan
         },
         DrawingEdit::Rename { .. } => return Err("names are changed in all files".to_owned()),
     })
+}
+
+fn row_of(cells: DeclarationCells) -> ladder_ide::Row {
+    let DeclarationCells {
+        section,
+        name,
+        address,
+        ty,
+        initial,
+        comment,
+    } = cells;
+    ladder_ide::Row {
+        section,
+        name,
+        address,
+        ty,
+        initial,
+        comment,
+    }
 }
 
 fn declared(declared: ladder_ide::Declared) -> DeclaredTag {

@@ -11,6 +11,7 @@ pub(crate) mod completion;
 mod conversion;
 pub(crate) mod cross_reference;
 pub(crate) mod debug;
+pub(crate) mod declarations;
 pub(crate) mod diagram;
 pub(crate) mod diagram_edit;
 pub(crate) mod diagram_text;
