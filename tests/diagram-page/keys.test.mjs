@@ -1,0 +1,133 @@
+// Programs are drawn from nothing by keys alone; each change is one edit, and one undo.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { ACTIONS, actionOf } from '../../panels/diagram/draw/actions.ts';
+import { diagrams, until } from './drawn.mjs';
+
+const open = diagrams();
+
+export const STARTER = `+--\\--[ ]( start )--\\--[/]( stop )---------------------------------( )( run )--+
+|  /--[ ]( run )----/                                                          |
+`;
+
+test('no key means two things about the same', () => {
+    const seen = new Set();
+    for (const { keys, on } of ACTIONS) {
+        for (const key of keys.flatMap((key) => on.map((about) => `${key} on ${about}`))) {
+            assert.ok(!seen.has(key), key);
+            seen.add(key);
+        }
+    }
+    assert.equal(actionOf('/', 'element')?.title, 'Open or closed');
+    assert.equal(actionOf('/', 'point')?.title, 'End the branch');
+    assert.equal(actionOf('C', 'nothing'), undefined);
+});
+
+test('a motor starter', async () => {
+    const { press, write, becomes, focusOn, page, host } = await open('');
+    await page.locator('.view').focus();
+    await press('n');
+    await write('XIC start XIO stop OTE run');
+    await focusOn('Open contact start');
+    await press('b');
+    await write('run');
+    await becomes(STARTER);
+    assert.equal(host.edits, 2);
+    await focusOn('Open contact run');
+    await press('Control+z');
+    await becomes('+--[ ]( start )--[/]( stop )---------------------------------------( )( run )--+\n');
+    await focusOn('Open contact start');
+    await press('Control+y');
+    await becomes(STARTER);
+    assert.deepEqual(host.errors, []);
+});
+
+test('a garage door', async () => {
+    const { press, write, becomes, focusOn, page } = await open('');
+    await page.locator('.view').focus();
+    await press('n');
+    await write('[ ]( up_button )--[/]( top )--[/]( down )--( )( up )');
+    await focusOn('Open contact up_button');
+    await press('b');
+    await write('up');
+    await focusOn('Open contact up');
+    await press('n');
+    await write('XIC down_button XIO bottom XIO beam XIO up OTE down');
+    await focusOn('Open contact down_button');
+    await press('b');
+    await write('down');
+    await focusOn('Open contact down');
+    await press('#');
+    await write('Down, unless somebody is in the way.');
+    await becomes(`+--\\--[ ]( up_button )--\\--[/]( top )--[/]( down )------------------( )( up )--+
+|  /--[ ]( up )---------/                                                      |
+
+# Down, unless somebody is in the way. #
++--\\--[ ]( down_button )--\\--[/]( bottom )--[/]( beam )--[/]( up )--------------------( )( down )--+
+|  /--[ ]( down )---------/                                                                        |
+`);
+});
+
+test('an end of a branch moves, elements move, a branch begins and ends', async () => {
+    const { press, write, becomes, focusOn, wire, page, element } = await open('+--[ ]( a )--[ ]( b )--[ ]( c )------------------------------------( )( y )--+\n');
+    await wire('between the left and a').focus();
+    await press('\\');
+    await wire('between a and b').focus();
+    await press('/');
+    await write('d');
+    const branched = `+--\\--[ ]( a )--\\--[ ]( b )--[ ]( c )--------------------------------( )( y )--+
+|  /--[ ]( d )--/                                                              |
+`;
+    await becomes(branched);
+    await focusOn('Open contact d');
+    await page.locator('g.element.join').last().focus();
+    await press('Alt+ArrowRight');
+    await becomes(`+--\\--[ ]( a )--[ ]( b )--\\--[ ]( c )--------------------------------( )( y )--+
+|  /--[ ]( d )------------/                                                    |
+`);
+    await press('Control+z');
+    await becomes(branched);
+    await element('contact', 'b').focus();
+    await press('Alt+ArrowRight');
+    await becomes(`+--\\--[ ]( a )--\\--[ ]( c )--[ ]( b )--------------------------------( )( y )--+
+|  /--[ ]( d )--/                                                              |
+`);
+    await focusOn('Open contact b');
+    await press('Shift+Delete');
+    await becomes('');
+});
+
+test('kinds, groups, networks and what cannot be done', async () => {
+    const { press, becomes, focusOn, page, element, refusal } = await open(STARTER);
+    await element('contact', 'start').focus();
+    await press('/');
+    await becomes(STARTER.replace('[ ]( start )', '[/]( start )'));
+    await focusOn('Closed contact start');
+    await press('e');
+    await becomes(STARTER.replace('[ ]( start )', '[P]( start )'));
+    await element('coil', 'run').focus();
+    await press('s');
+    await becomes(STARTER.replace('[ ]( start )', '[P]( start )').replace('( )( run )', '(S)( run )'));
+    await focusOn('Set coil run');
+    await element('contact', 'run').focus();
+    await press('k');
+    await until('a reason', refusal);
+    await press('y');
+    await until('two networks', async () => (await page.locator('.piece.network').count()) === 2);
+    await press('?');
+    assert.equal(await page.locator('dialog.keys[open]').count(), 1);
+    await press('Escape');
+    await until('the list closed', async () => (await page.locator('dialog.keys').count()) === 0);
+});
+
+test('a comment is selected, changed and deleted', async () => {
+    const { press, write, becomes, page } = await open(`# Starts it. #\n${STARTER}`);
+    await page.locator('g.element.note').focus();
+    await press('Enter');
+    await write('Starts the motor.');
+    await becomes(`# Starts the motor. #\n${STARTER}`);
+    await page.locator('g.element.note').focus();
+    await press('Delete');
+    await becomes(STARTER);
+});
