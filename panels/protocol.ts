@@ -1,5 +1,5 @@
 // What the simulator of the language server says and is asked, as docs/protocol.md of the project defines it.
-import type { Asked, Edit, Edited, Offered } from './diagram/draw/requests.ts';
+import type { Asked, Declarations, Edit, Edited, Offered } from './diagram/draw/requests.ts';
 import type { Compared } from './compare/messages.ts';
 import type { CrossReferenced } from './crossReference.ts';
 import type { Drawn, Lines } from './diagram/messages.ts';
@@ -351,6 +351,7 @@ export interface OtherCommands {
     };
     'ladder.diagramEdit': { argument: { uri: string; version: number; edit: Edit }; answer: Edited };
     'ladder.diagramOffer': { argument: { uri: string; version: number } & Asked; answer: Offered };
+    'ladder.declarations': { argument: { uri: string }; answer: Declarations };
     'ladder.diagramPalette': { argument: { uri: string; search?: string }; answer: { rows: readonly DrawableRow[] } };
     /** What changed since an earlier text. */
     'ladder.compare': { argument: { uri: string; base: string; drawings?: 'light' | 'dark' }; answer: Compared };

@@ -3,8 +3,10 @@
 import type { Tag } from '../protocol.ts';
 import { type Changed, isSwitch, type Live, type Power, toggles } from './live.ts';
 import type { Piece } from './layout.ts';
+import type { Finding } from './messages.ts';
 import type { Spot } from './neighbours.ts';
-import { addPoints } from './draw/points.ts';
+import { addComment, addPoints } from './draw/points.ts';
+import { addWave } from './draw/wave.ts';
 import { wordsOf } from './draw/words.ts';
 import { describe } from './speech.ts';
 
@@ -25,7 +27,10 @@ interface ValueAt {
     readonly room: number;
 }
 
-/** A contact, coil or block on the page. */
+/** What a drawing has besides its elements, while somebody draws. */
+const PLACES = ['point', 'join', 'note'] as readonly string[];
+
+/** A contact, coil or block on the page, or what else can be selected while somebody draws. */
 export interface Part {
     readonly node: SVGGElement;
     readonly kind: string;
@@ -37,6 +42,8 @@ export interface Part {
     /** Right of the symbol: where a forced one is marked. */
     readonly mark: Spot | undefined;
     readonly values: readonly ValueAt[];
+    /** What is reported about it. */
+    findings: readonly Finding[];
     state: string;
     words: string;
     context: string;
@@ -45,6 +52,10 @@ export interface Part {
 function within(place: string | null): Within {
     const [line = 0, character = 0] = (place ?? '').split(':').map(Number);
     return [line, character];
+}
+
+function isUpTo([a, b]: Within, [c, d]: Within): boolean {
+    return a < c || (a === c && b <= d);
 }
 
 function number(node: Element, name: string): number {
@@ -84,7 +95,7 @@ function partOf(node: SVGGElement): Part {
     const values = [...node.querySelectorAll<SVGTextElement>('.value[data-operand]')];
     return {
         node,
-        kind: ['contact', 'coil', 'point'].find((kind) => node.classList.contains(kind)) ?? 'block',
+        kind: ['contact', 'coil', ...PLACES].find((kind) => node.classList.contains(kind)) ?? 'block',
         name: node.getAttribute('data-name') ?? '',
         at: within(node.getAttribute('data-at')),
         end: within(node.getAttribute('data-end')),
@@ -100,6 +111,7 @@ function partOf(node: SVGGElement): Part {
             operand: within(text.getAttribute('data-operand')),
             room: number(text, 'data-room'),
         })),
+        findings: [],
         state: '',
         words: '',
         context: '',
@@ -128,7 +140,7 @@ export class Drawing {
     readonly node: HTMLElement;
     readonly piece: Piece;
     readonly parts: readonly Part[];
-    /** The places in its wires, while somebody draws. */
+    /** The places in its wires, ends of branches and comments, while somebody draws. */
     readonly points: readonly Part[];
     first: number;
     /** What is said of its elements is older than what is seen. */
@@ -140,7 +152,7 @@ export class Drawing {
     /** The last line that has something live, from the first one. */
     readonly #lastLine: number;
 
-    constructor(piece: Piece, svg: string, first: number) {
+    constructor(piece: Piece, svg: string, first: number, last: number) {
         this.piece = piece;
         this.first = first;
         this.node = document.createElement('section');
@@ -157,13 +169,24 @@ export class Drawing {
             note.textContent = 'being edited';
             this.node.append(note);
         }
+        const isDrawable = piece.kind === 'network' && !piece.isHeld && !piece.why;
+        if (isDrawable) {
+            const add = document.createElement('button');
+            add.type = 'button';
+            add.className = 'add';
+            add.tabIndex = -1;
+            add.textContent = '+';
+            add.title = 'New network below (N)';
+            this.node.append(add);
+        }
         this.#powered = [...drawing.querySelectorAll('[data-power]')].map((shape) => ({
             shape,
             parts: (shape.getAttribute('data-power') ?? '').split(' ').map(within),
             state: '',
         }));
         this.parts = [...drawing.querySelectorAll<SVGGElement>('g.element')].map(partOf);
-        this.points = piece.kind === 'network' && !piece.isHeld && !piece.why ? addPoints(drawing).map(partOf) : [];
+        const isComment = piece.kind === 'comment' && first === last;
+        this.points = (isDrawable ? addPoints(drawing) : isComment ? addComment(drawing) : []).map(partOf);
         this.#lastLine = Math.max(0, ...this.#powered.flatMap(({ parts }) => parts.map(([line]) => line)));
         for (const { node } of [...this.parts, ...this.points]) {
             node.setAttribute('tabindex', '-1');
@@ -308,26 +331,47 @@ export class Drawing {
 
     #namePoints(): void {
         const on = ({ box, mark }: Part) => ({ left: box.x, right: box.x + box.width, y: mark ? mark.y + 8 : box.y + 29 });
-        const things = this.parts.map((part) => ({ ...on(part), text: part.operands[0]?.text ?? part.name }));
-        const heights = this.points.map(({ box }) => box.y + box.height / 2);
-        this.points.forEach(({ node, box }, index) => {
-            const y = heights[index] ?? 0;
-            node.setAttribute('aria-label', wordsOf({ left: box.x, right: box.x + box.width, y }, things, heights));
+        const elements = this.parts.map((part) => ({ ...on(part), text: part.operands[0]?.text ?? part.name }));
+        const ends = this.points.filter(({ kind }) => kind === 'join').flatMap(({ box: { x, y, width, height } }) => {
+            const middle = { left: x + width / 2, right: x + width / 2, text: 'a branch' };
+            return [{ ...middle, y: y - 12 }, { ...middle, y: y + height + 12 }];
         });
+        const heights = this.points.filter(({ kind }) => kind === 'point').map(({ box }) => box.y + box.height / 2);
+        for (const { node, name, kind, box } of this.points) {
+            const y = kind === 'join' ? box.y - 12 : box.y + box.height / 2;
+            node.setAttribute('aria-label', kind === 'note' ? name : `${name} ${wordsOf({ left: box.x, right: box.x + box.width, y }, kind === 'join' ? elements : [...elements, ...ends], heights)}`);
+        }
+    }
+
+    /** Marks the elements that something is reported about; what is about no element is at the nearest. */
+    report(findings: readonly Finding[]): void {
+        const of = new Map<Part, Finding[]>();
+        for (const finding of findings) {
+            const from: Within = [finding.from.line - this.first, finding.from.character];
+            const to: Within = [finding.to.line - this.first, finding.to.character];
+            const about = this.parts.filter(({ at, end }) => isUpTo(at, to) && isUpTo(from, end));
+            const nearest = this.partAt(finding.from.line, finding.from.character);
+            for (const part of about.length > 0 ? about : nearest ? [nearest] : []) {
+                of.set(part, [...(of.get(part) ?? []), finding]);
+            }
+        }
+        for (const part of this.parts) {
+            part.findings = of.get(part) ?? [];
+            addWave(part.node, part.box, part.findings);
+        }
     }
 
     /** The part around a place of the text, else the one that begins last before it. */
     partAt(line: number, character: number): Part | undefined {
-        const isBefore = ([a, b]: Within, [c, d]: Within) => a < c || (a === c && b <= d);
         const here: Within = [line - this.first, character];
-        const around = this.parts.find(({ at, end }) => isBefore(at, here) && isBefore(here, end));
+        const around = this.parts.find(({ at, end }) => isUpTo(at, here) && isUpTo(here, end));
         const before = this.parts.filter(({ at }) => at[0] === here[0] && at[1] <= here[1]);
         return around ?? before.at(-1) ?? this.parts.find(({ at }) => at[0] === here[0]) ?? this.parts[0];
     }
 
     /** The middle of a part, from the upper left corner of the diagram. */
     spotOf({ kind, box, mark }: Part, top: number, scale: number): Spot {
-        const y = mark ? mark.y + 8 : kind === 'point' ? box.y + box.height / 2 : box.y + 29;
+        const y = mark ? mark.y + 8 : PLACES.includes(kind) ? box.y + box.height / 2 : box.y + 29;
         return { x: (box.x + box.width / 2) * scale, y: top + y * scale };
     }
 }

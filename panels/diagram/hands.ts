@@ -4,12 +4,17 @@ import type { Tag } from '../protocol.ts';
 import { isSwitch, type Live, toggles } from './live.ts';
 import type { Drag } from './draw/drag.ts';
 import { CONTACT } from './draw/palette.ts';
-import { rangeOf, type Pen } from './draw/pen.ts';
+import { actionOf, type Tools } from './draw/actions.ts';
+import type { Band } from './draw/band.ts';
+import { keyOf } from './draw/keyOf.ts';
+import { aboutOf } from './draw/selection.ts';
 import { type Direction, neighbour } from './neighbours.ts';
 import type { Found, Page } from './page.ts';
 
 /** Who presses longer than this holds a button, which springs back. In milliseconds. */
 const HOLD = 350;
+/** The second press of a double one comes sooner. In milliseconds. */
+const DOUBLE = 350;
 
 const arrows: Readonly<Record<string, Direction>> = {
     ArrowLeft: 'left',
@@ -20,8 +25,11 @@ const arrows: Readonly<Record<string, Direction>> = {
 
 /** What draws, and when. */
 export interface Drawing {
-    readonly pen: Pen;
+    readonly tools: Tools;
     readonly drag: Drag;
+    readonly band: Band;
+    /** The margin of a network is pressed. */
+    reorder(event: PointerEvent, drawing: Found['drawing']): void;
     readonly mode: { readonly isDraw: boolean; toggle(): void };
     /** The number of what is drawn often was pressed. @returns whether there is one */
     favourite(number: number): boolean;
@@ -33,6 +41,12 @@ export class Hands {
     readonly #send: (message: FromPage) => void;
     readonly #selected: () => void;
     readonly #drawing: Drawing;
+    /** The menu of what was pressed again. */
+    #later: ReturnType<typeof setTimeout> | undefined;
+    /** What was pressed last was pressed by a finger. */
+    #isTouch = false;
+    /** What keys have asked for so far. */
+    #done: Promise<void> = Promise.resolve();
 
     constructor(view: HTMLElement, page: Page, live: Live, send: (message: FromPage) => void, selected: () => void, drawing: Drawing) {
         this.#page = page;
@@ -41,6 +55,7 @@ export class Hands {
         this.#send = send;
         this.#selected = selected;
         view.addEventListener('pointerdown', (event) => this.#press(event));
+        view.addEventListener('contextmenu', (event) => this.#menu(event));
         view.addEventListener('dblclick', (event) => this.#double(event));
         view.addEventListener('keydown', (event) => this.#key(event));
         view.addEventListener('focusin', (event) => {
@@ -49,7 +64,7 @@ export class Hands {
                 page.hasFocus(found);
                 selected();
                 if (drawing.mode.isDraw) {
-                    void drawing.pen.focused();
+                    void drawing.tools.clipboard.focused();
                 }
             }
         });
@@ -74,6 +89,9 @@ export class Hands {
     #press(event: PointerEvent): void {
         const found = this.#page.find(event.target);
         if (!found || event.button !== 0) {
+            if (this.#drawing.mode.isDraw && event.button === 0) {
+                this.#pressBeside(event);
+            }
             return;
         }
         event.preventDefault();
@@ -115,31 +133,89 @@ export class Hands {
         window.addEventListener('blur', end);
     }
 
-    /** Something is selected, or dragged. */
+    /** What is beside the elements: the margin of a network, and the paper. */
+    #pressBeside(event: PointerEvent): void {
+        const { tools, band, reorder } = this.#drawing;
+        const drawing = this.#page.drawingOf(event.target);
+        const [beside] = drawing?.points ?? [];
+        const isOn = (name: string) => event.target instanceof Element && event.target.classList.contains(name);
+        if (drawing && beside && isOn('add')) {
+            event.preventDefault();
+            void tools.pen.entry({ drawing, part: beside }, 'below');
+        } else if (drawing && isOn('gutter')) {
+            event.preventDefault();
+            reorder(event, drawing);
+        } else if (event.pointerType !== 'touch') {
+            tools.pen.selection.forget();
+            band.begin(event);
+        }
+    }
+
+    /** Something is selected, or dragged; what was selected already shows its menu. */
     #take(event: PointerEvent, found: Found): void {
-        const { pen, drag } = this.#drawing;
+        const { drag, tools } = this.#drawing;
+        const { pen } = tools;
+        this.#isTouch = event.pointerType === 'touch';
+        const wasHere = document.activeElement === found.part.node && !event.shiftKey;
         if (event.shiftKey) {
-            pen.extend(found);
-        } else if (!pen.selected.some(({ part }) => part === found.part)) {
-            pen.forget();
+            pen.selection.extend(found);
+        } else if (!pen.selection.has(found)) {
+            pen.selection.forget();
         }
         this.#page.select(found, false);
-        if (found.part.kind === 'point') {
+        const isName = found.part.operands.some(({ node }) => node === event.target);
+        const pressed = () => {
+            if (wasHere && (!isName || this.#isTouch)) {
+                // The second press of a double one draws, and is no menu.
+                this.#later = setTimeout(() => tools.menu(found), this.#isTouch ? 0 : DOUBLE);
+            } else {
+                this.#reveal(found, event.target, false, true);
+            }
+        };
+        clearTimeout(this.#later);
+        const about = aboutOf(found);
+        const what = about === 'join' ? [found] : pen.selection.all;
+        if (about === 'point') {
+            window.addEventListener('pointerup', pressed, { once: true });
             return;
         }
-        const what = pen.selected.map(rangeOf);
-        const shown = pen.selected.map(({ part }) => part.operands[0]?.text ?? part.name).join(', ');
-        drag.begin(event, shown, ({ target, isCopy }) => void pen.drop(what, target, isCopy), () => this.#reveal(found, event.target, false, true));
+        const shown = what.map(({ part }) => part.operands[0]?.text ?? part.name).join(', ');
+        drag.begin(event, shown, ({ target, isCopy }) => void pen.drop(what, target, isCopy), pressed, about === 'join');
+    }
+
+    #menu(event: MouseEvent): void {
+        const found = this.#page.find(event.target);
+        if (found && this.#drawing.mode.isDraw) {
+            event.preventDefault();
+            event.stopPropagation();
+            if (!this.#drawing.tools.pen.selection.has(found)) {
+                this.#drawing.tools.pen.selection.forget();
+            }
+            this.#page.select(found, false);
+            this.#drawing.tools.menu(found);
+        }
     }
 
     #double(event: MouseEvent): void {
         const found = this.#page.find(event.target);
         if (this.#drawing.mode.isDraw) {
+            const { tools } = this.#drawing;
+            if (this.#isTouch) {
+                // Two presses of a finger are two.
+                return;
+            }
+            clearTimeout(this.#later);
+            if (found && event.ctrlKey) {
+                this.#reveal(found, event.target, true);
+                return;
+            }
             const index = found?.part.operands.findIndex(({ node }) => node === event.target) ?? -1;
             if (found?.part.kind === 'point') {
-                void this.#drawing.pen.draw(CONTACT, found);
+                void tools.pen.draw(CONTACT, found);
+            } else if (found && aboutOf(found) === 'element') {
+                void tools.pen.operand(found, Math.max(index, 0));
             } else if (found) {
-                void this.#drawing.pen.operand(found, Math.max(index, 0));
+                void actionOf('Enter', aboutOf(found))?.run(tools, found);
             }
             return;
         }
@@ -150,20 +226,20 @@ export class Hands {
     }
 
     #clipboard(type: 'copy' | 'cut' | 'paste', event: ClipboardEvent): void {
-        const { pen, mode } = this.#drawing;
+        const { tools, mode } = this.#drawing;
         if (!mode.isDraw || event.target instanceof HTMLInputElement) {
             return;
         }
         event.preventDefault();
         if (type === 'paste') {
-            void pen.paste(event.clipboardData?.getData('text/plain') ?? '');
+            void tools.clipboard.paste(event.clipboardData?.getData('text/plain') ?? '');
         } else {
-            pen.copied(type === 'cut', event.clipboardData);
+            tools.clipboard.copied(type === 'cut', event.clipboardData);
         }
     }
 
     #key(event: KeyboardEvent): void {
-        const { pen, mode } = this.#drawing;
+        const { tools, mode } = this.#drawing;
         if (event.target instanceof HTMLInputElement) {
             return;
         }
@@ -173,11 +249,21 @@ export class Hands {
             mode.toggle();
             return;
         }
-        if (mode.isDraw && ((isPlain && this.#drawing.favourite(Number(event.key))) || pen.key(event))) {
-            event.preventDefault();
-            return;
+        if (mode.isDraw) {
+            const here = tools.pen.selection.here;
+            const action = actionOf(keyOf(event), here ? aboutOf(here) : 'nothing');
+            // Copying, cutting and pasting are events of their own, which have the clipboard.
+            const isAction = action && action.group !== 'Clipboard';
+            if (isAction) {
+                // Who types faster than the text changes means the text as it is then.
+                this.#done = this.#done.then(() => action.run(tools, tools.pen.selection.here as Found));
+            }
+            if (isAction || (isPlain && this.#drawing.favourite(Number(event.key)))) {
+                event.preventDefault();
+                return;
+            }
         }
-        if (event.ctrlKey || event.metaKey || event.altKey) {
+        if (!isPlain) {
             return;
         }
         const found = this.#page.find(document.activeElement);
@@ -185,18 +271,13 @@ export class Hands {
         if (direction) {
             event.preventDefault();
             if (mode.isDraw && event.shiftKey && found) {
-                pen.extend(found);
+                tools.pen.selection.extend(found);
             } else if (mode.isDraw) {
-                pen.forget();
+                tools.pen.selection.forget();
             }
             this.#go(direction);
         } else if (mode.isDraw) {
-            if (event.key === 't' || event.key === 'T') {
-                event.preventDefault();
-                if (found) {
-                    this.#reveal(found, null, true);
-                }
-            } else if (found && (event.key === 'Home' || event.key === 'End')) {
+            if (found && (event.key === 'Home' || event.key === 'End')) {
                 event.preventDefault();
                 this.#act(event.key, event.shiftKey, found);
             }

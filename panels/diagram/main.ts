@@ -1,16 +1,25 @@
 // The page of the diagram: puts its parts together and talks with the extension.
 import type { FromPage, ToPage } from './messages.ts';
+import { ACTIONS, type Tools } from './draw/actions.ts';
 import { Asker } from './draw/asker.ts';
+import { Band } from './draw/band.ts';
+import { Clipboard } from './draw/clipboard.ts';
+import { DeclarationsTable } from './draw/declarations.ts';
 import { Drag } from './draw/drag.ts';
 import { Field } from './draw/field.ts';
+import { Findings } from './draw/findings.ts';
+import { keysShown, showKeys } from './draw/help.ts';
+import { Menu } from './draw/menu.ts';
 import { ModeSwitch } from './draw/mode.ts';
-import { Palette } from './draw/palette.ts';
+import { CONTACT, Palette } from './draw/palette.ts';
 import { Pen } from './draw/pen.ts';
+import { beginReorder } from './draw/reorder.ts';
+import { aboutOf, rangeOf } from './draw/selection.ts';
 import { Hands } from './hands.ts';
 import type { DrawableRow } from '../protocol.ts';
 import { Inspector } from './inspector.ts';
 import { Live } from './live.ts';
-import { Page } from './page.ts';
+import { type Found, Page } from './page.ts';
 import { describe } from './speech.ts';
 import { Toolbar } from './toolbar.ts';
 
@@ -50,7 +59,14 @@ const refusal = part('p', 'refusal');
 refusal.setAttribute('role', 'alert');
 refusal.hidden = true;
 strip.setAttribute('aria-label', 'Tags of the element');
-view.append(canvas, empty);
+/** The first network of an empty program. */
+const first = document.createElement('button');
+first.type = 'button';
+first.className = 'first';
+first.textContent = 'New network';
+first.title = 'The first network of the program (N)';
+first.hidden = true;
+view.append(canvas, empty, first);
 // The strip of buttons is above, and the tabulator comes to the drawing first.
 document.body.append(view, bar, strip, refusal, spoken);
 
@@ -71,7 +87,12 @@ const voice = {
         refusal.hidden = false;
     },
 };
-const pen = new Pen(page, new Field(canvas), asker.ask, voice, send, () => palette.open());
+const pen = new Pen(page, new Field(canvas), asker.ask, voice, send);
+const menu = new Menu(document.body, voice.refused);
+const findings = new Findings(page, asker.ask, menu, voice);
+const declarations = new DeclarationsTable(asker.ask, pen);
+strip.before(findings.node);
+view.before(declarations.node);
 
 /** Draws something where the focus is. */
 function drawHere(row: DrawableRow): boolean {
@@ -100,24 +121,65 @@ const palette = new Palette(asker.ask, {
             },
             () => drawHere(row),
         ),
-    branch: () => void pen.branch('below'),
+    branch: () => void pen.branch(CONTACT, 'below'),
 });
+
+const tools: Tools = {
+    pen,
+    clipboard: new Clipboard(pen),
+    palette,
+    findings,
+    reveal: (found) => {
+        const { start, end } = rangeOf(found);
+        send({ type: 'reveal', from: start, to: end, focus: true });
+    },
+    menu: (found) => void showMenu(found),
+    help: showKeys,
+};
+
+/** The menu of what is selected: what cannot be done is there, and says why. */
+async function showMenu(found: Found): Promise<void> {
+    const about = aboutOf(found);
+    const { start } = rangeOf(found);
+    const what = pen.selection.ranges;
+    const offered = await Promise.all([pen.look(about === 'element' ? { what } : { at: start }), pen.look({ network: found.drawing.first })]);
+    const offers = offered.flatMap((offer) => offer?.offers ?? []);
+    const why = (op: string | undefined) => offers.find((offer) => offer.op === op)?.why;
+    const heads = (offered[0]?.heads ?? []).map(({ text, title }) => ({ title: `${title} ${text}`, run: () => void pen.head(found, () => text) }));
+    let group = '';
+    const items = ACTIONS.filter(({ isHidden, on }) => !isHidden && on.includes(about)).flatMap((action) => {
+        const begins = group !== '' && group !== action.group;
+        group = action.group;
+        const item = { title: action.title, keys: keysShown(action.keys), why: why(action.offer), begins, run: () => void action.run(tools, found) };
+        return action.offer === 'head' && action.keys.includes('E') && heads.length > 0 ? heads : action.offer === 'head' && heads.length > 0 ? [] : [item];
+    });
+    const { left, bottom } = found.part.node.getBoundingClientRect();
+    menu.open(found.part.node.getAttribute('aria-label') ?? '', items, { x: left, y: bottom + 4 });
+}
 const mode = new ModeSwitch((mode) => {
     const isDraw = mode === 'draw';
     page.isDrawing = isDraw;
     document.body.classList.toggle('drawing-mode', isDraw);
     palette.node.hidden = !isDraw;
+    declarations.node.hidden = !isDraw;
+    declarations.outdate();
     refusal.hidden = true;
-    pen.forget();
+    pen.selection.forget();
     inspect();
     say(isDraw ? 'Draw: keys and the mouse change the program' : 'Operate: keys and the mouse switch its inputs');
+});
+first.addEventListener('click', () => {
+    mode.set('draw');
+    void pen.entry(undefined, 'below');
 });
 bar.prepend(mode.node);
 bar.after(palette.node);
 palette.node.hidden = true;
 new Hands(view, page, live, send, inspect, {
-    pen,
+    tools,
     drag,
+    band: new Band(page, canvas, pen.selection),
+    reorder: (event, drawing) => beginReorder(event, { drawing }, page, canvas, pen),
     mode,
     favourite: (number) => {
         const row = palette.favourite(number);
@@ -152,6 +214,7 @@ function inspect(): void {
     const tags = found ? found.drawing.tagsOf(found.part, live) : [];
     const name = found ? [found.part.name, ...found.part.operands.map(({ text }) => text)].join(' ') : '';
     inspector.show(tags.length > 0 ? name : '', tags);
+    findings.show(page.selection);
 }
 
 /** Said aloud when a person has done something, or the simulation is differently. */
@@ -192,16 +255,19 @@ function receive(message: ToPage): void {
             view.setAttribute('aria-label', `Ladder diagram of ${message.name}`);
             empty.textContent = '';
             page.open(message.version, message.lineCount, message.line);
+            declarations.open();
             break;
         case 'edited':
             live.edit(message.changes);
             page.edit(message.version, message.lineCount, message.changes);
+            declarations.outdate();
             break;
         case 'drawn':
             page.take(message.drawn);
             resize();
             page.makeReachable();
             empty.textContent = page.isEmpty && message.drawn.lineCount < 50 ? 'There is no network in this program yet.' : '';
+            first.hidden = empty.textContent === '';
             inspect();
             break;
         case 'failed':
@@ -225,6 +291,11 @@ function receive(message: ToPage): void {
         }
         case 'cursor':
             page.cursorAt(message.place);
+            break;
+        case 'findings':
+            page.report(message.findings);
+            declarations.report(message.findings);
+            inspect();
             break;
         case 'reply':
             asker.take(message);

@@ -65,6 +65,14 @@ export interface LiveUpdate {
     readonly tags: readonly Tag[];
 }
 
+/** What is reported about a place in the text. */
+export interface Finding {
+    readonly from: Place;
+    readonly to: Place;
+    readonly severity: 'error' | 'warning' | 'info';
+    readonly message: string;
+}
+
 export type ToPage =
     | { readonly type: 'open'; readonly name: string; readonly version: number; readonly lineCount: number; readonly line: number }
     | { readonly type: 'edited'; readonly version: number; readonly lineCount: number; readonly changes: readonly LineChange[] }
@@ -73,6 +81,7 @@ export type ToPage =
     | { readonly type: 'failed'; readonly version: number; readonly message: string }
     | { readonly type: 'live'; readonly update: LiveUpdate | undefined }
     | { readonly type: 'cursor'; readonly place: Place }
+    | { readonly type: 'findings'; readonly version: number; readonly findings: readonly Finding[] }
     /** The answer to a question, or why there is none. */
     | { readonly type: 'reply'; readonly id: number; readonly answer?: unknown; readonly error?: string };
 

@@ -1,5 +1,5 @@
 // The scrolling part of the page: asks for what comes into sight, and keeps only that on the page.
-import type { Drawn, FromPage, LineChange, Place } from './messages.ts';
+import type { Drawn, Finding, FromPage, LineChange, Place } from './messages.ts';
 import { Drawing, type Part } from './drawing.ts';
 import { Layout, moved } from './layout.ts';
 import type { Changed, Live } from './live.ts';
@@ -55,6 +55,7 @@ export class Page {
     #failed: number | undefined;
     #sees = '';
     #cursor: Place | undefined;
+    #findings: readonly Finding[] = [];
     /** What is to get the focus, and is shown as new. */
     #soon: { readonly places: readonly Place[]; readonly version: number; readonly isPoint: boolean; done(): void } | undefined;
 
@@ -109,6 +110,8 @@ export class Page {
         if (this.selected) {
             this.selected.line = moved(this.selected.line, changes);
         }
+        const move = (place: Place) => ({ ...place, line: moved(place.line, changes) });
+        this.#findings = this.#findings.map((finding) => ({ ...finding, from: move(finding.from), to: move(finding.to) }));
         this.#stay(anchor);
         this.update();
     }
@@ -123,6 +126,8 @@ export class Page {
         const anchor = this.#anchor();
         this.#isAsking = false;
         if (this.layout.take(drawn)) {
+            // Whoever drives the page from outside sees what is drawn.
+            this.#canvas.dataset['version'] = String(drawn.version);
             this.#stay(anchor);
             this.#forget();
         }
@@ -164,7 +169,7 @@ export class Page {
         }
         for (const { line, character } of places) {
             const isAt = ({ drawing, part }: Found) => drawing.first + part.at[0] === line && part.at[1] === character;
-            const node = this.spots().find(({ found }) => found.part.kind !== 'point' && isAt(found))?.found.part.node;
+            const node = this.spots().find(({ found }) => !found.drawing.points.includes(found.part) && isAt(found))?.found.part.node;
             node?.classList.add('new');
             setTimeout(() => node?.classList.remove('new'), SHOWN_AS_NEW);
         }
@@ -180,6 +185,23 @@ export class Page {
         const scale = this.layout.scale;
         const top = Number(drawing.node.dataset['top'] ?? 0) + box.y * scale;
         return { left: GUTTER + box.x * scale, top, width: box.width * scale, height: box.height * scale };
+    }
+
+    /** What is reported about the text, from top to bottom. */
+    get findings(): readonly Finding[] {
+        return this.#findings;
+    }
+
+    report(findings: readonly Finding[]): void {
+        this.#findings = [...findings].sort((a, b) => a.from.line - b.from.line || a.from.character - b.from.character);
+        for (const drawing of this.#drawings.values()) {
+            this.#reportTo(drawing);
+        }
+    }
+
+    #reportTo(drawing: Drawing): void {
+        const last = this.layout.at(drawing.first)?.last ?? drawing.first;
+        drawing.report(this.#findings.filter(({ from, to }) => from.line <= last && to.line >= drawing.first));
     }
 
     /** There is no drawing of this text: it is asked for again with the next one. */
@@ -199,31 +221,32 @@ export class Page {
         const [top, bottom] = [this.#view.scrollTop, this.#view.scrollTop + this.#view.clientHeight];
         this.#canvas.style.height = `${layout.height}px`;
         const segments = layout.between(top - MARGIN, bottom + MARGIN);
-        const seen = new Set<number>();
+        const seen = new Map<number, Drawing>();
         let width = 0;
-        for (const { piece, first, top: at } of segments) {
+        for (const { piece, first, last, top: at } of segments) {
             const svg = piece && this.#svgs.get(piece.key);
             if (!piece || svg === undefined) {
                 continue;
             }
-            seen.add(piece.id);
             width = Math.max(width, piece.width * layout.scale);
             this.#widest = Math.max(this.#widest, piece.width);
             let drawing = this.#drawings.get(piece.id);
             if (!drawing) {
-                drawing = new Drawing(piece, svg, first);
+                drawing = new Drawing(piece, svg, first, last);
                 drawing.resize(layout.scale);
                 this.#drawings.set(piece.id, drawing);
-                this.#insert(drawing);
                 drawing.show(this.#live);
+                this.#reportTo(drawing);
             } else if (drawing.first !== first) {
                 drawing.move(first);
                 drawing.show(this.#live);
             }
             drawing.node.style.transform = `translateY(${at}px)`;
             drawing.node.dataset['top'] = String(at);
+            seen.set(piece.id, drawing);
         }
         this.#drop(seen);
+        this.#order([...seen.values()]);
         this.#canvas.style.minWidth = `${width + GUTTER}px`;
         this.#ask(top, bottom);
     }
@@ -242,15 +265,26 @@ export class Page {
     }
 
     /** In the order of the text, which is that of the tabulator and of screen readers. */
-    #insert(drawing: Drawing): void {
-        const below = [...this.#drawings.values()]
-            .filter(({ first, node }) => first > drawing.first && node.parentNode)
-            .sort((a, b) => a.first - b.first)[0];
-        this.#canvas.insertBefore(drawing.node, below?.node ?? null);
+    #order(drawings: readonly Drawing[]): void {
+        const focused = document.activeElement;
+        let following: Element | null = null;
+        for (const { node } of [...drawings].reverse()) {
+            let next = node.nextElementSibling;
+            while (next && !next.classList.contains('piece')) {
+                next = next.nextElementSibling;
+            }
+            if (node.parentNode !== this.#canvas || next !== following) {
+                this.#canvas.insertBefore(node, following);
+            }
+            following = node;
+        }
+        if (document.activeElement !== focused && focused instanceof SVGElement && focused.isConnected) {
+            focused.focus({ preventScroll: true });
+        }
     }
 
     /** Takes off the page what is not seen; if it had the focus, that goes to what took its place. */
-    #drop(seen: ReadonlySet<number>): void {
+    #drop(seen: ReadonlyMap<number, Drawing>): void {
         let hadFocus = false;
         for (const [id, { node }] of this.#drawings) {
             if (!seen.has(id)) {
@@ -352,6 +386,11 @@ export class Page {
         return undefined;
     }
 
+    /** The drawing that a node of the page is in. */
+    drawingOf(node: EventTarget | null): Drawing | undefined {
+        return node instanceof Node ? [...this.#drawings.values()].find((drawing) => drawing.node.contains(node)) : undefined;
+    }
+
     #selectedPart(): Found | undefined {
         const place = this.selected;
         const drawing = place && [...this.#drawings.values()].find(({ first, node }) => {
@@ -375,7 +414,7 @@ export class Page {
             node.setAttribute('tabindex', '-1');
         }
         part.node.setAttribute('tabindex', '0');
-        this.selected = { line: drawing.first + part.at[0], character: part.at[1], isPoint: part.kind === 'point' };
+        this.selected = { line: drawing.first + part.at[0], character: part.at[1], isPoint: drawing.points.includes(part) };
     }
 
     /** Gives an element the focus. */

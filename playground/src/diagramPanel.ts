@@ -7,12 +7,14 @@ import { answerOf } from '../../panels/diagram/draw/asker.ts';
 import type { Edited } from '../../panels/diagram/draw/requests.ts';
 import type { FromPage, LineChange, ToPage } from '../../panels/diagram/messages.ts';
 import { Teller } from '../../panels/diagram/teller.ts';
-import { changesOf } from './findings.ts';
+import { actionsAt, changesOf, type Finding, fix } from './findings.ts';
 import { Frame } from './frame.ts';
 import { opensAnother } from './opened.ts';
 import type { OpenText } from './openText.ts';
 import type { Server } from './server.ts';
 import type { Simulation } from './simulation.ts';
+
+const SEVERITIES = { 1: 'error', 2: 'warning', 3: 'info', 4: 'info' } as const;
 
 export type DiagramEvents = Pick<Side, 'why' | 'command'>;
 
@@ -22,6 +24,7 @@ export class DiagramPanel {
     readonly #simulation: Simulation;
     readonly #teller: Teller;
     #isReady = false;
+    #found: readonly Finding[] = [];
     /** The page itself moves the cursor of the text. */
     #isRevealing = false;
 
@@ -42,7 +45,13 @@ export class DiagramPanel {
                 program.select({ start, end }, focus);
                 this.#isRevealing = false;
             },
-            request: (question) => answerOf(question, program.uri, (command, argument) => server.execute(command, argument), (edited) => this.#make(edited)),
+            request: (question) =>
+                answerOf(question, program.uri, {
+                    execute: (command, argument) => server.execute(command, argument),
+                    make: (edited) => this.#make(edited),
+                    fixes: async (range) => (await actionsAt(program.view, range, ['quickfix'])).map(({ title }) => title),
+                    fix: (range, title) => fix(program.view, range, title),
+                }),
             history: (step) => void (step === 'undo' ? undo : redo)(program.view),
             command: (name) => events.command(name),
             why: (tag) => events.why(tag),
@@ -73,6 +82,22 @@ export class DiagramPanel {
             const line = view.state.doc.lineAt(view.viewport.from).number - 1;
             this.frame.send({ type: 'open', name, version, lineCount: view.state.doc.lines, line });
             this.#teller.begin();
+            this.#report();
+        }
+    }
+
+    /** What the server finds in a text. */
+    report(uri: string, found: readonly Finding[]): void {
+        if (uri === this.#program.uri) {
+            this.#found = found;
+            this.#report();
+        }
+    }
+
+    #report(): void {
+        const findings = this.#found.map(({ range: { start, end }, severity = 1, message }) => ({ from: start, to: end, severity: SEVERITIES[severity], message }));
+        if (this.#isReady) {
+            this.frame.send({ type: 'findings', version: this.#program.version, findings });
         }
     }
 

@@ -75,7 +75,10 @@ const LOADING = 'What translates programs and proves is being loaded.';
 
 /** @param busy says what a person has to wait for, until it is called with nothing */
 export function setUp(say: (text: string) => void, busy: (text?: string) => void) {
-    const server = new Server([...languageServer, findings((uri, found) => problems.take(uri, found))], {
+    const server = new Server([...languageServer, findings((uri, found) => {
+            problems.take(uri, found);
+            diagram?.report(uri, found);
+        })], {
         state: (state) => simulation.receive(state),
         debugger: (message) => simulation.receiveOfDebugger(message),
         message: say,

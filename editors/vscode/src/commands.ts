@@ -187,6 +187,8 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.compareWithHead': (given) => views.compare.open(given),
         'ladder.diagram.reveal': (context) => views.diagrams.reveal(context),
         'ladder.diagram.breakpoint': (context) => views.diagrams.toggleBreakpoint(context),
+        'ladder.diagram.check': () => views.diagrams.check(),
+        'ladder.diagram.text': () => views.diagrams.showText(),
         'ladder.test': (uri?: unknown) => tests.runFile(typeof uri === 'string' ? uri : undefined),
         'ladder.test.whatMatters': () => tests.whatMatters(),
         'ladder.prove': (uri?: unknown, name?: unknown) =>

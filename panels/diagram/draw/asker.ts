@@ -1,7 +1,7 @@
 // Questions of the page, each answered once.
 import { reasonOf } from '../../reason.ts';
 import type { FromPage, Question, ToPage } from '../messages.ts';
-import type { OtherCommands } from '../../protocol.ts';
+import type { OtherCommands, Range } from '../../protocol.ts';
 import { commands, type Edited, type Requests } from './requests.ts';
 
 /** Sends a command to the server. */
@@ -37,17 +37,30 @@ export class Asker {
     }
 }
 
-/**
- * Answers what a page asks of the server about a program.
- * @param make makes the edits, as one step of the text's history, and returns the version that the text has then
- */
-export async function answerOf({ name, argument }: Question, uri: string, execute: Execute, make: (edited: Edited) => Promise<number>): Promise<unknown> {
-    if (name === 'edit') {
-        const edited = await execute(commands.edit, { uri, ...argument });
-        const { select, focus, said } = edited;
-        return { select, focus, said, version: await make(edited) };
+/** What an editor does for the page of a program. */
+export interface Host {
+    readonly execute: Execute;
+    /** Makes the edits, as one step of the text's history, and returns the version that the text has then. */
+    make(edited: Edited): Promise<number>;
+    fixes(range: Range): Promise<readonly string[]>;
+    fix(range: Range, title: string): Promise<void>;
+}
+
+/** Answers what a page asks about a program. */
+export async function answerOf(question: Question, uri: string, { execute, make, fixes, fix }: Host): Promise<unknown> {
+    switch (question.name) {
+        case 'edit': {
+            const edited = await execute(commands.edit, { uri, ...question.argument });
+            const { select, focus, said } = edited;
+            return { select, focus, said, version: await make(edited) };
+        }
+        case 'fixes':
+            return fixes(question.argument.range);
+        case 'fix':
+            return fix(question.argument.range, question.argument.title);
+        default:
+            return execute(commands[question.name], { uri, ...question.argument } as never);
     }
-    return execute(commands[name], { uri, ...argument } as never);
 }
 
 /** Replies to a question of a page. */

@@ -1,7 +1,8 @@
 // What is dragged: an element of the drawing, or a row of the palette. While it moves the place is shown where it would go:
 // a ring in a wire, a bar below an element, which a new branch would go around.
 import type { Found, Page } from '../page.ts';
-import { rangeOf, type Target } from './pen.ts';
+import type { Target } from './pen.ts';
+import { aboutOf, rangeOf } from './selection.ts';
 
 /** Who moves less only presses, in pixels. */
 const LEAST = 5;
@@ -33,8 +34,11 @@ export class Drag {
         this.#ghost.setAttribute('aria-hidden', 'true');
     }
 
-    /** Follows what was pressed. `pressed` is called if it did not move, `dropped` if it was let go at a place. */
-    begin(event: PointerEvent, shown: string, dropped: (drop: Drop) => void, pressed: () => void): void {
+    /**
+     * Follows what was pressed. `pressed` is called if it did not move, `dropped` if it was let go at a place.
+     * @param onlyWires an end of a branch goes to no place below an element
+     */
+    begin(event: PointerEvent, shown: string, dropped: (drop: Drop) => void, pressed: () => void, onlyWires = false): void {
         const from = { x: event.clientX, y: event.clientY };
         const since = Date.now();
         let isDragging = false;
@@ -53,7 +57,7 @@ export class Drag {
             if (isDragging) {
                 moved.preventDefault();
                 this.#ghost.style.transform = `translate(${moved.clientX + 12}px, ${moved.clientY + 8}px)`;
-                this.#show(moved);
+                this.#show(moved, onlyWires);
             }
         };
         const up = (released: PointerEvent) => {
@@ -93,13 +97,17 @@ export class Drag {
     }
 
     /** Shows the nearest place. */
-    #show({ clientX, clientY }: PointerEvent): void {
+    #show({ clientX, clientY }: PointerEvent, onlyWires: boolean): void {
         const { left, top } = this.#canvas.getBoundingClientRect();
         const [x, y] = [clientX - left, clientY - top];
         let best: { found: Found; isLane: boolean; far: number } | undefined;
         for (const { found } of this.#page.spots()) {
             const box = this.#page.boxOf(found);
-            const isLane = found.part.kind !== 'point';
+            const about = aboutOf(found);
+            const isLane = about === 'element';
+            if (about === 'join' || about === 'note' || (isLane && onlyWires)) {
+                continue;
+            }
             const across = Math.max(box.left - x, 0, x - box.left - box.width);
             const [upper, lower] = isLane ? [box.top + box.height - 6, box.top + box.height + 10] : [box.top, box.top + box.height];
             const far = Math.hypot(across, Math.max(upper - y, 0, y - lower));

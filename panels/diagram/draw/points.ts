@@ -1,57 +1,107 @@
-// The places of a drawing where something can be put in: each wire is one, with room enough for a finger.
+// What a drawing has besides its elements for those who draw: places in wires, lines where branches begin and end, comments.
+// Each has room enough for a finger.
 const SVG = 'http://www.w3.org/2000/svg';
 
 /** No target is smaller, in pixels of the drawing. */
 const LEAST = 24;
+/** How wide a letter of a comment is, and how high, in pixels of the drawing. */
+const LETTER = [8, 16] as const;
 
-interface Wire {
-    readonly at: string;
-    readonly left: number;
-    readonly right: number;
+/** What such a node is: somewhere to put something in, the end of branches, a comment. */
+type Kind = 'point' | 'join' | 'note';
+
+interface Box {
+    readonly x: number;
     readonly y: number;
+    readonly width: number;
+    readonly height: number;
 }
 
-/** The horizontal wires outside of elements, the longest piece of each. */
-function wiresOf(drawing: Element): Wire[] {
-    const wires = new Map<string, Wire>();
-    for (const line of drawing.querySelectorAll('line[data-power]')) {
-        const at = line.getAttribute('data-point') ?? line.getAttribute('data-power') ?? '';
-        const [x1, x2, y1, y2] = ['x1', 'x2', 'y1', 'y2'].map((name) => Number(line.getAttribute(name)));
-        if (x1 === undefined || x2 === undefined || y1 === undefined || y1 !== y2 || at.includes(' ') || line.closest('g.element')) {
-            continue;
-        }
-        const wire = { at, left: Math.min(x1, x2), right: Math.max(x1, x2), y: y1 };
-        const known = wires.get(at);
-        if (!known || known.right - known.left < wire.right - wire.left) {
-            wires.set(at, wire);
+function numbers(node: Element, ...names: string[]): number[] {
+    return names.map((name) => Number(node.getAttribute(name)));
+}
+
+function shape(name: string, attributes: Readonly<Record<string, string | number>>): SVGElement {
+    const node = document.createElementNS(SVG, name);
+    for (const [name, value] of Object.entries(attributes)) {
+        node.setAttribute(name, String(value));
+    }
+    return node;
+}
+
+/** A node like those of elements. */
+function nodeOf(kind: Kind, name: string, [at, end]: readonly [string, string], box: Box): SVGGElement {
+    const node = document.createElementNS(SVG, 'g');
+    node.setAttribute('class', `element ${kind}`);
+    node.setAttribute('data-at', at);
+    node.setAttribute('data-end', end);
+    node.setAttribute('data-name', name);
+    node.append(shape('rect', { ...box, rx: 3, class: 'hit' }));
+    return node;
+}
+
+/** A box around a place that is as large as a target is at least. */
+function around(x: number, y: number, width = LEAST): Box {
+    return { x: x - Math.max(width, LEAST) / 2, y: y - LEAST / 2, width: Math.max(width, LEAST), height: LEAST };
+}
+
+function point(at: string, x: number, y: number, width?: number): SVGGElement {
+    const node = nodeOf('point', 'Wire', [at, at], around(x, y, width));
+    node.append(shape('circle', { cx: x, cy: y, r: 6, class: 'ring' }));
+    return node;
+}
+
+/** Places in the horizontal wires outside of elements, in the longest piece of each. */
+function wires(drawing: Element): SVGGElement[] {
+    const found = new Map<string, { left: number; right: number; y: number }>();
+    for (const line of drawing.querySelectorAll('line[data-point]')) {
+        const at = line.getAttribute('data-point') ?? '';
+        const [x1 = 0, x2 = 0, y = 0] = numbers(line, 'x1', 'x2', 'y1');
+        const wire = { left: Math.min(x1, x2), right: Math.max(x1, x2), y };
+        const known = found.get(at);
+        if (!line.closest('g.element') && (!known || known.right - known.left < wire.right - wire.left)) {
+            found.set(at, wire);
         }
     }
-    return [...wires.values()];
+    return [...found].map(([at, { left, right, y }]) => point(at, (left + right) / 2, y, right - left));
 }
 
-/** Adds the places to a drawing, under its elements. @returns their nodes, which are like those of elements */
-export function addPoints(drawing: Element): SVGGElement[] {
-    const nodes = wiresOf(drawing).map(({ at, left, right, y }) => {
-        const width = Math.max(right - left, LEAST);
-        const node = document.createElementNS(SVG, 'g');
-        node.setAttribute('class', 'element point');
-        node.setAttribute('data-at', at);
-        node.setAttribute('data-end', at);
-        node.setAttribute('data-name', 'Wire');
-        const hit = document.createElementNS(SVG, 'rect');
-        const box = { x: (left + right - width) / 2, y: y - LEAST / 2, width, height: LEAST };
-        for (const [name, value] of Object.entries({ ...box, rx: 3 })) {
-            hit.setAttribute(name, String(value));
-        }
-        hit.setAttribute('class', 'hit');
-        const ring = document.createElementNS(SVG, 'circle');
-        for (const [name, value] of Object.entries({ cx: (left + right) / 2, cy: y, r: 6 })) {
-            ring.setAttribute(name, String(value));
-        }
-        ring.setAttribute('class', 'ring');
-        node.append(hit, ring);
-        return node;
+/** The lines from rung to rung, and the places on them that have no wire: those are at their upper ends. */
+function joins(drawing: Element): SVGGElement[] {
+    return [...drawing.querySelectorAll('line[data-joins]')].flatMap((line) => {
+        const [x = 0, top = 0, bottom = 0] = numbers(line, 'x1', 'y1', 'y2');
+        const at = line.getAttribute('data-joins')?.split(/[ ,]/)[0] ?? '';
+        const tight = line.getAttribute('data-tight')?.split(' ') ?? [];
+        const box = { x: x - LEAST / 2, y: top + LEAST / 2, width: LEAST, height: Math.max(bottom - top - LEAST, LEAST / 2) };
+        const join = nodeOf('join', 'End of a branch', [at, at], box);
+        join.append(shape('path', { d: `M ${x} ${box.y} V ${box.y + box.height}`, class: 'grip' }));
+        return [join, ...tight.map((at) => point(at, x, top))];
     });
+}
+
+/** The comments in wires, as what can be selected. */
+function comments(drawing: Element): SVGGElement[] {
+    return [...drawing.querySelectorAll('text.comment[data-at]')].map((text) => {
+        const [x = 0, y = 0] = numbers(text, 'x', 'y');
+        const [at, end] = [text.getAttribute('data-at') ?? '', text.getAttribute('data-end') ?? ''];
+        const words = text.textContent ?? '';
+        const box = around(x, y - LETTER[1] / 4, words.length * LETTER[0]);
+        return nodeOf('note', `Comment ${words}`, [at, end], box);
+    });
+}
+
+/** The comment on one line that a piece of the diagram is. */
+export function addComment(drawing: Element): SVGGElement[] {
+    const [width = 0, height = 0] = numbers(drawing, 'width', 'height');
+    const words = [...drawing.querySelectorAll('text')].map((text) => text.textContent ?? '').join(' ');
+    const node = nodeOf('note', `Comment ${words}`, ['0:0', '0:1'], { x: 8, y: 0, width: Math.max(width - 8, LEAST), height });
+    drawing.prepend(node);
+    return [node];
+}
+
+/** Adds them to the drawing of a network, under its elements. */
+export function addPoints(drawing: Element): SVGGElement[] {
+    const nodes = [...joins(drawing), ...wires(drawing), ...comments(drawing)];
     drawing.prepend(...nodes);
     return nodes;
 }

@@ -5,6 +5,7 @@ import { breakpointsAt } from '../breakpoints.ts';
 import type { Server } from '../server.ts';
 import type { Simulation } from '../simulation.ts';
 import { folderOf, pageOf } from '../webviewPage.ts';
+import { findingsOf } from './findings.ts';
 import { DiagramPanel } from './panel.ts';
 
 /** As package.json declares it. */
@@ -59,10 +60,31 @@ export class DiagramEditors implements vscode.CustomTextEditorProvider, vscode.D
         await vscode.commands.executeCommand('vscode.openWith', uri, DIAGRAM, options);
     }
 
+    /** The diagram that one looks at. */
+    get #active(): DiagramPanel | undefined {
+        return [...this.#panels].find(([webview]) => webview.active)?.[1];
+    }
+
+    /** Shows what is reported about the program, or that nothing is. */
+    async check(): Promise<void> {
+        const document = this.#active?.document;
+        if (document && findingsOf(document).length === 0) {
+            void vscode.window.showInformationMessage(`Nothing is reported in ${document.uri.path.split('/').at(-1) ?? 'the program'}.`);
+        } else if (document) {
+            await vscode.commands.executeCommand('workbench.actions.view.problems');
+        }
+    }
+
+    /** Shows the text of the program next to its diagram. */
+    async showText(): Promise<void> {
+        const start = { line: 0, character: 0 };
+        await this.#active?.reveal(start, start, true);
+    }
+
     /** What the menu of an element was opened on: its diagram, and its place in the text. */
     #chosen(context?: { place?: string }) {
         const [line, character] = (context?.place ?? '').split(':').map(Number);
-        const panel = [...this.#panels].find(([webview]) => webview.active)?.[1];
+        const panel = this.#active;
         return panel && line !== undefined && character !== undefined ? { panel, place: { line, character } } : undefined;
     }
 

@@ -8,6 +8,7 @@ import type { FromPage, Place, ToPage } from '../../../../panels/diagram/message
 import { Teller } from '../../../../panels/diagram/teller.ts';
 import { withTheRest } from '../../../../panels/pace.ts';
 import type { Server } from '../server.ts';
+import { findingsOf, fix, fixesAt } from './findings.ts';
 import type { Simulation } from '../simulation.ts';
 
 /** The place of the cursor is not sent more often. In milliseconds. */
@@ -39,7 +40,12 @@ export class DiagramPanel implements vscode.Disposable {
             look: () => simulation.look(),
             reveal: (from, to, focus, isQuiet) => this.reveal(from, to, focus, isQuiet),
             request: (question) =>
-                answerOf(question, document.uri.toString(), (command, argument) => server.execute(command, argument), (edited) => this.#make(edited)),
+                answerOf(question, document.uri.toString(), {
+                    execute: (command, argument) => server.execute(command, argument),
+                    make: (edited) => this.#make(edited),
+                    fixes: async (range) => (await fixesAt(document, range)).map(({ title }) => title),
+                    fix: (range, title) => fix(document, range, title),
+                }),
             history: async (step) => vscode.commands.executeCommand<void>(step),
             command: async (name) => vscode.commands.executeCommand<void>(`ladder.simulation.${name}`),
             why: async (name) => vscode.commands.executeCommand<void>('ladder.simulation.why', { name }),
@@ -66,6 +72,11 @@ export class DiagramPanel implements vscode.Disposable {
                 }
             }),
             simulation.alsoShows((other) => (other === document && this.#panel.visible ? this.#teller.lines : undefined)),
+            vscode.languages.onDidChangeDiagnostics(({ uris }) => {
+                if (uris.some((uri) => uri.toString() === document.uri.toString())) {
+                    this.#report();
+                }
+            }),
             server.onDidStart(() => this.#open()),
             this.#teller,
             new vscode.Disposable(() => clearTimeout(this.#later)),
@@ -101,6 +112,13 @@ export class DiagramPanel implements vscode.Disposable {
         const name = document.uri.path.split('/').at(-1) ?? '';
         this.#send({ type: 'open', name, version: document.version, lineCount: document.lineCount, line });
         this.#teller.begin();
+        this.#report();
+    }
+
+    #report(): void {
+        if (this.#isReady) {
+            this.#send({ type: 'findings', version: this.document.version, findings: findingsOf(this.document) });
+        }
     }
 
     #edited({ document, contentChanges }: vscode.TextDocumentChangeEvent): void {

@@ -1,0 +1,50 @@
+// Networks are put in another order by dragging their line numbers.
+import type { Found, Page } from '../page.ts';
+import type { Pen } from './pen.ts';
+
+/** Who moves less only presses, in pixels. */
+const LEAST = 5;
+
+/** Follows what was pressed in the margin of a network. */
+export function beginReorder(event: PointerEvent, { drawing }: Pick<Found, 'drawing'>, page: Page, canvas: HTMLElement, pen: Pen): void {
+    const bar = document.createElement('div');
+    bar.className = 'between';
+    bar.setAttribute('aria-hidden', 'true');
+    let before: number | null | undefined;
+    const move = ({ clientY }: PointerEvent) => {
+        if (!bar.isConnected && Math.abs(clientY - event.clientY) < LEAST) {
+            return;
+        }
+        const y = clientY - canvas.getBoundingClientRect().top;
+        const { segments, scale, height } = page.layout;
+        const below = segments.find(({ top, piece }) => piece?.kind === 'network' && top + (piece.height * scale) / 2 > y);
+        before = below?.first ?? null;
+        bar.style.top = `${(below?.top ?? height) - 8}px`;
+        canvas.append(bar);
+    };
+    const end = () => {
+        window.removeEventListener('pointermove', move);
+        window.removeEventListener('pointerup', drop);
+        window.removeEventListener('pointercancel', end);
+        window.removeEventListener('keydown', key, true);
+        bar.remove();
+    };
+    const drop = () => {
+        const networks = page.networks();
+        const next = networks[networks.indexOf(drawing.first) + 1] ?? null;
+        end();
+        if (before !== undefined && before !== drawing.first && before !== next) {
+            void pen.edit({ op: 'moveNetwork', network: drawing.first, before });
+        }
+    };
+    const key = (pressed: KeyboardEvent) => {
+        if (pressed.key === 'Escape') {
+            pressed.stopPropagation();
+            end();
+        }
+    };
+    window.addEventListener('pointermove', move);
+    window.addEventListener('pointerup', drop);
+    window.addEventListener('pointercancel', end);
+    window.addEventListener('keydown', key, true);
+}
