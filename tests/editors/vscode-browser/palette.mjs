@@ -17,10 +17,17 @@ export async function list(page, key) {
 
 /** Opens the list with a key, has it look for a text, and takes the row that shows a name. */
 async function pick(page, key, text, name) {
-    // Letters that come too soon after the opening would be lost.
-    await (await list(page, key)).fill(text);
     // Not the first row: the list has its own opinion of what is meant.
     const row = page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first();
+    for (let tries = 0; tries < 4; tries += 1) {
+        // Letters that come too soon after the opening would be lost.
+        await (await list(page, key)).fill(text);
+        if (await row.waitFor({ timeout: 5000 }).then(() => true, () => false)) {
+            break;
+        }
+        // The list is of the moment in which it was opened: a command that is possible since then is not in it.
+        await page.keyboard.press('Escape');
+    }
     await row.click();
     // A click that meets the drawing of a new list is lost. A row may also go late, and is not there for a second click.
     const isGone = await row.waitFor({ state: 'hidden', timeout: 5000 }).then(() => true, () => false);
