@@ -203,6 +203,7 @@ async function begin(): Promise<void> {
         const first = all[0];
         if (first) {
             await open(first);
+            say('Draw in the diagram: drag a contact onto a wire; a second press on an element shows what can be done with it.');
         }
     }
 }
