@@ -57,7 +57,12 @@ export class Hands {
         view.addEventListener('pointerdown', (event) => this.#press(event));
         view.addEventListener('contextmenu', (event) => this.#menu(event));
         view.addEventListener('dblclick', (event) => this.#double(event));
-        view.addEventListener('keydown', (event) => this.#key(event));
+        // While a drawing is replaced nothing has the focus for a moment: keys are meant for the drawing then, too.
+        document.addEventListener('keydown', (event) => {
+            if (event.target === document.body || (event.target instanceof Node && view.contains(event.target))) {
+                this.#key(event);
+            }
+        });
         view.addEventListener('focusin', (event) => {
             const found = page.find(event.target);
             if (found) {

@@ -245,8 +245,14 @@ export class Page {
             drawing.node.dataset['top'] = String(at);
             seen.set(piece.id, drawing);
         }
-        this.#drop(seen);
+        const hadFocus = this.#drop(seen);
         this.#order([...seen.values()]);
+        const focused = hadFocus ? this.#selectedPart() : undefined;
+        if (focused) {
+            this.select(focused, false);
+        } else if (hadFocus) {
+            this.#view.focus({ preventScroll: true });
+        }
         this.#canvas.style.minWidth = `${width + GUTTER}px`;
         this.#ask(top, bottom);
     }
@@ -283,8 +289,8 @@ export class Page {
         }
     }
 
-    /** Takes off the page what is not seen; if it had the focus, that goes to what took its place. */
-    #drop(seen: ReadonlyMap<number, Drawing>): void {
+    /** Takes off the page what is not seen. @returns whether that had the focus, which goes to what takes its place */
+    #drop(seen: ReadonlyMap<number, Drawing>): boolean {
         let hadFocus = false;
         for (const [id, { node }] of this.#drawings) {
             if (!seen.has(id)) {
@@ -293,14 +299,7 @@ export class Page {
                 this.#drawings.delete(id);
             }
         }
-        if (hadFocus) {
-            const found = this.#selectedPart();
-            if (found) {
-                this.select(found, false);
-            } else {
-                this.#view.focus({ preventScroll: true });
-            }
-        }
+        return hadFocus;
     }
 
     #ask(top: number, bottom: number): void {

@@ -122,4 +122,26 @@ export async function pen(page, { step, until, screenshot }) {
         await frame.locator('button.stop').click();
         await frame.locator('button.start').waitFor();
     });
+    await step('a row of the table is added, and what is reported is put right by its fix', async () => {
+        await frame.locator('.declarations summary').waitFor();
+        const row = frame.locator('.declarations .empty-row input').first();
+        await row.fill('spare');
+        await row.press('Enter');
+        await until('the row', async () => /spare\s*: BOOL;/.test(await text()));
+        await frame.locator('.wave').first().waitFor({ state: 'attached' });
+        await frame.locator('g.element').first().focus();
+        await page.keyboard.press('F8');
+        await frame.locator('.findings').waitFor();
+        await page.keyboard.press('Control+.');
+        await frame.getByRole('menuitem', { name: /Declare/ }).first().click();
+        await until('the declaration', async () => (await text()).includes('VAR_OUTPUT'));
+    });
+    await step('the title of the diagram has what an electrician needs: run, check, text', async () => {
+        await frame.locator('g.element').first().focus();
+        const title = page.locator('.editor-group-container.active .editor-actions');
+        await title.getByRole('button', { name: /Check the Program/ }).waitFor();
+        await title.getByRole('button', { name: /Start Simulation/ }).waitFor();
+        await title.getByRole('button', { name: /Show the Text/ }).click();
+        await page.locator('.editor-group-container.active .monaco-editor.focused').first().waitFor();
+    });
 }
