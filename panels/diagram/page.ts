@@ -398,7 +398,8 @@ export class Page {
         });
         const isAt = ({ at: [line, character] }: Part) => drawing && place && drawing.first + line === place.line && character === place.character;
         const point = place?.isPoint === true ? drawing?.points.find(isAt) : undefined;
-        const part = point ?? (place && drawing?.partAt(place.line, place.character));
+        // A comment has no elements: it is one of its own places.
+        const part = point ?? (place && (drawing?.partAt(place.line, place.character) ?? drawing?.points[0]));
         return drawing && part && { drawing, part };
     }
 

@@ -69,6 +69,27 @@ test('a garage door', async () => {
 `);
 });
 
+test('two pumps that take turns, with a block of the library', async () => {
+    const { press, write, focusOn, page, host } = await open('');
+    await page.locator('.view').focus();
+    await press('n');
+    await write('XIC float OTE demand');
+    await focusOn('Open contact float');
+    await press('f');
+    await page.keyboard.type('take turns');
+    await press('Escape');
+    await press('n');
+    await write('XIC demand OTE pump_1');
+    await focusOn('Open contact demand');
+    await press('f');
+    await page.keyboard.type('alternate');
+    await page.locator('.palette .row[aria-selected="true"]', { hasText: '[$Alternate]' }).waitFor();
+    await press('Enter');
+    await write('turns, 1, 2, 1, 16#FF, pump_1, pump_2');
+    await until('the block', () => host.text.includes('[$Alternate]( turns, 1, 2, 1, 16#FF, pump_1, pump_2 )'));
+    assert.equal(host.edits, 3);
+});
+
 test('an end of a branch moves, elements move, a branch begins and ends', async () => {
     const { press, write, becomes, focusOn, wire, page, element } = await open('+--[ ]( a )--[ ]( b )--[ ]( c )------------------------------------( )( y )--+\n');
     await wire('between the left and a').focus();
@@ -122,7 +143,7 @@ test('kinds, groups, networks and what cannot be done', async () => {
 });
 
 test('a comment is selected, changed and deleted', async () => {
-    const { press, write, becomes, page } = await open(`# Starts it. #\n${STARTER}`);
+    const { press, write, becomes, focusOn, page } = await open(`# Starts it. #\n${STARTER}`);
     await page.locator('g.element.note').focus();
     await press('Enter');
     await write('Starts the motor.');
@@ -130,4 +151,13 @@ test('a comment is selected, changed and deleted', async () => {
     await page.locator('g.element.note').focus();
     await press('Delete');
     await becomes(STARTER);
+    await press('n');
+    await write('XIC a OTE b');
+    await focusOn('Open contact a');
+    await press('#');
+    await write('The second.');
+    // What is new has the focus, and the keys go on from there.
+    await focusOn('Comment The second.');
+    await press('ArrowDown');
+    await focusOn('Open contact a');
 });

@@ -30,6 +30,8 @@ export interface Written {
 /** What is typed last is asked for, this long after the last key. In milliseconds. */
 const PAUSE = 120;
 const MOST = 12;
+/** How wide the field is, in letters. */
+const [NARROWEST, WIDEST] = [24, 64];
 
 let fields = 0;
 
@@ -62,6 +64,8 @@ export class Field {
         input.spellcheck = false;
         input.autocomplete = 'off';
         input.value = wanted.text ?? '';
+        // Wide enough for what is there: the parameters of a block are many.
+        input.size = Math.min(Math.max(input.value.length + 2, NARROWEST), WIDEST);
         input.placeholder = wanted.placeholder ?? '';
         input.setAttribute('role', 'combobox');
         input.setAttribute('aria-label', wanted.label);
