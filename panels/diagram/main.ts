@@ -89,8 +89,8 @@ const voice = {
 };
 const pen = new Pen(page, new Field(canvas), asker.ask, voice, send);
 const menu = new Menu(document.body, voice.refused);
-const findings = new Findings(page, asker.ask, menu, voice);
-const declarations = new DeclarationsTable(asker.ask, pen);
+const declarations = new DeclarationsTable(asker.ask, pen, (by) => void findings.go(by));
+const findings: Findings = new Findings(page, asker.ask, menu, voice, (finding) => declarations.focusOn(finding));
 strip.before(findings.node);
 view.before(declarations.node);
 

@@ -73,3 +73,15 @@ test('what is reported is a wave; its fix is one step', async () => {
     assert.equal(host.edits, 1);
     assert.match(await focused(), /^Coil run/);
 });
+
+test('findings are visited in the table and in the drawing', async () => {
+    const { page, press, focusOn } = await open(`VAR\n    never : BOOOL;\nEND_VAR\n${PLANT}`);
+    await page.locator('.declarations .reported').waitFor();
+    await page.locator('.view').focus();
+    await press('F8');
+    await focusOn('Name of never');
+    await press('F8');
+    await focusOn('Coil run');
+    await press('Shift+F8');
+    await focusOn('Name of never');
+});

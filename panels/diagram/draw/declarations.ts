@@ -99,6 +99,7 @@ export class DeclarationsTable {
     readonly #more = document.createElement('p');
     readonly #ask: Ask;
     readonly #pen: Pen;
+    readonly #visit: (by: 1 | -1) => void;
     /** By the names of their tags; those for new tags by their blocks alone. */
     #rows = new Map<string, Row>();
     /** One change after the other: each is of the text that the one before has made. */
@@ -107,7 +108,9 @@ export class DeclarationsTable {
     #findings: readonly Finding[] = [];
     #later: ReturnType<typeof setTimeout> | undefined;
 
-    constructor(ask: Ask, pen: Pen) {
+    /** @param visit goes to the next finding, or the one before */
+    constructor(ask: Ask, pen: Pen, visit: (by: 1 | -1) => void) {
+        this.#visit = visit;
         this.#ask = ask;
         this.#pen = pen;
         this.node.className = 'declarations';
@@ -167,6 +170,13 @@ export class DeclarationsTable {
     report(findings: readonly Finding[]): void {
         this.#findings = findings;
         this.#mark();
+    }
+
+    /** The declaration that a finding is about has the focus. @returns whether there is one */
+    focusOn(finding: Finding): boolean {
+        const [row] = this.node.open ? this.#rowsOf(finding) : [];
+        row?.inputs[0]?.focus();
+        return row !== undefined;
     }
 
     async #look(): Promise<void> {
@@ -231,13 +241,21 @@ export class DeclarationsTable {
 
     #mark(): void {
         for (const row of this.#rows.values()) {
-            const own = row.declared ? this.#findings.filter(({ from, to }) => touches(row.declared?.at, from, to)) : [];
+            const own = this.#findings.filter((finding) => this.#rowsOf(finding).includes(row));
             const [name] = row.inputs;
             row.node.classList.toggle('reported', own.length > 0);
             row.node.title = own.map(({ message }) => message).join('\n');
             name?.setAttribute('aria-invalid', String(own.some(({ severity }) => severity === 'error')));
             name?.setAttribute('aria-description', row.node.title);
         }
+    }
+
+    /** The rows that a finding is about: those of its names, else all of its line. */
+    #rowsOf(finding: Finding): Row[] {
+        const { line } = finding.from;
+        const onLine = [...this.#rows.values()].filter(({ declared }) => declared?.at.start.line === line);
+        const named = onLine.filter(({ declared }) => touches(declared?.at, finding));
+        return named.length > 0 ? named : onLine;
     }
 
     #rowOf(target: EventTarget | null): Row | undefined {
@@ -300,7 +318,9 @@ export class DeclarationsTable {
         const column = row.inputs.indexOf(event.target);
         const all = [...this.#rows.values()];
         const go = (by: number) => all[all.indexOf(row) + by]?.inputs[column]?.focus();
-        if (event.key === 'Escape') {
+        if (event.key === 'F8') {
+            this.#visit(event.shiftKey ? -1 : 1);
+        } else if (event.key === 'Escape') {
             event.target.value = event.target.defaultValue;
         } else if (event.key === 'Enter' && !row.declared) {
             this.#add(row);
@@ -316,6 +336,7 @@ export class DeclarationsTable {
     }
 }
 
-function touches(at: Range | undefined, from: Finding['from'], to: Finding['to']): boolean {
-    return at !== undefined && from.line <= at.start.line && to.line >= at.start.line && (from.line < at.start.line || from.character <= at.end.character) && (to.line > at.start.line || to.character >= at.start.character);
+function touches(at: Range | undefined, { from, to }: Finding): boolean {
+    const isAfter = at !== undefined && (from.line < at.start.line || (from.line === at.start.line && from.character <= at.end.character));
+    return isAfter && (to.line > at.start.line || (to.line === at.start.line && to.character >= at.start.character));
 }

@@ -1,5 +1,5 @@
 // What is reported about the program: said in a strip below when its element has the focus, visited by keys, put right by a menu.
-import type { Finding } from '../messages.ts';
+import type { Finding, Place } from '../messages.ts';
 import type { Found, Page } from '../page.ts';
 import type { Ask } from './asker.ts';
 import type { Menu } from './menu.ts';
@@ -14,8 +14,13 @@ export class Findings {
     readonly #ask: Ask;
     readonly #menu: Menu;
     readonly #voice: Voice;
+    readonly #inTable: (finding: Finding) => boolean;
+    /** Where the last one was. */
+    #visited: Place | undefined;
 
-    constructor(page: Page, ask: Ask, menu: Menu, voice: Voice) {
+    /** @param inTable gives the focus to the declaration that a finding is about. @returns whether there is one */
+    constructor(page: Page, ask: Ask, menu: Menu, voice: Voice, inTable: (finding: Finding) => boolean) {
+        this.#inTable = inTable;
         this.#page = page;
         this.#ask = ask;
         this.#menu = menu;
@@ -53,7 +58,8 @@ export class Findings {
     /** Goes to the next finding, or the one before. */
     async go(by: 1 | -1): Promise<void> {
         const { findings, selected, layout } = this.#page;
-        const here = selected ?? { line: -1, character: 0 };
+        const isInTable = document.activeElement?.closest('.declarations') !== null;
+        const here = (isInTable ? this.#visited : selected) ?? { line: -1, character: 0 };
         const isAfter = ({ from }: Finding) => from.line > here.line || (from.line === here.line && from.character > here.character);
         const isBefore = ({ from }: Finding) => from.line < here.line || (from.line === here.line && from.character < here.character);
         const next = by > 0 ? (findings.find(isAfter) ?? findings[0]) : (findings.findLast(isBefore) ?? findings.at(-1));
@@ -61,8 +67,15 @@ export class Findings {
             this.#voice.said('Nothing is reported in this program');
             return;
         }
-        this.#page.cursorAt(next.from);
-        await this.#page.focusSoon([next.from], layout.version, false);
+        this.#visited = next.from;
+        if (!this.#inTable(next)) {
+            if (document.activeElement instanceof HTMLElement) {
+                // A field that has the focus would keep it.
+                document.activeElement.blur();
+            }
+            this.#page.cursorAt(next.from);
+            await this.#page.focusSoon([next.from], layout.version, false);
+        }
         this.#voice.said(`${WORDS[next.severity]}: ${next.message}`);
     }
 
