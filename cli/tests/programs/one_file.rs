@@ -99,7 +99,7 @@ fn the_file_that_a_folder_comes_from_is_named() {
     expect![[r#"
         exit status 2
         -- stderr
-        error: cell/Pump.clad: this is no Logix L5X export, so what is written cannot be kept as it is there; name the file that the programs come from
+        error: cell/Pump.clad: this is not a Logix L5X export, so what is written cannot be kept as it is there; name the file that the programs come from
     "#]].assert_eq(&run.to_string());
     let run = folder.ladder(&["convert", "cell", "-o", "other.L5X", "--keep", "missing.L5X"]);
     expect![[r#"

@@ -1,7 +1,7 @@
 //! Files of Structured Text are programs of a workspace: what they declare is used in ladder text, and the reverse.
 
 use crate::harness::Folder;
-use expect_test::expect;
+use expect_test::{Expect, expect};
 
 const BLOCKS: &str = "\
 TYPE
@@ -89,26 +89,36 @@ fn plant() -> Folder {
     ])
 }
 
+/// What the program says to some words, in the folder.
+#[track_caller]
+fn check(folder: &Folder, words: &str, expected: Expect) {
+    let words: Vec<&str> = words.split_whitespace().collect();
+    expected.assert_eq(&folder.ladder(&words).to_string());
+}
+
+/// The plant with another text in its blocks.
+fn with_blocks(from: &str, to: &str) -> Folder {
+    let folder = plant();
+    folder.write("blocks.st", BLOCKS.replace(from, to).as_bytes());
+    folder
+}
+
 #[test]
 fn ladder_text_calls_them_and_they_call_ladder_text() {
     let folder = plant();
-    expect![[r#"
+    check(
+        &folder,
+        "check . --format concise",
+        expect![[r#"
         exit status 0
         -- stdout
         Checked 4 files: no errors found.
-    "#]]
-    .assert_eq(&folder.ladder(&["check", ".", "--format", "concise"]).to_string());
-    let sim = [
-        "sim",
-        "plant.clad",
-        "--scans",
-        "4",
-        "--set",
-        "start=1",
-        "--watch",
-        "n,lamp,total",
-    ];
-    expect![[r#"
+    "#]],
+    );
+    check(
+        &folder,
+        "sim plant.clad --scans 4 --set start=1 --watch n,lamp,total",
+        expect![[r#"
         exit status 0
         -- stdout
         scan,time_ms,n,lamp,total
@@ -116,10 +126,12 @@ fn ladder_text_calls_them_and_they_call_ladder_text() {
         1,10,10,1,2
         2,20,12,1,3
         3,30,12,1,4
-    "#]]
-    .assert_eq(&folder.ladder(&sim).to_string());
-    let sim = ["sim", "main.st", "--scans", "4", "--watch", "n,total"];
-    expect![[r#"
+    "#]],
+    );
+    check(
+        &folder,
+        "sim main.st --scans 4 --watch n,total",
+        expect![[r#"
         exit status 0
         -- stdout
         scan,time_ms,n,total
@@ -127,8 +139,8 @@ fn ladder_text_calls_them_and_they_call_ladder_text() {
         1,10,10,2
         2,20,15,3
         3,30,16,4
-    "#]]
-    .assert_eq(&folder.ladder(&sim).to_string());
+    "#]],
+    );
 }
 
 #[test]
@@ -146,49 +158,42 @@ start    - - - -
 n     => 5 10 12 12
 ";
     folder.write("plant.ladder-test", scenarios.as_bytes());
-    let tested = folder.ladder(&["test", "plant.ladder-test"]);
-    assert!(
-        tested
-            .stdout
-            .contains("n is never over 4\" is violated in scan 0"),
-        "{tested}"
-    );
-    let proved = folder.ladder(&["prove", "."]);
-    assert!(
-        proved
-            .stdout
-            .contains("proved      n is never over 12  for any times"),
-        "{proved}"
-    );
-    assert!(
-        proved
-            .stdout
-            .contains("violated    n is never over 4   in scan 0"),
-        "{proved}"
-    );
-    let covered = folder.ladder(&["test", "--coverage", "."]);
-    assert!(
-        covered
-            .stdout
-            .contains("  blocks.st:18:5: this contact was never"),
-        "{covered}"
-    );
+    for (words, told) in [
+        (
+            &["test", "plant.ladder-test"][..],
+            "n is never over 4\" is violated in scan 0",
+        ),
+        (&["prove", "."], "proved      n is never over 12  for any times"),
+        (&["prove", "."], "violated    n is never over 4   in scan 0"),
+        (
+            &["test", "--coverage", "."],
+            "  blocks.st:18:5: this contact was never",
+        ),
+    ] {
+        let answer = folder.ladder(words);
+        assert!(answer.stdout.contains(told), "{answer}");
+    }
 }
 
 #[test]
 fn what_is_wrong_in_one_is_said_at_its_places_and_keeps_its_users_from_running() {
-    let folder = plant();
-    folder.write("blocks.st", BLOCKS.replace("IF run THEN", "IF run").as_bytes());
-    expect![[r#"
+    let folder = with_blocks("IF run THEN", "IF run");
+    check(
+        &folder,
+        "check . --format concise",
+        expect![[r#"
         exit status 1
         -- stdout
         blocks.st:24:9: error[st-syntax] `THEN` is expected here, not `turns`
         blocks.st:26:11: error[st-syntax] `:=` is expected here, not `;`
         blocks.st:9:16: warning[unread-part] `FB_Motor` is an unread part: it is not run, and may write any tag that it sees
         Checked 4 files: 2 errors, 1 warning.
-    "#]]
-    .assert_eq(&folder.ladder(&["check", ".", "--format", "concise"]).to_string());
-    expect![[r#"
+    "#]],
+    );
+    check(
+        &folder,
+        "sim plant.clad --scans 2",
+        expect![[r#"
         exit status 1
         -- stderr
         error[st-syntax]: `THEN` is expected here, not `turns`
@@ -204,8 +209,8 @@ fn what_is_wrong_in_one_is_said_at_its_places_and_keeps_its_users_from_running()
            |           ^
 
         error: plant.clad: this program uses blocks.st; a program with errors is not run
-    "#]]
-    .assert_eq(&folder.ladder(&["sim", "plant.clad", "--scans", "2"]).to_string());
+    "#]],
+    );
 }
 
 #[test]
@@ -213,7 +218,10 @@ fn two_files_with_one_block_are_an_error_where_it_is_used() {
     let folder = plant();
     let clamp = &BLOCKS[BLOCKS.find("FUNCTION Clamp").unwrap()..];
     folder.write("more.st", clamp.as_bytes());
-    expect![[r#"
+    check(
+        &folder,
+        "check plant.clad",
+        expect![[r#"
         exit status 1
         -- stdout
         error[duplicate-block]: several files define the block `$Clamp`: which one [$Clamp] means is open
@@ -235,30 +243,17 @@ fn two_files_with_one_block_are_an_error_where_it_is_used() {
            = help: rename all but one of them, or define the block in this file
 
         Checked 1 file: 1 error.
-    "#]]
-    .assert_eq(&folder.ladder(&["check", "plant.clad"]).to_string());
+    "#]],
+    );
 }
 
 #[test]
 fn reasons_and_faults_are_at_their_places() {
-    let folder = plant();
-    folder.write(
-        "blocks.st",
-        BLOCKS
-            .replace("turns + speed", "turns + speed / turns")
-            .as_bytes(),
-    );
-    let sim = [
-        "sim",
-        "plant.clad",
-        "--scans",
-        "4",
-        "--set",
-        "start=1",
-        "--watch",
-        "n",
-    ];
-    expect![[r#"
+    let folder = with_blocks("turns + speed", "turns + speed / turns");
+    check(
+        &folder,
+        "sim plant.clad --scans 4 --set start=1 --watch n",
+        expect![[r#"
         exit status 0
         -- stdout
         scan,time_ms,n
@@ -271,11 +266,14 @@ fn reasons_and_faults_are_at_their_places() {
         blocks.st:24:9: fault in scan 1: division by zero: nothing was written; check the divisor before this block
         blocks.st:24:9: fault in scan 2: division by zero: nothing was written; check the divisor before this block
         blocks.st:24:9: fault in scan 3: division by zero: nothing was written; check the divisor before this block
-    "#]]
-    .assert_eq(&folder.ladder(&sim).to_string());
+    "#]],
+    );
     folder.write("blocks.st", BLOCKS.as_bytes());
     folder.write("seen.csv", b"m.turns,10\nn,10\n");
-    expect![[r#"
+    check(
+        &folder,
+        "why plant.clad n --tags seen.csv",
+        expect![[r#"
         exit status 0
         -- stdout
         n is 10: line 13, [$Clamp]( v := m.turns, lo := 0, hi := 12, Clamp => n ) writes 10; power came straight from the rail
@@ -295,23 +293,23 @@ fn reasons_and_faults_are_at_their_places() {
         │                                                          │Clamp n        │  │
         │                                                          │      10       │  │
         │                                                          └───────────────┘  │
-    "#]]
-    .assert_eq(&folder.ladder(&["why", "plant.clad", "n", "--tags", "seen.csv"]).to_string());
+    "#]],
+    );
 }
 
 #[test]
 fn they_are_compared_with_their_neighbours() {
-    let folder = Folder::with(&[]);
-    for side in ["old", "new"] {
-        for (name, text) in [("blocks.st", BLOCKS), ("plant.clad", PLANT)] {
-            folder.write(&format!("{side}/{name}"), text.as_bytes());
-        }
-    }
-    folder.write(
-        "new/blocks.st",
-        BLOCKS.replace("turns + speed", "turns + 2 * speed").as_bytes(),
-    );
-    expect![[r#"
+    let edited = BLOCKS.replace("turns + speed", "turns + 2 * speed");
+    let folder = Folder::with(&[
+        ("old/blocks.st", BLOCKS),
+        ("old/plant.clad", PLANT),
+        ("new/blocks.st", edited.as_str()),
+        ("new/plant.clad", PLANT),
+    ]);
+    check(
+        &folder,
+        "diff old new",
+        expect![[r#"
         exit status 1
         -- stdout
         --- old/blocks.st
@@ -341,8 +339,8 @@ fn they_are_compared_with_their_neighbours() {
             start    -
             n     => 5  (old)
             n     => 10  (new)
-    "#]]
-    .assert_eq(&folder.ladder(&["diff", "old", "new"]).to_string());
+    "#]],
+    );
 }
 
 #[test]
@@ -352,16 +350,18 @@ fn a_task_runs_one_and_the_formatter_leaves_it() {
         "ladder.toml",
         b"[[task]]\nname = \"Fast\"\ninterval = \"10ms\"\nprograms = [\"main.st\"]\n",
     );
-    let sim = ["sim", ".", "--scans", "3", "--watch", "total"];
-    expect![[r#"
+    check(
+        &folder,
+        "sim . --scans 3 --watch total",
+        expect![[r#"
         exit status 0
         -- stdout
         scan,time_ms,total
         0,0,1
         1,10,2
         2,20,3
-    "#]]
-    .assert_eq(&folder.ladder(&sim).to_string());
+    "#]],
+    );
     assert!(
         folder
             .ladder(&["fmt", "."])

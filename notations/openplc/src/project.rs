@@ -249,7 +249,7 @@ impl File {
                 line: error.line() as u32,
                 column: error.column() as u32,
             };
-            ReadError::at(place, format!("this is no project of OpenPLC: {error}"))
+            ReadError::at(place, format!("this is not a project of OpenPLC: {error}"))
         })
     }
 

@@ -187,7 +187,7 @@ impl<'a> Target<'a> {
     fn source<'s>(&self, path: &'s Path, bytes: &'s [u8]) -> Result<Source<'s>, Failure> {
         if recognise(path, bytes) != Some(self.notation) {
             return Err(Failure::new(format!(
-                "{}: this is no {}, so what is written cannot be kept as it is there; name the file that the programs come from",
+                "{}: this is not a {}, so what is written cannot be kept as it is there; name the file that the programs come from",
                 shown::path(path),
                 self.notation.title()
             )));
