@@ -67,7 +67,8 @@ pub use on_type::{TRIGGERS, on_type};
 pub use outline::{OutlineKind, Outlined, outline};
 pub use palette::{PaletteRow, palette};
 pub use redraw::{
-    Asked, Change, Declared, Given, Offer, Offered, Redraw, Redrawn, change, offer, points_of, redraw,
+    Asked, Change, Declared, Given, Neighbours, Offer, Offered, Redraw, Redrawn, change, offer, points_of,
+    redraw,
 };
 pub use refactor::{Action, ActionKind, fix_all, quick_fixes, refactorings};
 pub use references::{Reference, references, scenario_references};

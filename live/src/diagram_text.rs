@@ -1,7 +1,7 @@
 //! The diagram of an open program drawn with characters: only what a client shows, and, while the program runs, as it is.
 //! `docs/protocol.md` shows the messages.
 
-use ladder_documents::{Lines, Range, Revision};
+use ladder_documents::{Lines, Position, Range, Revision};
 use ladder_picture::letters::{self, Gate, Ink, Live, Piece, Shown};
 use ladder_simulator::chart;
 use ladder_syntax::{TextRange, TextSize};
@@ -43,8 +43,12 @@ pub struct DrawnText {
     pub version: i32,
     /// What is drawn, line by line.
     pub drawn: Vec<DrawnLine>,
-    /// The blocks in it.
+    /// The blocks in it, and the comments in its wires.
     pub blocks: Vec<DrawnBlock>,
+    /// The wires in it.
+    pub wires: Vec<DrawnWire>,
+    /// The lines from rung to rung in it.
+    pub joins: Vec<DrawnJoin>,
 }
 
 /// A line of a diagram.
@@ -76,6 +80,30 @@ pub struct DrawnBlock {
     /// In a simulation the tags that its operands name, the most telling one first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub tags: Vec<String>,
+}
+
+/// A wire that is drawn.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct DrawnWire {
+    /// Where it begins in the text: something can be put in there.
+    pub at: Position,
+    /// The line that it is drawn in.
+    pub line: usize,
+    /// Its first column, and the one after the last.
+    pub columns: (usize, usize),
+}
+
+/// A line from a wire to the one below it that is drawn.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct DrawnJoin {
+    /// Its lower connector in the text.
+    pub at: Position,
+    /// The line of the upper wire, and the one after that of the lower wire.
+    pub lines: (usize, usize),
+    /// The column that it is drawn in.
+    pub column: usize,
 }
 
 /// What a stretch of a line is.
@@ -152,9 +180,9 @@ pub fn draw(revision: &Revision, asked: &DiagramText) -> Option<DrawnText> {
     let stretch = TextRange::new(start, revision.line_start(last + 1).max(start));
     let mut drawing = Drawing::new(revision.version);
     for piece in pieces(revision, stretch, rail(asked), None)? {
-        let line = |place: TextSize| revision.line_of(place);
+        let place = |place: TextSize| revision.range(TextRange::empty(place)).start;
         let block = |range: TextRange| Some((revision.range(range), Vec::new()));
-        drawing.add(piece, line, block);
+        drawing.add(piece, place, block);
     }
     Some(drawing.done)
 }
@@ -177,21 +205,23 @@ impl Drawing {
                 version,
                 drawn: Vec::new(),
                 blocks: Vec::new(),
+                wires: Vec::new(),
+                joins: Vec::new(),
             },
         }
     }
 
-    /// Adds a piece below what is there. `line` gives the line that shows a place; `block` where a block is, and its
-    /// tags, if it is still there.
+    /// Adds a piece below what is there. `place` is where a place is in the text that is shown; `block` where a block is, and
+    /// its tags, if it is still there.
     fn add(
         &mut self,
         piece: Piece,
-        line: impl Fn(TextSize) -> u32,
+        place: impl Fn(TextSize) -> Position,
         block: impl Fn(TextRange) -> Option<(Range, Vec<String>)>,
     ) {
         if let (Some(_), Some(next)) = (self.done.drawn.last(), piece.lines.first()) {
             self.done.drawn.push(DrawnLine {
-                line: line(next.place),
+                line: place(next.place).line,
                 wire: false,
                 text: String::new(),
                 marks: Vec::new(),
@@ -202,13 +232,13 @@ impl Drawing {
             let marks = drawn.marks.into_iter();
             let marks = marks.map(|mark| (mark.characters.start, mark.characters.end, InkName::of(mark.ink)));
             self.done.drawn.push(DrawnLine {
-                line: line(drawn.place),
+                line: place(drawn.place).line,
                 wire: drawn.is_wire,
                 marks: marks.collect(),
                 text: drawn.text,
             });
         }
-        for area in piece.areas {
+        for area in piece.things.areas {
             if let Some((range, tags)) = block(area.range) {
                 self.done.blocks.push(DrawnBlock {
                     range,
@@ -218,6 +248,18 @@ impl Drawing {
                 });
             }
         }
+        let wires = piece.things.wires.into_iter().map(|wire| DrawnWire {
+            at: place(wire.place),
+            line: top + wire.line,
+            columns: (wire.columns.start, wire.columns.end),
+        });
+        self.done.wires.extend(wires);
+        let joins = piece.things.joins.into_iter().map(|join| DrawnJoin {
+            at: place(join.place),
+            lines: (top + join.lines.start, top + join.lines.end),
+            column: join.column,
+        });
+        self.done.joins.extend(joins);
     }
 }
 
@@ -245,14 +287,14 @@ impl Engine {
             let operands = elements.operands_in(whole, revision, simulation);
             for piece in pieces {
                 after = after.max(piece.range.end());
-                let line = |place: TextSize| self.line_map.range_or_near(TextRange::empty(place)).start.line;
+                let place = |place: TextSize| self.line_map.range_or_near(TextRange::empty(place)).start;
                 let block = |range: TextRange| {
                     let named = operands.iter().filter(|operand| operand.block == range);
                     let tags =
                         named.flat_map(|operand| operand.points.iter().map(|point| point.name.clone()));
                     Some((self.line_map.range(range)?, tags.collect()))
                 };
-                drawing.add(piece, line, block);
+                drawing.add(piece, place, block);
             }
         }
         Ok(drawing.done)

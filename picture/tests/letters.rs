@@ -158,7 +158,7 @@ fn power_is_weight_and_contacts_are_closed_or_not() {
 fn every_block_has_its_place() {
     let pieces = drawn(MOTOR, 50, None);
     let text = |piece: &Piece| {
-        let areas = piece.areas.iter();
+        let areas = piece.things.areas.iter();
         let areas = areas.map(|area| format!("{:?} {:?} {}", area.lines, area.columns, &MOTOR[area.range]));
         areas.collect::<Vec<_>>().join("\n")
     };
@@ -177,6 +177,62 @@ fn every_block_has_its_place() {
         .map(|line| MOTOR[..line.place.into()].matches('\n').count())
         .collect();
     assert_eq!(places, [0, 0, 1, 1, 2, 2, 2, 2, 2]);
+}
+
+#[test]
+fn every_wire_and_line_has_its_place() {
+    let text = "+--\\--[ ]( a )--# why #--\\--( )( x )--+\n|  /--[ ]( b )------------/\n";
+    let pieces = drawn(text, 40, None);
+    let things = &pieces[0].things;
+    let place = |at: TextSize| {
+        let line = text[..at.into()].matches('\n').count();
+        (line, text[at.into()..].chars().take(4).collect::<String>())
+    };
+    let mut told = shown(&pieces);
+    for area in &things.areas {
+        told.push_str(&format!(
+            "{:?} {:?} {}\n",
+            area.lines, area.columns, &text[area.range]
+        ));
+    }
+    for wire in &things.wires {
+        told.push_str(&format!(
+            "{} {:?} {:?}\n",
+            wire.line,
+            wire.columns,
+            place(wire.place)
+        ));
+    }
+    for join in &things.joins {
+        told.push_str(&format!(
+            "{:?} {} {:?}\n",
+            join.lines,
+            join.column,
+            place(join.place)
+        ));
+    }
+    expect![[r#"
+        │       a     why                  x    │
+        ├──┬──┤   ├─────────┬────────────(   )──┤
+        │  │    b           │                   │
+        │  └──┤   ├─────────┘                   │
+
+        0..2 6..11 [ ]( a )
+        0..2 13..18 # why #
+        0..2 33..38 ( )( x )
+        2..4 6..11 [ ]( b )
+        1 1..3 (0, "--\\-")
+        1 4..6 (0, "--[ ")
+        1 11..13 (0, "--# ")
+        1 18..20 (0, "--\\-")
+        1 21..33 (0, "--( ")
+        1 38..40 (0, "--+\n")
+        3 4..6 (1, "--[ ")
+        3 11..20 (1, "----")
+        1..4 3 (1, "/--[")
+        1..4 20 (1, "/\n")
+    "#]]
+    .assert_eq(&told);
 }
 
 /// A comment above a rung is next to the lines that come down there.

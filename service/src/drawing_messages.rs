@@ -332,9 +332,15 @@ pub struct DiagramOffered {
     /// The next larger group.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub larger: Option<Range>,
+    /// The things of that group, on all its lines.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub larger_things: Vec<Range>,
     /// All that acts at the end of the line.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub acting: Option<Span>,
+    /// The networks next to the one that is asked about.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub neighbours: Option<Neighbours>,
     /// The new names of the text, as they would be declared.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub declares: Vec<DeclaredTag>,
@@ -379,4 +385,16 @@ pub struct OfferedSide {
 pub struct Span {
     pub from: Position,
     pub to: Position,
+}
+
+/// The networks next to one, by a line of each; null where there is none in its program, function or block.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Neighbours {
+    /// The one above.
+    pub above: Option<u32>,
+    /// The one below.
+    pub below: Option<u32>,
+    /// The one below that.
+    pub after: Option<u32>,
 }

@@ -1,11 +1,13 @@
 //! A branch is drawn beside a run of things of a row.
 
+use super::carry::NOT_A_RUN;
 use super::gap::Gap;
 use super::insert::{has_block, in_old_order};
+use super::item::{Item, ItemKind, Mark};
 use super::parallel::Parallel;
 use super::passing::insert_rows;
 use super::region::Region;
-use super::rows::{Drawing, Item, ItemKind, Mark};
+use super::rows::Drawing;
 use super::term::{Rung, normal, rows};
 use ladder_format::Circuit;
 
@@ -31,7 +33,7 @@ pub(crate) fn with(
     side: Side,
 ) -> Result<Drawing, &'static str> {
     if from.row != to.row || from.index >= to.index {
-        return Err("select things that follow each other on one line");
+        return Err(NOT_A_RUN);
     }
     let marked = drawing.marked(&[(from, Mark::From), (to, Mark::To)]);
     if let Some(rung) = Rung::with_ends(&marked) {

@@ -3,13 +3,15 @@
 use super::beside::is_mark;
 use super::gap::Gap;
 use super::insert::{self, in_old_order, in_place_of};
+use super::item::{Item, ItemKind, Mark};
 use super::remove::{Spot, left, without};
-use super::rows::{Drawing, Item, ItemKind, Mark};
+use super::rows::Drawing;
 use super::term::{Rung, items, normal};
 use ladder_format::Circuit;
 use ladder_syntax::TextRange;
 
-const NOT_A_RUN: &str = "select things that follow each other on one line";
+/// Why some things are no run.
+pub(crate) const NOT_A_RUN: &str = "select things that follow each other on one line";
 
 /// The drawing with some things at another of its places.
 ///
@@ -33,10 +35,7 @@ pub(crate) fn moved(drawing: &Drawing, things: &[Spot], to: Gap) -> Result<Drawi
     let mut comments = Vec::new();
     let parts = normal(left(rung.parts.clone(), &goes, &mut comments));
     let mut new = rung.draw(drawing, in_place_of(Mark::To, &parts, fresh(run)));
-    new.rows[0].items.extend(comments.into_iter().map(|item| Item {
-        joined: false,
-        ..item
-    }));
+    new.put_beside(0, comments);
     in_old_order(drawing, new)
 }
 
@@ -50,17 +49,7 @@ pub(crate) fn taken(
 ) -> Result<(Vec<Circuit<Item>>, Option<Drawing>), &'static str> {
     let run = copied(drawing, things)?;
     let places = places(&run);
-    let mut gone = Vec::new();
-    for (row, own) in drawing.rows.iter().enumerate() {
-        let is_gone = |(_, item): &(usize, &Item)| places.contains(&item.at);
-        gone.extend(
-            own.items
-                .iter()
-                .enumerate()
-                .filter(is_gone)
-                .map(|(index, _)| (row, index)),
-        );
-    }
+    let gone = drawing.spots(|item| places.contains(&item.at));
     Ok((run, without(drawing, &gone)?))
 }
 

@@ -3,8 +3,9 @@
 use super::beside::is_mark;
 use super::gap::Gap;
 use super::insert::has_block;
+use super::item::{Item, ItemKind, Mark};
 use super::remove::Spot;
-use super::rows::{Drawing, Item, ItemKind, Mark};
+use super::rows::Drawing;
 use super::term::{Rung, items, normal};
 use ladder_format::Circuit;
 

@@ -1,7 +1,8 @@
 //! The places of a drawing where something can be put in: the wires between two things of a row, and the end of a branch.
 
+use super::item::{Item, ItemKind, Mark};
 use super::parallel::Parallel;
-use super::rows::{Drawing, Item, ItemKind, Mark};
+use super::rows::Drawing;
 use super::term::Rung;
 use ladder_syntax::TextSize;
 

@@ -1,8 +1,9 @@
 //! Parts are put into a wire.
 
 use super::gap::Gap;
+use super::item::{Item, ItemKind, Mark};
 use super::passing::splice;
-use super::rows::{Drawing, Item, ItemKind, Mark};
+use super::rows::Drawing;
 use super::term::{Rung, items, normal, rows};
 use ladder_format::Circuit;
 

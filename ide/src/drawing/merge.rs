@@ -1,6 +1,7 @@
 //! Two networks become one: branches between the rails.
 
-use super::rows::{Drawing, Item};
+use super::item::Item;
+use super::rows::Drawing;
 use super::term::{Rung, normal};
 use ladder_format::Circuit;
 
@@ -34,19 +35,16 @@ pub(crate) fn merged(
     };
     let branches = [upper.parts.clone(), numbered(lower.parts)].map(Circuit::Series);
     let new = upper.draw(&both, normal(vec![Circuit::Parallel(branches.into())]));
-    let order = new.old_order().unwrap_or_default();
-    let runs_on = order
-        .iter()
-        .enumerate()
-        .all(|(number, _)| order.contains(&number));
-    let before = [first, second].map(|drawing| drawing.old_order().unwrap_or_default());
-    let count = before[0].len();
-    let expected = before[0]
-        .iter()
-        .copied()
-        .chain(before[1].iter().map(|number| number + count));
-    if !runs_on || !order.iter().copied().eq(expected) {
+    if new.old_order().is_none() || new.old_order() != one_after_the_other(first, second) {
         return Err("the blocks of the networks would run in another order");
     }
     Ok(new)
+}
+
+/// The order in which the blocks of a network and the next one run.
+fn one_after_the_other(first: &Drawing, second: &Drawing) -> Option<Vec<usize>> {
+    let mut order = first.old_order()?;
+    let count = order.len();
+    order.extend(second.old_order()?.into_iter().map(|number| number + count));
+    Some(order)
 }

@@ -1,6 +1,7 @@
 //! Two branches that part at one point and meet at another.
 
-use super::rows::{Drawing, ItemKind};
+use super::item::ItemKind;
+use super::rows::Drawing;
 use std::ops::Range;
 
 /// Two branches between the same two points.

@@ -1,6 +1,7 @@
 //! New rows between two rungs: what joins them goes through the new row.
 
-use super::rows::{Drawing, Item, ItemKind, Row};
+use super::item::{Item, ItemKind};
+use super::rows::{Drawing, Row};
 use ladder_syntax::TextRange;
 
 /// Which way power runs between two rungs at a pair of connectors.

@@ -2,7 +2,8 @@
 //! all that is joined below them.
 
 use super::gap::Gap;
-use super::rows::{Drawing, Item, ItemKind, Row};
+use super::item::{Item, ItemKind};
+use super::rows::{Drawing, Row};
 use std::ops::Range;
 
 /// A part of a network with one wire in and one wire out.

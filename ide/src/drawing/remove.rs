@@ -1,9 +1,10 @@
 //! Things are taken out of a network, with the branches of which nothing is left.
 
 use super::insert::in_old_order;
+use super::item::{Item, ItemKind};
 use super::parallel::Parallel;
 use super::region::Region;
-use super::rows::{Drawing, Item, ItemKind};
+use super::rows::Drawing;
 use super::term::{Rung, items, normal};
 use ladder_format::Circuit;
 use std::ops::Range;
@@ -16,10 +17,11 @@ pub(crate) type Spot = (usize, usize);
 /// # Errors
 /// Why they cannot go.
 pub(crate) fn without(drawing: &Drawing, gone: &[Spot]) -> Result<Option<Drawing>, &'static str> {
-    let stays = |row: usize, (index, item): (usize, &Item)| item.is_block() && !gone.contains(&(row, index));
-    let mut rows = drawing.rows.iter().enumerate();
-    let is_left = rows.any(|(row, own)| own.items.iter().enumerate().any(|found| stays(row, found)));
-    if !is_left {
+    if drawing
+        .spots(Item::is_block)
+        .iter()
+        .all(|spot| gone.contains(spot))
+    {
         return Ok(None);
     }
     let Some(rung) = Rung::with_ends(drawing) else {
@@ -33,11 +35,7 @@ pub(crate) fn without(drawing: &Drawing, gone: &[Spot]) -> Result<Option<Drawing
     let mut comments = Vec::new();
     let parts = left(rung.parts.clone(), &goes, &mut comments);
     let mut new = rung.draw(drawing, normal(parts));
-    let first = &mut new.rows[0].items;
-    first.extend(comments.into_iter().map(|item| Item {
-        joined: false,
-        ..item
-    }));
+    new.put_beside(0, comments);
     in_old_order(drawing, new).map(Some)
 }
 
@@ -269,10 +267,7 @@ pub(crate) fn remove(drawing: &mut Drawing, row: usize, range: Range<usize>) {
         next.joined = false;
     }
     let comments = gone.into_iter().filter(|item| item.kind == ItemKind::Comment);
-    items.extend(comments.map(|item| Item {
-        joined: false,
-        ..item
-    }));
+    drawing.put_beside(row, comments);
 }
 
 /// Takes rows out that wires only pass: with one `/` and one `\\` in each wire the pairs above and below are in the same

@@ -3,107 +3,14 @@
 //! Only the order of things on a row and whether wire joins them is kept: the columns are the formatter's. Operands,
 //! comments and the lines between rungs keep their text to the letter.
 
-use ladder_analysis::context::Context;
-pub(crate) use ladder_analysis::names::declaring::line_end;
+use super::item::{Item, ItemKind};
+use super::remove::Spot;
 use ladder_analysis::networks::order::order;
 use ladder_analysis::program::Step;
 use ladder_format::Edit;
-use ladder_syntax::wiring::{PartKind, Rung, RungPart, Wiring, wiring};
-use ladder_syntax::{Network, Parse, TextRange, TextSize};
+use ladder_syntax::wiring::wiring;
+use ladder_syntax::{Parse, TextRange};
 use std::ops::Range;
-
-/// What a thing on a row is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum ItemKind {
-    LeftRail,
-    RightRail,
-    Down,
-    Up,
-    /// A block; its number in the network's facts, or none for a new one.
-    Block(Option<usize>),
-    Comment,
-    /// A wire that ends at nothing.
-    Stub,
-    /// A `|` that the wire at either end of a row reaches to.
-    Bar,
-    /// In a term: a branch ends there, and nothing is drawn.
-    Open,
-    /// A place that an operation is about; it is gone before anything is drawn.
-    Mark(Mark),
-}
-
-/// What an operation marks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Mark {
-    /// Where something begins, or is put in.
-    From,
-    /// Where it ends, or goes to.
-    To,
-}
-
-/// One thing on a row.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Item {
-    pub(crate) kind: ItemKind,
-    pub(crate) text: String,
-    /// Whether wire joins it to the item before it.
-    pub(crate) joined: bool,
-    /// Where it is in the file, unless it is new.
-    pub(crate) at: TextRange,
-}
-
-impl Item {
-    pub(crate) fn new(kind: ItemKind, text: impl Into<String>, joined: bool) -> Item {
-        Item {
-            kind,
-            text: text.into(),
-            joined,
-            at: TextRange::empty(TextSize::new(0)),
-        }
-    }
-
-    pub(crate) fn left_rail() -> Item {
-        Item::new(ItemKind::LeftRail, "+", false)
-    }
-
-    pub(crate) fn right_rail() -> Item {
-        Item::new(ItemKind::RightRail, "+", true)
-    }
-
-    pub(crate) fn down() -> Item {
-        Item::new(ItemKind::Down, "\\", true)
-    }
-
-    pub(crate) fn up(joined: bool) -> Item {
-        Item::new(ItemKind::Up, "/", joined)
-    }
-
-    pub(crate) fn block(text: impl Into<String>) -> Item {
-        Item::new(ItemKind::Block(None), text, true)
-    }
-
-    pub(crate) fn is_block(&self) -> bool {
-        matches!(self.kind, ItemKind::Block(_))
-    }
-
-    /// Whether it is not in the file, or was taken from its place there.
-    pub(crate) fn is_new(&self) -> bool {
-        self.at.is_empty()
-    }
-
-    /// Whether a branch ends there by itself.
-    pub(crate) fn is_end(&self) -> bool {
-        matches!(
-            self.kind,
-            ItemKind::RightRail | ItemKind::Stub | ItemKind::Bar | ItemKind::Open
-        )
-    }
-
-    /// A comment that is not a piece of a wire. It joins nothing, and what is after it is not joined to it.
-    pub(crate) fn is_loose(&self, next: Option<&Item>) -> bool {
-        self.kind == ItemKind::Comment && !self.joined && next.is_none_or(|next| !next.joined)
-    }
-}
 
 /// One rung.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -121,65 +28,12 @@ pub(crate) struct Drawing {
     pub(crate) rows: Vec<Row>,
     /// Lines of comments above the first rung, line ends included.
     pub(crate) head: String,
-    line_end: &'static str,
+    pub(super) line_end: &'static str,
     /// The text of the network in the file, without the last line end.
-    range: TextRange,
+    pub(super) range: TextRange,
 }
 
 impl Drawing {
-    /// The drawing of a network. None where it holds an error, or cannot be laid out again.
-    pub(crate) fn read(context: &Context, network: usize) -> Option<Drawing> {
-        let facts = context.networks.at(network);
-        (!facts.broken).then(|| Drawing::of_network(context, network).ok())?
-    }
-
-    /// The drawing of a network of which each connector has its partner.
-    ///
-    /// # Errors
-    /// Why it has none.
-    pub(crate) fn of_network(context: &Context, network: usize) -> Result<Drawing, Undrawn> {
-        let facts = context.networks.at(network);
-        Drawing::of(&context.parse, facts.first_line, &facts.wiring)
-    }
-
-    /// The drawing of a network of a text.
-    pub(crate) fn of_text(parse: &Parse, network: &Network) -> Result<Drawing, Undrawn> {
-        Drawing::of(parse, network.lines.start, &wiring(parse, network))
-    }
-
-    fn of(parse: &Parse, first_line: usize, wiring: &Wiring) -> Result<Drawing, Undrawn> {
-        let mut rows = Vec::with_capacity(wiring.rungs.len());
-        let mut block = 0;
-        let mut range: Option<TextRange> = None;
-        let lines = wiring.line_offsets.iter().map(|offset| first_line + offset);
-        let lines: Vec<usize> = lines.collect();
-        for (drawn, (rung, &line)) in wiring.rungs.iter().zip(lines.iter().enumerate()) {
-            let text = line_text(parse, line);
-            let start = parse.line_start(line);
-            let items = items(drawn, &text, start, &mut block)?;
-            let shown = text.trim_end_matches(['\r', '\n']);
-            let place = TextRange::at(start, TextSize::of(shown));
-            range = Some(range.map_or(place, |range| range.cover(place)));
-            let next = lines.get(rung + 1).copied();
-            let below = (line + 1..next.unwrap_or(line + 1)).map(|line| line_text(parse, line));
-            rows.push(Row {
-                items,
-                at: place,
-                below: below.collect(),
-            });
-        }
-        let mut range = range.ok_or(Undrawn::Nothing)?;
-        if range.start() == TextSize::new(0) && line_text(parse, 0).starts_with('\u{feff}') {
-            range = TextRange::new(TextSize::of('\u{feff}'), range.end());
-        }
-        Ok(Drawing {
-            rows,
-            head: String::new(),
-            line_end: line_end(parse),
-            range,
-        })
-    }
-
     /// A drawing of some rows that is not in the file yet, to be written with the line ends of another one.
     pub(crate) fn with_rows(&self, rows: Vec<Row>) -> Drawing {
         Drawing {
@@ -329,6 +183,24 @@ impl Drawing {
         item
     }
 
+    /// Puts comments beside a rung, after it.
+    pub(super) fn put_beside(&mut self, row: usize, comments: impl IntoIterator<Item = Item>) {
+        let loose = comments.into_iter().map(|item| Item {
+            joined: false,
+            ..item
+        });
+        self.rows[row].items.extend(loose);
+    }
+
+    /// Where the things are that something holds for.
+    pub(super) fn spots(&self, is: impl Fn(&Item) -> bool) -> Vec<Spot> {
+        let items = self.rows.iter().enumerate().flat_map(|(row, own)| {
+            let items = own.items.iter().enumerate();
+            items.map(move |(index, item)| ((row, index), item))
+        });
+        items.filter(|(_, item)| is(item)).map(|(spot, _)| spot).collect()
+    }
+
     /// The rows of this network and those of a network below it, with the lines that are between the two. The blocks of the second
     /// are counted on.
     pub(crate) fn followed_by(&self, between: Vec<String>, second: &Drawing) -> Drawing {
@@ -378,14 +250,14 @@ impl Drawing {
                 continue;
             }
             let gone = self.rows.remove(row);
-            let comments = gone.items.into_iter().map(|item| Item {
-                joined: false,
-                ..item
-            });
             if row > 0 {
-                self.rows[row - 1].items.extend(comments);
+                self.put_beside(row - 1, gone.items);
                 self.rows[row - 1].below.extend(gone.below);
             } else {
+                let comments = gone.items.into_iter().map(|item| Item {
+                    joined: false,
+                    ..item
+                });
                 self.rows[0].items.splice(0..0, comments);
             }
         }
@@ -409,137 +281,4 @@ pub(crate) fn line_text(parse: &Parse, line: usize) -> String {
 /// The text of some logical lines.
 pub(crate) fn lines_text(parse: &Parse, lines: Range<usize>) -> String {
     lines.map(|line| line_text(parse, line)).collect()
-}
-
-/// Why a network has no drawing that can be changed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Undrawn {
-    /// A `+` is in the middle of a wire.
-    StrayRail,
-    /// A `|` is in the middle of a wire.
-    StrayBar,
-    /// A character means nothing.
-    Junk,
-    /// A comment between two things of a rung goes on on the next line.
-    CommentOfLines,
-    /// There is no rung.
-    Nothing,
-}
-
-impl Undrawn {
-    /// The sentence for a person.
-    pub(crate) fn message(self) -> &'static str {
-        match self {
-            Undrawn::StrayRail => "a `+` is in the middle of a wire here: put that right in the text first",
-            Undrawn::StrayBar => "a `|` is in the middle of a wire here: put that right in the text first",
-            Undrawn::Junk => "a character here means nothing: put that right in the text first",
-            Undrawn::CommentOfLines => {
-                "a comment in a wire here has several lines: write it on one line in the text first"
-            }
-            Undrawn::Nothing => "there is no rung here",
-        }
-    }
-}
-
-fn items(drawn: &Rung, text: &str, start: TextSize, block: &mut usize) -> Result<Vec<Item>, Undrawn> {
-    let parts = &drawn.parts;
-    let mut items: Vec<Item> = Vec::new();
-    let mut last_segment = None;
-    let mut at_bar = false;
-    for (index, part) in parts.iter().enumerate() {
-        let after_bar = std::mem::take(&mut at_bar);
-        let kind = match part.kind {
-            PartKind::StrayRail => return Err(Undrawn::StrayRail),
-            PartKind::StrayBar => return Err(Undrawn::StrayBar),
-            PartKind::Junk => return Err(Undrawn::Junk),
-            PartKind::Bar => match touched(parts, index) {
-                Touched::Nothing => continue,
-                Touched::Right if index == 0 => {
-                    at_bar = true;
-                    ItemKind::Bar
-                }
-                Touched::Left if is_last(parts, index) => ItemKind::Bar,
-                _ => return Err(Undrawn::StrayBar),
-            },
-            PartKind::Wire => {
-                let segment = part
-                    .segment
-                    .and_then(|number| drawn.segments.get(number as usize));
-                let is_between = |ends: &Range<usize>| {
-                    let left = ends.start < index || after_bar;
-                    let right = index + 1 < ends.end
-                        || (is_last(parts, index + 1)
-                            && parts
-                                .get(index + 1)
-                                .is_some_and(|next| next.kind == PartKind::Bar && next.touches));
-                    left && right
-                };
-                if segment.is_some_and(|segment| is_between(&segment.parts)) {
-                    at_bar = after_bar;
-                    last_segment = part.segment;
-                    continue;
-                }
-                ItemKind::Stub
-            }
-            PartKind::LeftRail => ItemKind::LeftRail,
-            PartKind::RightRail => ItemKind::RightRail,
-            PartKind::Down => ItemKind::Down,
-            PartKind::Up => ItemKind::Up,
-            PartKind::Comment => ItemKind::Comment,
-            PartKind::Block => {
-                *block += 1;
-                ItemKind::Block(Some(*block - 1))
-            }
-        };
-        let mut shown = &text[part.range];
-        // Between two things on its rung a comment with a line end keeps the formatter off the network.
-        if kind == ItemKind::Comment && shown.contains(['\n', '\r']) {
-            return Err(Undrawn::CommentOfLines);
-        }
-        if kind == ItemKind::Stub {
-            shown = "--";
-        }
-        let joined = match kind {
-            ItemKind::Bar => !at_bar,
-            _ => after_bar || (part.segment.is_some() && part.segment == last_segment),
-        };
-        last_segment = part.segment;
-        items.push(Item {
-            kind,
-            text: shown.to_owned(),
-            joined,
-            at: part.range + start,
-        });
-    }
-    Ok(items)
-}
-
-/// On which side wire reaches to a `|`.
-enum Touched {
-    Nothing,
-    Left,
-    Right,
-    Both,
-}
-
-fn touched(parts: &[RungPart], index: usize) -> Touched {
-    let wire = |part: &RungPart| part.segment.is_some();
-    let before = parts[index].touches && index > 0 && wire(&parts[index - 1]);
-    let after = parts
-        .get(index + 1)
-        .is_some_and(|part| part.touches && wire(part));
-    match (before, after) {
-        (false, false) => Touched::Nothing,
-        (true, false) => Touched::Left,
-        (false, true) => Touched::Right,
-        (true, true) => Touched::Both,
-    }
-}
-
-/// Whether nothing but comments is behind a part.
-fn is_last(parts: &[RungPart], index: usize) -> bool {
-    let behind = parts.get(index + 1..).unwrap_or_default();
-    behind
-        .iter()
-        .all(|part| part.kind == PartKind::Comment && part.segment.is_none())
 }

@@ -1,8 +1,9 @@
 //! What is selected in a drawing.
 
+use super::item::{Item, ItemKind};
 use super::region::Region;
 use super::remove::Spot;
-use super::rows::{Drawing, Item, ItemKind};
+use super::rows::Drawing;
 use ladder_syntax::TextRange;
 
 /// The blocks and comments that a range of the text reaches into; with what leads down and up again all that is between.

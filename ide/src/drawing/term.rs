@@ -3,8 +3,9 @@
 //! A branch may end by itself: at the right rail, at a `|`, or at nothing. Its last element is that end then, and all branches
 //! next to it end like it.
 
+use super::item::{Item, ItemKind};
 use super::parallel::Parallel;
-use super::rows::{Drawing, Item, ItemKind, Row, comments};
+use super::rows::{Drawing, Row, comments};
 use ladder_format::{Circuit, Piece, PieceKind};
 use std::ops::Range;
 

@@ -3,7 +3,7 @@
 use super::change::{Done, Work};
 use super::lines::{line_at, network_at, range_of};
 use super::piece::Piece;
-use crate::drawing::rows::{Item, ItemKind};
+use crate::drawing::item::{Item, ItemKind};
 use ladder_analysis::names::declaring::line_end;
 use ladder_syntax::{LineKind, TextRange, TextSize};
 

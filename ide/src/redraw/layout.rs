@@ -1,7 +1,8 @@
 //! A changed network as the formatter draws it, and where its things are then.
 
 use super::piece::Piece;
-use crate::drawing::rows::{Drawing, Item, ItemKind};
+use crate::drawing::item::{Item, ItemKind};
+use crate::drawing::rows::Drawing;
 use ladder_format::{Edit, Options, apply, display_width, format_text};
 use ladder_syntax::{SyntaxErrorKind, TextRange, TextSize, parse};
 

@@ -13,12 +13,19 @@ pub(super) fn line_at(context: &Context, place: TextSize) -> Option<usize> {
     parse.line_at(place).or_else(before)
 }
 
-/// The network in whose lines a place is.
+/// The network of a line, or of a comment that touches one below it.
+pub(super) fn network_on(context: &Context, line: usize) -> Option<NetworkAt<'_>> {
+    let is_comment = |line: &usize| context.parse.lines()[*line].kind == LineKind::Comment;
+    let line = (line..context.parse.lines().len()).find(|line| !is_comment(line))?;
+    context.networks.on_line(line)
+}
+
+/// The network in whose lines a place is, or in a comment that touches it.
 ///
 /// # Errors
 /// That there is none.
 pub(super) fn network_at(context: &Context, place: TextSize) -> Result<NetworkAt<'_>, String> {
-    let found = line_at(context, place).and_then(|line| context.networks.on_line(line));
+    let found = line_at(context, place).and_then(|line| network_on(context, line));
     found.ok_or_else(|| "there is no network there".to_owned())
 }
 
@@ -150,4 +157,10 @@ pub(super) fn scope_of(context: &Context, line: usize) -> usize {
 /// The place behind everything of the file.
 pub(super) fn at_end(context: &Context) -> Place {
     below(context, context.parse.lines().len(), 0)
+}
+
+/// The blank lines that are all there is of a file.
+pub(super) fn all_blank(context: &Context) -> Option<TextRange> {
+    let lines = context.parse.lines().len();
+    (lines > 0 && (0..lines).all(|line| is_blank(context, line))).then(|| range_of(context, 0..lines))
 }

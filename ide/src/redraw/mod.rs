@@ -37,5 +37,5 @@ pub use declaring::Declared;
 pub use editable::points_of;
 pub use fragment::Given;
 pub use keys::{Redraw, redraw};
-pub use offer::{Asked, Offer, Offered, offer};
+pub use offer::{Asked, Neighbours, Offer, Offered, offer};
 pub use piece::Redrawn;

@@ -32,13 +32,15 @@ impl Work<'_> {
             Some(near) => self.place_near(near, is_above),
         };
         let fragment = self.fragment(place.scope, given)?;
-        let piece = self.put(&place, &fragment.rungs);
-        Ok((vec![piece], "Network added".to_owned(), Some(fragment)))
+        let mut pieces = vec![self.put(&place, &fragment.rungs)];
+        // A new file of an editor is a blank line.
+        pieces.extend(lines::all_blank(self.context).map(|blank| Piece::plain(blank, "")));
+        Ok((pieces, "Network added".to_owned(), Some(fragment)))
     }
 
     fn place_near(&self, near: TextSize, is_above: bool) -> Place {
         let line = line_at(self.context, near).unwrap_or(0);
-        match self.context.networks.on_line(line) {
+        match lines::network_on(self.context, line) {
             Some(network) if is_above => lines::above(
                 self.context,
                 with_heading(self.context, network).start,

@@ -6,11 +6,12 @@ use super::editable::drawing;
 use super::fragment::{Fragment, Given};
 use super::lines::{network_at, with_heading};
 use crate::drawing::beside::Side;
-use crate::drawing::carry;
+use crate::drawing::carry::{self, NOT_A_RUN};
 use crate::drawing::gap::Gap;
+use crate::drawing::item::{Item, ItemKind};
 use crate::drawing::region::Region;
 use crate::drawing::remove::{Spot, branch_around};
-use crate::drawing::rows::{Drawing, Item, ItemKind, lines_text};
+use crate::drawing::rows::{Drawing, lines_text};
 use crate::drawing::selection::things;
 use crate::drawing::term::rows;
 use crate::refactor::names::new_tag;
@@ -19,7 +20,7 @@ use crate::refactor::toggle;
 use ladder_analysis::context::Context;
 use ladder_analysis::networks::NetworkAt;
 use ladder_format::{Circuit, Options};
-use ladder_instructions::Role;
+use ladder_instructions::Group;
 use ladder_syntax::{TextRange, TextSize};
 
 /// What is asked about.
@@ -57,12 +58,27 @@ pub struct Offered {
     pub behind: Option<TextSize>,
     /// The next larger group.
     pub larger: Option<TextRange>,
+    /// The things of that group, one by one.
+    pub larger_things: Vec<TextRange>,
     /// All that acts on its line, at the right rail.
     pub acting: Option<TextRange>,
+    /// The networks next to one that is asked about.
+    pub neighbours: Option<Neighbours>,
     /// The new names of a text that is to be put in, as they would be declared.
     pub declares: Vec<Declared>,
     /// A name that is free.
     pub name: String,
+}
+
+/// Where the networks next to one begin, of its program, function or block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Neighbours {
+    /// The one above.
+    pub above: Option<TextSize>,
+    /// The one below.
+    pub below: Option<TextSize>,
+    /// The one below that.
+    pub after: Option<TextSize>,
 }
 
 /// A contact to try things with: it names no tag that would be declared.
@@ -101,7 +117,6 @@ pub fn offer(
     Ok(offered)
 }
 
-const NOT_A_RUN: &str = "select things that follow each other on one line";
 const NO_ABOVE: &str = "no network of its program, function or block is above it";
 const NO_BELOW: &str = "no network of its program, function or block is below it";
 
@@ -199,6 +214,11 @@ impl Desk<'_> {
                 anchors.map(|[at, _]| Change::Split { at }).ok_or(NOT_A_RUN),
             ),
         ];
+        let larger = larger(&drawing, around);
+        let of_larger = larger.map(|range| things(&drawing, range)).unwrap_or_default();
+        let of_larger = of_larger
+            .iter()
+            .map(|&(row, index)| drawing.rows[row].items[index].at);
         let [before, behind] = anchors.map_or([None, None], |anchors| anchors.map(Some));
         Ok(Offered {
             offers,
@@ -206,7 +226,8 @@ impl Desk<'_> {
             text: run.ok().map(|run| text_of(&drawing, run)),
             before,
             behind,
-            larger: larger(&drawing, around),
+            larger_things: of_larger.collect(),
+            larger,
             acting: around.and_then(|[_, to]| acting(network, &drawing, to.row, to.index)),
             ..Offered::default()
         })
@@ -237,14 +258,17 @@ impl Desk<'_> {
         let body = context.bodies[network.index];
         let neighbour = |number: Option<usize>| {
             let number = number.filter(|number| context.bodies.get(*number) == Some(&body))?;
-            context.networks.get(number)
+            context.networks.get(number).map(start)
         };
-        let above = neighbour(network.index.checked_sub(1));
-        let below = neighbour(Some(network.index + 1));
-        let after = neighbour(Some(network.index + 2));
-        let moved = |before: Option<NetworkAt<'_>>| Change::MoveNetwork {
+        let neighbours = Neighbours {
+            above: neighbour(network.index.checked_sub(1)),
+            below: neighbour(Some(network.index + 1)),
+            after: neighbour(Some(network.index + 2)),
+        };
+        let Neighbours { above, below, after } = neighbours;
+        let moved = |before: Option<TextSize>| Change::MoveNetwork {
             network: start(network),
-            before: before.map(start),
+            before,
         };
         let offers = vec![
             self.tried("networkAbove", Ok(network_there(true))),
@@ -268,7 +292,7 @@ impl Desk<'_> {
                 "merge",
                 below
                     .map(|below| Change::Merge {
-                        networks: vec![start(network), start(below)],
+                        networks: vec![start(network), below],
                     })
                     .ok_or(NO_BELOW),
             ),
@@ -283,6 +307,7 @@ impl Desk<'_> {
         Ok(Offered {
             offers,
             text: Some(text.trim_start_matches('\u{feff}').to_owned()),
+            neighbours: Some(neighbours),
             ..Offered::default()
         })
     }
@@ -341,7 +366,7 @@ fn larger(drawing: &Drawing, around: Option<[Gap; 2]>) -> Option<TextRange> {
     range(row, group)
 }
 
-/// What acts before the right rail on a line from a place on, if all does that is there.
+/// The coils before the right rail on a line, or what leaves the program there: power goes through all else that acts.
 fn acting(network: NetworkAt<'_>, drawing: &Drawing, row: usize, index: usize) -> Option<TextRange> {
     let items = &drawing.rows[row].items;
     let segment = drawing.segment(row, index.min(items.len() - 1));
@@ -349,7 +374,8 @@ fn acting(network: NetworkAt<'_>, drawing: &Drawing, row: usize, index: usize) -
     let acts = |item: &Item| match item.kind {
         ItemKind::Block(Some(number)) => {
             let block = &network.facts().blocks[number];
-            block.instruction().is_none_or(|row| row.role == Role::Acting)
+            let row = block.instruction();
+            row.is_some_and(|row| row.coil.is_some() || row.group == Group::Flow)
         }
         ItemKind::Down | ItemKind::Comment => true,
         _ => false,

@@ -2,7 +2,8 @@
 
 use super::{Change, Given, change, points_of};
 use crate::drawing::beside::Side;
-use crate::drawing::rows::{Drawing, Item, ItemKind};
+use crate::drawing::item::{Item, ItemKind};
+use crate::drawing::rows::Drawing;
 use crate::drawing::term::{Rung, items, normal};
 use ladder_analysis::context as read;
 use ladder_analysis::context::Context;

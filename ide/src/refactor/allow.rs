@@ -1,9 +1,9 @@
 //! A finding that is meant so: a comment switches its rule off, for the next network or the whole file (LANGUAGE §7).
 
 use super::{Action, ActionKind};
-use crate::drawing::rows::line_end;
 use ladder_analysis::Finding;
 use ladder_analysis::context::Context;
+use ladder_analysis::names::declaring::line_end;
 use ladder_format::Edit;
 use ladder_syntax::{LineKind, TextRange, TextSize};
 

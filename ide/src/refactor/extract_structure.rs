@@ -210,7 +210,7 @@ fn given_by_reference(context: &Context, tag: &DeclaredTag<'_>) -> Option<String
 /// The declaration of the type: in the last section of types, else in one before the section of the tags.
 fn declared(context: &Context, group: &Group<'_>) -> Result<Edit, String> {
     let parse = &context.parse;
-    let line_end = crate::drawing::rows::line_end(parse);
+    let line_end = ladder_analysis::names::declaring::line_end(parse);
     let mut text = format!("    {} : STRUCT{line_end}", group.ty);
     let mut lines: Vec<usize> = group.tags.iter().map(|tag| tag.line).collect();
     lines.dedup();

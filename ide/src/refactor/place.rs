@@ -1,7 +1,8 @@
 //! What an editor's selection means: the network, its drawing, the things on a rung.
 
+use crate::drawing::item::{Item, ItemKind};
 use crate::drawing::region::Region;
-use crate::drawing::rows::{Drawing, Item, ItemKind};
+use crate::drawing::rows::Drawing;
 use ladder_analysis::Analysis;
 use ladder_analysis::context::Context;
 use ladder_analysis::networks::{BlockAt, NetworkAt};

@@ -11,7 +11,7 @@ mod remove;
 use super::names::called;
 use super::place::{OnNetwork, Selected};
 use super::{Action, ActionKind};
-use crate::drawing::rows::ItemKind;
+use crate::drawing::item::ItemKind;
 use ladder_analysis::context::Context;
 use ladder_analysis::{Analysis, Diagnostic};
 use ladder_format::Edit;

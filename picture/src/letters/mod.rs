@@ -113,15 +113,37 @@ pub struct Line {
     pub is_wire: bool,
 }
 
-/// A block that is drawn, and where.
+/// A block or a comment in a wire that is drawn, and where.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Area {
-    /// The block in the text.
+    /// It in the text.
     pub range: TextRange,
     /// Its lines in the piece.
     pub lines: Range<usize>,
     /// Its columns.
     pub columns: Range<usize>,
+}
+
+/// A wire between two things of a rung.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Wire {
+    /// Where it begins in the text.
+    pub place: TextSize,
+    /// Its line in the piece.
+    pub line: usize,
+    /// Its columns.
+    pub columns: Range<usize>,
+}
+
+/// A line from the wire of a rung to that of the rung below.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Join {
+    /// Its lower connector in the text.
+    pub place: TextSize,
+    /// The lines of the piece from the upper wire up to the lower one.
+    pub lines: Range<usize>,
+    /// Its column.
+    pub column: usize,
 }
 
 /// A comment, heading or network.
@@ -131,8 +153,19 @@ pub struct Piece {
     pub range: TextRange,
     /// What is drawn.
     pub lines: Vec<Line>,
-    /// The blocks in it.
+    /// What is in it.
+    pub things: Things,
+}
+
+/// What a cursor in a network can be on.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Things {
+    /// Its blocks, and the comments in its wires.
     pub areas: Vec<Area>,
+    /// Its wires.
+    pub wires: Vec<Wire>,
+    /// The lines from rung to rung.
+    pub joins: Vec<Join>,
 }
 
 /// Draws what has something in a stretch of a text, with the right rail in this column where a network is no wider.
@@ -152,8 +185,8 @@ pub fn pieces(context: &Context, stretch: TextRange, rail: u32, live: Option<&Li
         let (first, last) = (*group.first()?, *group.last()?);
         let range = lines_of(context, structure, first).cover(lines_of(context, structure, last));
         let item = page::items(group, &words).pop()?;
-        let (lines, areas) = draw(item, range, rail, context, live)?;
-        Some(Piece { range, lines, areas })
+        let (lines, things) = draw(item, range, rail, context, live)?;
+        Some(Piece { range, lines, things })
     });
     pieces.collect()
 }
@@ -164,7 +197,7 @@ fn draw(
     rail: u32,
     context: &Context,
     live: Option<&Live>,
-) -> Option<(Vec<Line>, Vec<Area>)> {
+) -> Option<(Vec<Line>, Things)> {
     let lines = match item {
         PageItem::Comment(lines) => texts(&paragraph(&lines, rail), Ink::Comment, range),
         PageItem::Heading(heading) => texts(&[heading], Ink::Name, range),
@@ -186,12 +219,12 @@ fn draw(
             };
             let mut canvas = Canvas::default();
             match drawing.draw(&mut canvas) {
-                Ok(plan) => return Some((canvas.finish(&plan.places, &plan.wires), plan.areas)),
+                Ok(plan) => return Some((canvas.finish(&plan.places, &plan.wires), plan.things)),
                 Err(too_large) => texts(&[too_large], Ink::Text, range),
             }
         }
     };
-    Some((lines, Vec::new()))
+    Some((lines, Things::default()))
 }
 
 /// Lines of text, each as it is.

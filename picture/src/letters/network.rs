@@ -2,7 +2,7 @@
 
 use super::canvas::{Arm, Canvas, Weight};
 use super::symbol::{self, Lines, Standing, SymbolAt};
-use super::{Area, Ink, Live};
+use super::{Area, Ink, Join, Live, Things, Wire};
 use crate::columns::Layout;
 use crate::figure::{Drawn, Figure};
 use crate::grid::{Kind, Slot};
@@ -34,8 +34,8 @@ pub(super) struct Plan {
     pub(super) places: Vec<TextSize>,
     /// The lines with the wires of the rungs.
     pub(super) wires: Vec<usize>,
-    /// The blocks.
-    pub(super) areas: Vec<Area>,
+    /// What is on them.
+    pub(super) things: Things,
 }
 
 /// What is known of the power in a part.
@@ -85,12 +85,16 @@ impl Drawing<'_> {
             ));
         }
         self.rails(canvas, lines);
-        self.verticals(canvas, &wires);
-        let mut areas = Vec::new();
+        let mut things = Things::default();
+        self.verticals(canvas, &wires, &mut things.joins);
         for (rung, &row) in wires.iter().enumerate() {
-            self.rung(canvas, rung, row, &mut areas);
+            self.rung(canvas, rung, row, &mut things);
         }
-        Ok(Plan { places, wires, areas })
+        Ok(Plan {
+            places,
+            wires,
+            things,
+        })
     }
 
     /// How wide it is, but for comments after its rungs.
@@ -156,13 +160,18 @@ impl Drawing<'_> {
     }
 
     /// The lines from rung to rung.
-    fn verticals(&self, canvas: &mut Canvas, wires: &[usize]) {
+    fn verticals(&self, canvas: &mut Canvas, wires: &[usize], joins: &mut Vec<Join>) {
         for (rung, slots) in self.layout.grid.rungs.iter().enumerate() {
             for slot in slots {
-                if let (true, Some(&to)) = (self.leads_down(rung, slot), wires.get(rung + 1)) {
+                if let (Some(up), Some(&to)) = (self.connector_below(rung, slot), wires.get(rung + 1)) {
                     let flow = self.flow_of(slot.thing);
                     let (column, _) = self.ends(slot);
                     canvas.down(column, wires[rung], to, flow.weight(), flow.ink());
+                    joins.push(Join {
+                        place: self.range(rung + 1, up).start(),
+                        lines: wires[rung]..to + 1,
+                        column,
+                    });
                 }
             }
         }
@@ -175,7 +184,7 @@ impl Drawing<'_> {
         };
         let slots = self.layout.grid.rungs[above].iter();
         let mut at = COMMENT;
-        for slot in slots.filter(|slot| self.leads_down(above, slot)) {
+        for slot in slots.filter(|slot| self.connector_below(above, slot).is_some()) {
             let (column, after) = self.ends(slot);
             if column < at + wide && after >= at {
                 at = after + 1;
@@ -184,9 +193,13 @@ impl Drawing<'_> {
         at
     }
 
-    fn leads_down(&self, rung: usize, slot: &Slot) -> bool {
-        let mut items = self.figure.rungs[rung][slot.items.clone()].iter();
-        items.any(|item| point_of(item).is_some_and(|point| self.network.wiring.points[point].upper == rung))
+    /// The connector of the rung below that a line leads down to.
+    fn connector_below(&self, rung: usize, slot: &Slot) -> Option<usize> {
+        let points = self.figure.rungs[rung][slot.items.clone()]
+            .iter()
+            .filter_map(point_of);
+        let mut pairs = points.map(|point| &self.network.wiring.points[point]);
+        Some(pairs.find(|pair| pair.upper == rung)?.up)
     }
 
     /// The columns of something, the first and the one after the last.
@@ -199,7 +212,7 @@ impl Drawing<'_> {
         }
     }
 
-    fn rung(&self, canvas: &mut Canvas, rung: usize, row: usize, areas: &mut Vec<Area>) {
+    fn rung(&self, canvas: &mut Canvas, rung: usize, row: usize, things: &mut Things) {
         let lines = self.lines(rung);
         for (line, comment) in self.figure.above[rung].iter().enumerate() {
             let at = self.free_of_lines(rung, columns(comment) as usize);
@@ -223,6 +236,11 @@ impl Drawing<'_> {
                     }
                     let (weight, ink) = (arriving.weight(), arriving.ink());
                     canvas.across(row, from, left, weight, ink);
+                    things.wires.push(Wire {
+                        place: self.range(rung, item.wire.unwrap_or(item.part)).start(),
+                        line: row,
+                        columns: from..left,
+                    });
                     if is_thin(kind_before) {
                         canvas.arm(row, from - 1, Arm::Right, weight, ink);
                     }
@@ -243,7 +261,7 @@ impl Drawing<'_> {
                 slot,
                 SymbolAt { row, left, right },
                 (arriving, own),
-                areas,
+                things,
             );
             arriving = own;
             before = Some((right, kind));
@@ -263,17 +281,29 @@ impl Drawing<'_> {
         slot: &Slot,
         place: SymbolAt,
         (arriving, own): (Flow, Flow),
-        areas: &mut Vec<Area>,
+        things: &mut Things,
     ) {
         let SymbolAt { row, left, right } = place;
         let item = &self.figure.rungs[rung][slot.items.start];
         match &item.drawn {
             Drawn::LeftRail | Drawn::RightRail | Drawn::Connector(_) => {}
-            Drawn::Stub => canvas.across(row, left, right, own.weight(), own.ink()),
+            Drawn::Stub => {
+                canvas.across(row, left, right, own.weight(), own.ink());
+                things.wires.push(Wire {
+                    place: self.range(rung, item.part).start(),
+                    line: row,
+                    columns: left..right,
+                });
+            }
             Drawn::Comment(text) => {
                 canvas.across(row, left, right, own.weight(), own.ink());
                 let at = left + (right - left).saturating_sub(columns(text) as usize) / 2;
                 canvas.text(row - 1, at, text, Ink::Comment);
+                things.areas.push(Area {
+                    range: self.range(rung, item.part),
+                    lines: row - 1..row + 1,
+                    columns: left..right,
+                });
             }
             Drawn::Symbol { symbol, .. } => {
                 let range = self.range(rung, item.part);
@@ -293,7 +323,7 @@ impl Drawing<'_> {
                 };
                 symbol::draw(canvas, symbol, place, &standing);
                 let lines = symbol::lines(symbol);
-                areas.push(Area {
+                things.areas.push(Area {
                     range,
                     lines: row - lines.over..row + lines.under + 1,
                     columns: left..right,

@@ -1,7 +1,7 @@
 //! A contact after a coil: a branch before the coil keeps the two apart.
 
 use super::{Spot, action};
-use crate::drawing::rows::{Item, ItemKind};
+use crate::drawing::item::{Item, ItemKind};
 use crate::drawing::term::Rung;
 use crate::refactor::Action;
 use ladder_analysis::networks::network::BoundBlock;

@@ -1,7 +1,8 @@
 //! Several coils of one tag become one: each of their rungs is a branch before it.
 
 use super::{Spot, action};
-use crate::drawing::rows::{Drawing, Item, ItemKind, lines_text};
+use crate::drawing::item::{Item, ItemKind};
+use crate::drawing::rows::{Drawing, lines_text};
 use crate::drawing::term::{Rung, items};
 use crate::refactor::Action;
 use crate::refactor::flow::is_flow;

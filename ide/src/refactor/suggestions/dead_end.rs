@@ -1,8 +1,9 @@
 //! Power that goes nowhere: a coil takes it, another line takes it, or nothing makes it.
 
 use super::{Spot, action, join_above};
+use crate::drawing::item::{Item, ItemKind};
 use crate::drawing::remove::{drop_passed_rows, remove};
-use crate::drawing::rows::{Drawing, Item, ItemKind};
+use crate::drawing::rows::Drawing;
 use crate::refactor::Action;
 use crate::refactor::names::new_tag;
 use crate::refactor::place::Selected;

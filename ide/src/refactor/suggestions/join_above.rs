@@ -1,7 +1,8 @@
 //! A line without power, or one whose power goes nowhere, is joined to the line above.
 
 use super::{Spot, action};
-use crate::drawing::rows::{Drawing, Item, ItemKind};
+use crate::drawing::item::{Item, ItemKind};
+use crate::drawing::rows::Drawing;
 use crate::refactor::Action;
 use ladder_analysis::{Analysis, Diagnostic};
 use ladder_instructions::Shape;

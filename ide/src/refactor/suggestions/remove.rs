@@ -1,9 +1,9 @@
 //! What decides nothing, or always the same, is taken out of a rung.
 
 use super::{Spot, action};
+use crate::drawing::item::ItemKind;
 use crate::drawing::parallel::Parallel;
 use crate::drawing::region::Region;
-use crate::drawing::rows::ItemKind;
 use crate::refactor::Action;
 use crate::refactor::remove_branch::removed;
 use ladder_analysis::{Analysis, Diagnostic};

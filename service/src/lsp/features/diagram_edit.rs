@@ -17,8 +17,8 @@ use tower_lsp::ls_types::{
 use super::rename;
 use crate::drawing_messages::{
     BranchSide, Commented, DeclarationCells, Declare, Declared, DeclaredTag, Deleted, DiagramEdit,
-    DiagramEdited, DiagramOffer, DiagramOffered, DrawingEdit, FileEdits, Head, NetworkPlace, NewNetwork,
-    Offer, OfferedSide, Span,
+    DiagramEdited, DiagramOffer, DiagramOffered, DrawingEdit, FileEdits, Head, Neighbours, NetworkPlace,
+    NewNetwork, Offer, OfferedSide, Span,
 };
 use crate::lsp::answers::{error, json};
 use crate::lsp::convert;
@@ -97,9 +97,18 @@ pub(crate) async fn offered(shared: &Arc<Shared>, params: ExecuteCommandParams) 
                     behind: position(behind),
                 }),
             larger: found.larger.map(span),
+            larger_things: found.larger_things.into_iter().map(span).collect(),
             acting: found.acting.map(|range| Span {
                 from: span(range).start,
                 to: span(range).end,
+            }),
+            neighbours: found.neighbours.map(|next| {
+                let line = |at: Option<TextSize>| at.map(|at| position(at).line);
+                Neighbours {
+                    above: line(next.above),
+                    below: line(next.below),
+                    after: line(next.after),
+                }
             }),
             declares: found.declares.into_iter().map(declared).collect(),
             name: found.name,
