@@ -17,8 +17,8 @@ return function(t, messages)
       local last = vim.fn.search('\\*ladder-\\|^===', 'nW')
       local found = {}
       for _, line in ipairs(vim.api.nvim_buf_get_lines(0, first, last - 1, false)) do
-        -- Keys have eight columns.
-        for name in (line:match('^    (%S.......)') or ''):gmatch('%S+') do
+        -- Keys have eight columns, or a line of their own.
+        for name in (line:match('^    (%S+)$') or line:match('^    (%S.......)') or ''):gmatch('%S+') do
           found[name] = true
         end
       end

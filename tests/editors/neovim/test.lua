@@ -26,6 +26,7 @@ require('changing')(t, messages)
 require('keys')(t, messages)
 require('power')(t, messages)
 require('views')(t)
+require('strokes')(t, messages)
 require('arrays')(t)
 require('click')(t, messages)
 

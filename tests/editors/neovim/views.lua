@@ -189,47 +189,6 @@ return function(t)
     vim.cmd('Ladder stop')
   end)
 
-  t.step('the keys of the diagram that draw change the program', function()
-    local bufnr = t.open('motor.clad')
-    local before = vim.api.nvim_buf_get_lines(bufnr, 0, -1, false)
-    vim.cmd('Ladder diagram')
-    local drawing, window = diagram()
-    local ask = vim.ui.input
-    vim.ui.input = function(_, answer)
-      answer('door')
-    end
-    vim.api.nvim_set_current_win(window)
-    for _, case in ipairs({
-      { 'C', '%-%-%[ %]%( start %)%-%-%[/%]%( door %)%-%-' },
-      { 'b', '/%-%-%[ %]%( door %)%-' },
-      { 'e', '%-%-%[/%]%( start %)%-%-' },
-      { 'd', '', gone = 'start )' },
-    }) do
-      local at = row_with(t, drawing, 'start', 'the contact')
-      local line = vim.api.nvim_buf_get_lines(drawing, at - 1, at, false)[1]
-      vim.api.nvim_win_set_cursor(window, { at, line:find('start') - 1 })
-      vim.api.nvim_feedkeys(vim.keycode('<LocalLeader>' .. case[1]), 'x', false)
-      t.eventually('the change by ' .. case[1], function()
-        local text = vim.api.nvim_buf_get_lines(bufnr, 0, -1, false)
-        local joined = table.concat(text, '\n')
-        local is_gone = not case.gone or not joined:find(case.gone, 1, true)
-        return not vim.deep_equal(text, before) and is_gone and joined:find(case[2]) ~= nil
-      end)
-      vim.api.nvim_buf_call(bufnr, function()
-        vim.cmd('silent undo')
-      end)
-      vim.api.nvim_exec_autocmds('TextChanged', { buffer = bufnr })
-      t.equal('the program after an undo', before, vim.api.nvim_buf_get_lines(bufnr, 0, -1, false))
-      -- The server is told, and the drawing is as it was.
-      t.eventually('the drawing as it was', function()
-        local drawn = table.concat(vim.api.nvim_buf_get_lines(drawing, 0, -1, false), '\n')
-        return drawn:find('start') and not drawn:find('door')
-      end)
-    end
-    vim.ui.input = ask
-    vim.cmd('Ladder diagram')
-  end)
-
   t.step('the cursor of the diagram stays on its contact when the power changes', function()
     local bufnr = t.open('motor.clad')
     vim.cmd('Ladder start')

@@ -10,6 +10,7 @@ local server = require('ladder.server')
 local sessions = require('ladder.session')
 local side_buffer = require('ladder.side_buffer')
 local simulation = require('ladder.simulation')
+local spot = require('ladder.diagram.spot')
 local status = require('ladder.status')
 local view = require('ladder.view')
 
@@ -24,10 +25,23 @@ local margin = 5
 --- @field columns integer[]
 --- @field tags string[]|nil
 
+--- @class ladder.DrawnWire
+--- @field at lsp.Position where it begins in the program
+--- @field line integer that it is drawn in, from 0
+--- @field columns integer[]
+
+--- @class ladder.DrawnJoin
+--- @field at lsp.Position of its lower connector
+--- @field lines integer[]
+--- @field column integer
+
 --- @class ladder.Diagram
 --- @field bufnr integer
 --- @field drawn { line: integer, text: string, wire: boolean|nil, marks: any[][]|nil }[]
 --- @field blocks ladder.DrawnBlock[]
+--- @field wires ladder.DrawnWire[]
+--- @field joins ladder.DrawnJoin[]
+--- @field wanted { place: lsp.Position, tick: integer }|nil where its cursor goes when a text that is no older is drawn
 --- @field lines { first: integer, last: integer } of the program, that were asked for
 --- @field is_asking boolean
 --- @field is_stale boolean
@@ -69,8 +83,11 @@ local function title(source, diagram)
   local text = session and status.text(session) or name .. ', at rest'
   for _, window in ipairs(windows(diagram)) do
     local room = vim.api.nvim_win_get_width(window) - vim.fn.strdisplaywidth(text) - 4
-    local shown = #help <= room and help or #short_help <= room and short_help or ''
-    vim.wo[window][0].winbar = (' %s%%=%s '):format(text:gsub('%%', '%%%%'), shown)
+    local draws = ('  %s? draw'):format(vim.g.maplocalleader or '\\')
+    local shown = vim.iter({ help .. draws, short_help .. draws, draws }):find(function(keys_shown)
+      return vim.fn.strdisplaywidth(keys_shown) <= room
+    end) or ''
+    vim.wo[window][0].winbar = (' %s%%=%s '):format(text:gsub('%%', '%%%%'), (shown:gsub('%%', '%%%%')))
   end
 end
 
@@ -112,6 +129,7 @@ local function ask(source)
     diagram.is_asking = false
     if not err and #windows(diagram) > 0 then
       picture.draw(source, diagram, drawn)
+      spot.show(diagram, vim.api.nvim_get_current_buf() == diagram.bufnr)
       title(source, diagram)
     end
     if diagram.is_stale then
@@ -146,6 +164,16 @@ local function watch(source, bufnr)
       end
     end,
   })
+  vim.api.nvim_create_autocmd({ 'CursorMoved', 'BufEnter', 'BufLeave' }, {
+    group = group,
+    buffer = bufnr,
+    callback = function(event)
+      local diagram = diagrams[source]
+      if diagram then
+        spot.show(diagram, event.event ~= 'BufLeave')
+      end
+    end,
+  })
   vim.api.nvim_create_autocmd('BufWipeout', {
     group = group,
     buffer = bufnr,
@@ -161,6 +189,8 @@ function M.open(source)
     bufnr = side_buffer.create('diagram', source),
     drawn = {},
     blocks = {},
+    wires = {},
+    joins = {},
     is_asking = false,
     is_stale = false,
   }

@@ -1,4 +1,6 @@
 --- Keys that draw: a contact, a coil, a block, a branch; a block moved or deleted. Each is one step of undo.
+local change = require('ladder.change')
+
 local M = {}
 
 --- The keys after |<LocalLeader>|, what each does, and how it is called.
@@ -41,21 +43,10 @@ end
 function M.run(edit)
   local bufnr = vim.api.nvim_get_current_buf()
   local client = require('ladder.server').of(bufnr)
-  if not client then
-    return vim.notify('ladder: no language server is attached', vim.log.levels.WARN)
-  end
-  local argument = { uri = vim.uri_from_bufnr(bufnr), range = range_here(client, bufnr), edit = edit }
-  local tick = vim.api.nvim_buf_get_changedtick(bufnr)
-  require('ladder.server').command(client, bufnr, 'ladder.edit', argument, function(err, edited)
-    if err then
-      return vim.notify('ladder: ' .. err.message, vim.log.levels.WARN)
-    end
-    if not vim.api.nvim_buf_is_valid(bufnr) or vim.api.nvim_buf_get_changedtick(bufnr) ~= tick then
-      return
-    end
-    vim.lsp.util.apply_text_edits(edited.edits, bufnr, client.offset_encoding)
-    local cursor = edited.cursor
-    if cursor and cursor ~= vim.NIL and vim.api.nvim_get_current_buf() == bufnr then
+  local argument = { range = client and range_here(client, bufnr), edit = edit }
+  change.make(bufnr, 'ladder.edit', argument, function(made, client)
+    local cursor = made.cursor
+    if cursor and vim.api.nvim_get_current_buf() == bufnr then
       local line = vim.api.nvim_buf_get_lines(bufnr, cursor.line, cursor.line + 1, false)[1] or ''
       local column = vim.str_byteindex(line, client.offset_encoding, cursor.character, false)
       vim.api.nvim_win_set_cursor(0, { cursor.line + 1, column })

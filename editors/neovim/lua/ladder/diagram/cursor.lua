@@ -1,4 +1,5 @@
 --- Where the cursor of the program is in the diagram, and the other way round.
+local here = require('ladder.diagram.here')
 local server = require('ladder.server')
 local side_buffer = require('ladder.side_buffer')
 
@@ -83,54 +84,91 @@ function M.follow(source, diagram)
   end
 end
 
---- The block under the cursor of the diagram.
+--- Puts the cursor of the program on a place.
+--- @param source integer
+--- @param window integer that shows it
+--- @param place lsp.Position
+local function put_on(source, window, place)
+  local client = server.of(source)
+  local text = vim.api.nvim_buf_get_lines(source, place.line, place.line + 1, false)[1] or ''
+  local at = client and vim.str_byteindex(text, client.offset_encoding, place.character, false) or 0
+  local last = vim.api.nvim_buf_line_count(source)
+  vim.api.nvim_win_set_cursor(window, { math.min(place.line + 1, last), at })
+end
+
+--- Brings a place into sight in both windows, as soon as a text that is no older than this one is drawn.
+--- @param source integer
 --- @param diagram ladder.Diagram
---- @return ladder.DrawnBlock|nil
-function M.block_here(diagram)
-  local row, at = unpack(vim.api.nvim_win_get_cursor(0))
-  local line = vim.api.nvim_get_current_line()
-  local column = vim.fn.strdisplaywidth(line:sub(1, at))
-  local found, distance
-  for _, block in ipairs(diagram.blocks) do
-    local is_here = block.lines[1] < row and row <= block.lines[2]
-    if is_here and block.columns[1] <= column and column < block.columns[2] then
-      -- The one whose wire is nearest, where the rooms of two rungs overlap.
-      local middle = (block.lines[1] + block.lines[2]) / 2
-      if not found or math.abs(middle - row) < distance then
-        found, distance = block, math.abs(middle - row)
-      end
+--- @param place lsp.Position
+--- @param is_right_end boolean|nil of the branch on that line its right end, or its left one
+function M.want(source, diagram, place, is_right_end)
+  local window = vim.fn.bufwinid(source)
+  if window ~= -1 then
+    put_on(source, window, place)
+  end
+  local tick = vim.api.nvim_buf_get_changedtick(source)
+  diagram.wanted = { place = place, tick = tick, is_right_end = is_right_end }
+end
+
+--- The end of the branch that a line of the program is.
+--- @param diagram ladder.Diagram
+--- @param line integer
+--- @param is_right boolean
+--- @return ladder.DrawnJoin|nil
+local function end_of_branch(diagram, line, is_right)
+  local found
+  for _, join in ipairs(diagram.joins) do
+    if join.at.line == line and (not found or (join.column > found.column) == is_right) then
+      found = join
     end
   end
   return found
 end
 
---- The line of the program that the cursor of the diagram is on.
+--- Puts the cursor of the diagram on what is wanted, if that is drawn now.
 --- @param diagram ladder.Diagram
---- @return integer|nil
-function M.line_here(diagram)
-  local block = M.block_here(diagram)
-  local drawn = diagram.drawn[vim.api.nvim_win_get_cursor(0)[1]]
-  return block and block.range.start.line or drawn and drawn.line
+--- @param version integer of what is drawn
+function M.reach(diagram, version)
+  local wanted = diagram.wanted
+  if not wanted or version < wanted.tick then
+    return
+  end
+  local line, character = wanted.place.line, wanted.place.character
+  local block = vim.iter(diagram.blocks):find(function(block)
+    local from, to = block.range.start, block.range['end']
+    return from.line == line and from.character <= character and character < to.character
+  end)
+  local wire = vim.iter(diagram.wires):find(function(wire)
+    return wire.at.line == line and wire.at.character == character
+  end)
+  local row = block and here.row_of(diagram, block) or wire and wire.line + 1 or M.row_of(diagram, line)
+  local columns = block and block.columns or wire and wire.columns or { 0, 1 }
+  if wanted.is_right_end ~= nil then
+    local join = end_of_branch(diagram, line, wanted.is_right_end)
+    if join then
+      row, columns = join.lines[1] + 1, { join.column, join.column + 1 }
+    end
+  end
+  for _, window in ipairs(row and side_buffer.windows(diagram.bufnr) or {}) do
+    reveal(diagram, window, row, math.floor((columns[1] + columns[2] - 1) / 2))
+  end
+  if block or wire then
+    diagram.wanted = nil
+  end
 end
 
 --- Goes to the place in the program of what the cursor is on.
 --- @param source integer
 --- @param diagram ladder.Diagram
 function M.open_text(source, diagram)
-  local block, line = M.block_here(diagram), M.line_here(diagram)
+  local block, line = here.block(diagram), here.line(diagram)
   local window = vim.fn.bufwinid(source)
   if window == -1 or not line then
     return
   end
-  local client = server.of(source)
-  local text = vim.api.nvim_buf_get_lines(source, line, line + 1, false)[1] or ''
-  local at = 0
-  if block and client then
-    at = vim.str_byteindex(text, client.offset_encoding, block.range.start.character, false)
-  end
   vim.api.nvim_set_current_win(window)
   vim.cmd("normal! m'")
-  vim.api.nvim_win_set_cursor(window, { math.min(line + 1, vim.api.nvim_buf_line_count(source)), at })
+  put_on(source, window, block and block.range.start or { line = line, character = 0 })
 end
 
 return M

@@ -2,6 +2,7 @@
 local assign = require('ladder.assign')
 local breakpoints = require('ladder.breakpoints')
 local cursor = require('ladder.diagram.cursor')
+local here = require('ladder.diagram.here')
 local sessions = require('ladder.session')
 local side_buffer = require('ladder.side_buffer')
 local simulation = require('ladder.simulation')
@@ -14,7 +15,7 @@ local M = {}
 --- @param wants_bool boolean|nil
 --- @return string|nil
 local function tag_here(source, diagram, wants_bool)
-  local block = cursor.block_here(diagram)
+  local block = here.block(diagram)
   local session = sessions.of(source)
   if not session then
     vim.notify('ladder: nothing is simulated; ":Ladder start" starts a simulation.', vim.log.levels.WARN)
@@ -86,7 +87,7 @@ function M.map(source, diagram, close)
       simulation.pause(source)
     end,
     ['<F9>'] = function()
-      local line = cursor.line_here(diagram)
+      local line = here.line(diagram)
       if line then
         breakpoints.toggle_line(source, line)
         simulation.send_breakpoints(source)

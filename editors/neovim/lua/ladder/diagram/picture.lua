@@ -34,6 +34,7 @@ end
 function M.draw(source, diagram, drawn)
   local before = diagram.drawn
   diagram.drawn, diagram.blocks = drawn.drawn, drawn.blocks
+  diagram.wires, diagram.joins = drawn.wires, drawn.joins
   local cursors = {}
   for _, window in ipairs(side_buffer.windows(diagram.bufnr)) do
     local row, at = unpack(vim.api.nvim_win_get_cursor(window))
@@ -85,6 +86,7 @@ function M.draw(source, diagram, drawn)
   if moved then
     cursor.follow(source, diagram)
   end
+  cursor.reach(diagram, drawn.version)
 end
 
 return M
