@@ -2,6 +2,7 @@
 
 use crate::mnemonic::{instruction, operands_in_ascii};
 use crate::names::Originals;
+use crate::renamed::with_new_names;
 use crate::{in_outs, l5x, model, repeated, text, write};
 use ladder_drawings::neutral::{self, Part};
 use ladder_notation::kept::{Rules, merge, merge_lists};
@@ -32,7 +33,12 @@ pub(crate) fn write(project: &Project, kept: &Kept<'_>) -> Result<WrittenProject
     let before = write::write_again(kept.before, &names, kept.before)?;
     let mut after = write::write_again(project, &names, kept.before)?;
     let [old, new] = [&before, &after].map(|writing| String::from_utf8_lossy(&writing.bytes).into_owned());
-    let merged = merge(original, &old, &new, &RULES).map_err(broken)?;
+    let renamed = with_new_names(original, &old, &new);
+    let [own, old] = match &renamed {
+        Some(renamed) => renamed.each_ref().map(String::as_str),
+        None => [original, &old],
+    };
+    let merged = merge(own, old, &new, &RULES).map_err(broken)?;
     without_known(
         &mut after.report,
         &project.analysis,

@@ -27,6 +27,7 @@ mod names;
 mod opened;
 mod operand;
 mod plan;
+mod renamed;
 mod repeated;
 mod scope;
 mod sketch;

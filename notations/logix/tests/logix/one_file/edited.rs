@@ -153,12 +153,7 @@ fn tags_are_changed_renamed_and_taken_out() {
         ],
         expect![[r#"
             -<Tag Name="step" TagType="Base" DataType="DINT" ExternalAccess="Read Only">
-            -<Data Format="L5K">
-            -<![CDATA[7]]>
-            -</Data>
-            +<Tag Name="count" TagType="Base" DataType="DINT" Radix="Decimal" Constant="false" ExternalAccess="Read/Write">
-            -<DataValue DataType="DINT" Radix="Hex" Value="7"/>
-            +<DataValue DataType="DINT" Radix="Decimal" Value="7"/>
+            +<Tag Name="count" TagType="Base" DataType="DINT" ExternalAccess="Read Only">
             -<![CDATA[XIC(timer.DN)ADD(step,1,step);]]>
             +<![CDATA[XIC(timer.DN)CPT(count,count + 1);]]>
         "#]],
