@@ -1,10 +1,15 @@
-//! What holds for every change of every network in series and in parallel: 5,000 random changes of random networks.
+//! What holds for every change of every network in series and in parallel: random changes of random networks.
 
-use super::{Change, Given, change, points_of};
-use crate::drawing::beside::Side;
-use crate::drawing::item::{Item, ItemKind};
+mod ends;
+mod inverse;
+mod networks;
+mod terms;
+mod texts;
+
+use super::{Change, Given, change};
+use crate::drawing::item::Item;
 use crate::drawing::rows::Drawing;
-use crate::drawing::term::{Rung, items, normal};
+use crate::drawing::term::Rung;
 use ladder_analysis::context as read;
 use ladder_analysis::context::Context;
 use ladder_format::{Circuit, ElementKind, Options, apply, format_text};
@@ -50,6 +55,7 @@ fn leaf(names: &mut usize) -> Circuit<String> {
 }
 
 const ABOVE: &str = "# above #\n+--[ ]( q )-( )( r )--+ # as it is typed #\n\n";
+
 const BELOW: &str = "\n+-[ ]( q )---( )( s )--+\n";
 
 fn text_of(parts: Vec<Circuit<String>>) -> String {
@@ -136,242 +142,19 @@ fn given(text: &str) -> Given {
     }
 }
 
-#[test]
-fn a_network_stays_the_drawing_of_its_term() {
-    let mut random = Random(0x9e37_79b9_7f4a_7c15);
-    let (mut made, mut refused) = (0, 0);
-    let mut text = String::new();
-    for step in 0..5_000 {
-        // A new network now and then: changes make it grow.
-        if step % 8 == 0 {
-            let mut names = 0;
-            let mut parts = series(&mut random, 3, &mut names);
-            parts.push(Circuit::Element("( )( y )".to_owned()));
-            text = format!("{ABOVE}{}{BELOW}", text_of(parts));
-        }
-        let before = blocks(&term(&text));
-        let points = points_of(&context(&text), 1).expect("it can be changed");
-        let point = points[random.below(points.len())];
-        let thing = before[random.below(before.len())].clone();
-        let name = format!("[/]( m{step} )");
-        let around = at(&text, &thing);
-        let wanted = match random.below(5) {
-            0 | 1 => Change::Insert {
-                at: point,
-                given: given(&name),
-            },
-            2 => Change::Parallel {
-                from: around.start(),
-                to: around.end(),
-                side: if random.below(3) == 0 {
-                    Side::Above
-                } else {
-                    Side::Below
-                },
-                given: given(&name),
-            },
-            3 => Change::Delete { what: vec![around] },
-            _ => Change::Move {
-                what: vec![around],
-                to: point,
-            },
-        };
-        let Ok((new, selected)) = changed(&text, &wanted) else {
-            refused += 1;
-            continue;
-        };
-        made += 1;
-        if !new.contains("[ ](") || before.len() < 2 {
-            continue;
-        }
-        check(&text, &new);
-        let after = blocks(&term(&new));
-        match &wanted {
-            Change::Insert { .. } | Change::Parallel { .. } => {
-                assert_eq!(selected, [name.as_str()]);
-                // What was there runs in the order in which it did.
-                let rest: Vec<_> = after.iter().filter(|text| **text != name).cloned().collect();
-                assert_eq!(rest, before, "from\n{text}\nto\n{new}");
-                // Deleting it again is the inverse.
-                let back = Change::Delete {
-                    what: vec![at(&new, &name)],
-                };
-                assert_eq!(
-                    changed(&new, &back).expect("it goes again").0,
-                    text,
-                    "from\n{new}"
-                );
-            }
-            Change::Delete { .. } => {
-                let rest: Vec<_> = before.iter().filter(|text| **text != thing).cloned().collect();
-                assert_eq!(after, rest, "from\n{text}\nto\n{new}");
-            }
-            _ => {
-                let rest = |all: &[String]| {
-                    all.iter()
-                        .filter(|text| **text != thing)
-                        .cloned()
-                        .collect::<Vec<_>>()
-                };
-                assert_eq!(rest(&after), rest(&before), "from\n{text}\nto\n{new}");
-                assert!(selected.is_empty() || selected == [thing.as_str()]);
-            }
-        }
-        text = new;
-    }
-    assert!(
-        made > 4_000 && refused < 500,
-        "{made} were made, {refused} refused"
-    );
+/// A network with a coil at its end, between two others.
+fn between_others(random: &mut Random, depth: usize) -> String {
+    let mut names = 0;
+    let mut parts = series(random, depth, &mut names);
+    parts.push(Circuit::Element("( )( y )".to_owned()));
+    format!("{ABOVE}{}{BELOW}", text_of(parts))
 }
 
-/// A network from a fork on: branches that end by themselves, at the right rail, at nothing, or with a loose wire.
-fn with_ends(random: &mut Random, depth: usize, names: &mut usize) -> Vec<Circuit<Item>> {
-    let own = series(random, depth, names);
-    let by = |text: String| Circuit::Element(Item::block(text));
-    let mut parts: Vec<Circuit<Item>> = own.into_iter().map(|part| part.replaced(&by)).collect();
-    if depth > 0 && random.below(2) == 0 {
-        let branches = (0..2 + random.below(2)).map(|_| Circuit::Series(with_ends(random, depth - 1, names)));
-        parts.push(Circuit::Parallel(branches.collect()));
-    } else {
-        let end = match random.below(3) {
-            0 => Item::new(ItemKind::Open, "", true),
-            1 => Item::new(ItemKind::Stub, "--", true),
-            _ => Item::right_rail(),
-        };
-        parts.push(Circuit::Element(end));
-    }
-    parts
-}
-
-#[test]
-fn branches_that_end_by_themselves_are_a_term() {
-    let mut random = Random(11);
-    for step in 0..1_000 {
-        let mut names = 0;
-        let parts = with_ends(&mut random, 3, &mut names);
-        let like = parse("+--[ ]( a )--+\n");
-        let like = Drawing::of_text(&like, &like.structure().networks[0]).expect("it is drawn");
-        let rung = Rung {
-            parts: Vec::new(),
-            railed: false,
-        };
-        let drawn = rung.draw_bare(&like, normal(parts)).text();
-        let text = format_text(&format!("{drawn}\n"), &Options::default());
-        let parsed = parse(&text);
-        assert_eq!(parsed.structure().networks.len(), 1, "{text}");
-        let drawing = Drawing::of_text(&parsed, &parsed.structure().networks[0]).expect("it is drawn");
-        let read = Rung::with_ends(&drawing).unwrap_or_else(|| panic!("no term:\n{text}"));
-        let again = read.draw(&drawing, read.parts.clone()).text();
-        assert_eq!(format_text(&format!("{again}\n"), &Options::default()), text);
-        // What is put in goes again, and nothing else with it.
-        let points = points_of(&context(&text), 0).expect("it can be changed");
-        let insert = Change::Insert {
-            at: points[random.below(points.len())],
-            given: given("[/]( m )"),
-        };
-        let (new, selected) = changed(&text, &insert).unwrap_or_else(|why| panic!("{why}\n{text}"));
-        assert_eq!(selected, ["[/]( m )"]);
-        assert_eq!(format_text(&new, &Options::default()), new);
-        let name = format!("[ ]( n{} )", 1 + step % names);
-        let around = at(&new, &name);
-        let beside = Change::Parallel {
-            from: around.start(),
-            to: around.end(),
-            side: Side::Below,
-            given: given("[P]( p )"),
-        };
-        let (more, _) = changed(&new, &beside).unwrap_or_else(|why| panic!("{why}\n{new}"));
-        assert_eq!(format_text(&more, &Options::default()), more);
-        for (from, gone, to) in [(&more, "[P]( p )", &new), (&new, "[/]( m )", &text)] {
-            let back = Change::Delete {
-                what: vec![at(from, gone)],
-            };
-            assert_eq!(
-                &changed(from, &back).expect("it goes again").0,
-                to,
-                "from\n{from}"
-            );
-        }
-    }
-}
-
-#[test]
-fn every_point_is_a_place_of_the_term() {
-    fn places(parts: &[Circuit<String>]) -> usize {
-        let inner = parts.iter().map(|part| match part {
-            Circuit::Parallel(branches) => branches
-                .iter()
-                .map(|branch| match branch {
-                    Circuit::Series(parts) => places(parts),
-                    part => places(std::slice::from_ref(part)),
-                })
-                .sum(),
-            _ => 0,
-        });
-        parts.len() + 1 + inner.sum::<usize>()
-    }
-    let mut random = Random(7);
-    for _ in 0..500 {
-        let mut names = 0;
-        let mut parts = series(&mut random, 3, &mut names);
-        parts.push(Circuit::Element("( )( y )".to_owned()));
-        let text = text_of(parts);
-        let points = points_of(&context(&text), 0).expect("it can be changed");
-        let parsed = parse(&text);
-        let drawing = Drawing::of_text(&parsed, &parsed.structure().networks[0]).expect("it is drawn");
-        let rung = Rung::read(&drawing).expect("it is a term");
-        let by = |item: Item| Circuit::Element(item.text);
-        let term: Vec<_> = rung
-            .parts
-            .iter()
-            .cloned()
-            .map(|part| part.replaced(&by))
-            .collect();
-        assert_eq!(points.len(), places(&term), "{text}");
-        let all = rung.parts.iter().flat_map(items).count();
-        assert_eq!(normal(rung.parts.clone()).iter().flat_map(items).count(), all);
-    }
-}
-
-#[test]
-fn what_is_half_typed_is_not_changed() {
-    let whole = "+--\\--[ ]( a )--\\--[TON]( t, T#5s )--( )( y )--+\n|  /--[/]( b )--/                              |\n";
-    for cut in 0..whole.len() {
-        for text in [
-            &whole[..cut],
-            &whole[cut..],
-            &format!("{}{}", &whole[..cut], &whole[cut + 1..]),
-        ] {
-            let context = context(text);
-            for place in (0..text.len())
-                .step_by(3)
-                .map(|place| TextSize::new(place as u32))
-            {
-                let wanted = [
-                    Change::Insert {
-                        at: place,
-                        given: given("[ ]( x )"),
-                    },
-                    Change::Delete {
-                        what: vec![TextRange::at(place, TextSize::new(1))],
-                    },
-                ];
-                for wanted in wanted {
-                    if place >= TextSize::of(text) {
-                        continue;
-                    }
-                    // Refused with a reason, or made; what is made reads as a drawing without new errors.
-                    match change(&context, &wanted, &Options::default()) {
-                        Err(why) => assert!(!why.is_empty()),
-                        Ok(done) => {
-                            let new = apply(text, &done.edits);
-                            let count = |text: &str| parse(text).errors().len();
-                            assert!(count(&new) <= count(text), "{wanted:?} of\n{text}\n{new}");
-                        }
-                    }
-                }
-            }
-        }
-    }
+/// What changes a text back into one before: the first of some changes that does.
+fn inverse(new: &str, text: &str, all: impl IntoIterator<Item = Change>) -> Option<Change> {
+    let context = context(new);
+    all.into_iter().find(|what| {
+        let done = change(&context, what, &Options::default());
+        done.is_ok_and(|done| apply(new, &done.edits) == text)
+    })
 }

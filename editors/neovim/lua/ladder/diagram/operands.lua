@@ -5,10 +5,13 @@ local change = require('ladder.change')
 
 local M = {}
 
---- The tags that there are while somebody is asked, by their lower-case names.
---- @type table<string, table>
-local known = {}
+--- The tags that there are while somebody is asked, by their lower-case names; nothing until the server has told them.
+--- @type table<string, table>|nil
+local known
 local wants_bool = false
+
+--- In milliseconds. Who completes a tag waits so long for the tags of a long program.
+local PATIENCE = 2000
 
 --- What completes the question: the last word, by those that begin so first.
 --- @param lead string
@@ -16,8 +19,11 @@ local wants_bool = false
 function M.complete(lead)
   local before, word = lead:match('^(.-)([%w_.$]*)$')
   word = word:lower()
+  vim.wait(PATIENCE, function()
+    return known ~= nil
+  end, 5)
   local names = {}
-  for name, tag in pairs(known) do
+  for name, tag in pairs(known or {}) do
     if name:find(word, 1, true) and (not wants_bool or tag.type == 'BOOL') then
       table.insert(names, tag.name)
     end
@@ -43,7 +49,7 @@ local function new_names(text)
     local name = word:match('^[%w_]+')
     local is_name = word:match('^[%w_]+$') or word:match('^[%w_]+[.%[]')
     local is_literal = name:upper() == 'TRUE' or name:upper() == 'FALSE'
-    if at < declared and is_name and not is_literal and not known[name:lower()] then
+    if at < declared and is_name and not is_literal and known and not known[name:lower()] then
       table.insert(marks, { at - 1, at - 1 + #name, 'LadderNewTag' })
     end
   end
@@ -66,21 +72,22 @@ end
 --- @param question { prompt: string, text: string, is_bool: boolean }
 --- @param answer fun(text: string, declare: { section: string|nil, type: string }|nil)
 function M.ask(source, question, answer)
+  known, wants_bool = nil, question.is_bool
   change.ask(source, 'ladder.crossReference', {}, function(found)
-    known, wants_bool = {}, question.is_bool
+    known = {}
     for _, tag in ipairs(found.tags) do
       known[tag.name:lower()] = tag
     end
-    vim.ui.input({
-      prompt = question.prompt .. ': ',
-      default = question.text,
-      completion = "customlist,v:lua.require'ladder.diagram.operands'.complete",
-      highlight = new_names,
-    }, function(text)
-      if text then
-        answer(parts(text))
-      end
-    end)
+  end)
+  vim.ui.input({
+    prompt = question.prompt .. ': ',
+    default = question.text,
+    completion = "customlist,v:lua.require'ladder.diagram.operands'.complete",
+    highlight = new_names,
+  }, function(text)
+    if text then
+      answer(parts(text))
+    end
   end)
 end
 
