@@ -82,6 +82,7 @@ impl Analysis {
                 context: &self.context,
                 name: &self.context.name,
                 bodies: None,
+                plant: None,
             };
             let Resolved {
                 program,

@@ -3,7 +3,8 @@
 use crate::analyze::{Analysis, AnalyzeOptions, analyze};
 use crate::library::{self, SOURCES};
 use crate::names::context::Body;
-use crate::program::Program;
+use crate::plants::{self, Connect, PlantError, PlantFile};
+use crate::program::{Function, Program};
 use crate::resolve::targets::{Target, held, targets};
 use crate::resolve::{self, numbers::Unit};
 use ladder_syntax::parse;
@@ -87,7 +88,7 @@ pub fn link_files(
     if own.has_errors() {
         return Err(NotWhole::Errors(Arc::clone(&own.context.name)));
     }
-    linked(own, &[], analysis)
+    Ok(linked(own, &[], &[], analysis)?.0)
 }
 
 /// A project whose tasks run the main programs of several files. `plan` is what runs in a scan: its functions stand for the
@@ -104,23 +105,57 @@ pub fn link_tasks(
     if let Some((program, _)) = programs.iter().find(failing) {
         return Err(NotWhole::Errors(Arc::clone(&program.context.name)));
     }
-    linked(plan, programs, analysis)
+    Ok(linked(plan, programs, &[], analysis)?.0)
 }
 
+/// A program, or a project with its tasks, beside models of its machine: in each scan these run before it. What is wrong with the
+/// plants or with how they are connected comes with it; then it must not run.
+///
+/// # Errors
+/// A file, or one that it uses, has errors or cannot be had.
+pub fn link_with_plants(
+    own: &Arc<Analysis>,
+    programs: &[(Arc<Analysis>, u32)],
+    (plants, connects): (&[PlantFile], &[Connect]),
+    analysis: &dyn Fn(&str) -> Option<Arc<Analysis>>,
+) -> Result<(Linked, Vec<PlantError>), NotWhole> {
+    let programs_of = programs.iter().map(|(program, _)| program);
+    let mut roots = std::iter::once(own)
+        .chain(programs_of)
+        .chain(plants.iter().map(|plant| &plant.analysis));
+    if let Some(failing) = roots.find(|root| root.has_errors()) {
+        return Err(NotWhole::Errors(Arc::clone(&failing.context.name)));
+    }
+    let (mut linked, file) = linked(own, programs, plants, analysis)?;
+    let mut program = Arc::unwrap_or_clone(linked.program);
+    let errors = plants::connect(&mut program, file, plants, connects);
+    linked.program = Arc::new(program);
+    Ok((linked, errors))
+}
+
+/// Also returns the number of the first plant's file.
 fn linked(
     own: &Arc<Analysis>,
     programs: &[(Arc<Analysis>, u32)],
+    plants: &[PlantFile],
     analysis: &dyn Fn(&str) -> Option<Arc<Analysis>>,
-) -> Result<Linked, NotWhole> {
+) -> Result<(Linked, usize), NotWhole> {
+    let first_plant = 1 + programs.len();
     let roots = std::iter::once(own).chain(programs.iter().map(|(program, _)| program));
+    let roots = roots.chain(plants.iter().map(|plant| &plant.analysis));
     let reached = Reached::from(roots, analysis)?;
     let units: Vec<Unit<'_>> = reached
         .files
         .iter()
-        .map(|(analysis, bodies)| Unit {
+        .enumerate()
+        .map(|(number, (analysis, bodies))| Unit {
             context: &analysis.context,
             name: &analysis.context.name,
             bodies: bodies.clone(),
+            plant: number
+                .checked_sub(first_plant)
+                .and_then(|plant| plants.get(plant))
+                .map(|plant| plant.name.as_str()),
         })
         .collect();
     let resolved = resolve::program(&units);
@@ -128,8 +163,9 @@ fn linked(
         return Err(NotWhole::Missing(Arc::clone(&own.context.name)));
     }
     let mut program = resolved.program;
-    let mains = resolved.mains.into_iter().skip(1).zip(programs);
-    for (number, (main, (_, every))) in mains.enumerate() {
+    let mut mains = resolved.mains.into_iter().skip(1);
+    for (number, (_, every)) in programs.iter().enumerate() {
+        let main = mains.next().unwrap_or_default();
         // What stands for it in the plan does nothing.
         let stand_in = std::mem::replace(&mut program.functions[number].networks, main);
         program.functions[number].every = Some(*every);
@@ -139,11 +175,19 @@ fn linked(
             network.elements.clear();
         }
     }
+    for (plant, main) in plants.iter().zip(mains) {
+        program.functions.push(Function {
+            name: plant.name.clone(),
+            networks: main,
+            every: None,
+        });
+    }
     let others = reached.files.into_iter().skip(1).map(|(file, _)| file);
-    Ok(Linked {
+    let linked = Linked {
         program: Arc::new(program),
         others: with_types(own, others.collect(), analysis),
-    })
+    };
+    Ok((linked, first_plant))
 }
 
 /// Files, and those that declare the types which they and the program's own mention.

@@ -56,7 +56,30 @@ impl Ready {
             .map_err(|error| with_errors(missing_program(source, *range, &error, renderer)))?;
         let program_source = source_of(&program, bytes, workspaces);
         let program_source = program_source.map_err(|error| with_errors(broken_program(&program, &error)))?;
-        let program_source = Arc::new(program_source);
+        let mut plants = Vec::new();
+        for plant in &suite.plants {
+            let named = Named::in_file(path, &plant.file);
+            let bytes = named
+                .read_bytes()
+                .map_err(|error| with_errors(missing_program(source, plant.range, &error, renderer)))?;
+            let of_plant = source_of(&named.path(), bytes, workspaces);
+            let of_plant = of_plant.map_err(|error| with_errors(broken_program(&named.path(), &error)))?;
+            plants.push((of_plant, plant.name.clone()));
+        }
+        let connects = suite
+            .connects
+            .iter()
+            .map(|connect| connect.sides.clone())
+            .collect();
+        let program_source = Arc::new(program_source.beside(plants, connects));
+        let of_plants = program_source.plant_errors();
+        if !of_plants.is_empty() {
+            let of_plants: Vec<ScenarioError> = of_plants
+                .iter()
+                .map(|error| scenario::plant_error(&suite, error))
+                .collect();
+            return Err((errors(&of_plants), Some(program_source)));
+        }
         let mut simulation = compile(&program, &program_source, &suite, renderer).map_err(|problems| {
             let mut all = errors(&[]);
             all.extend(problems);

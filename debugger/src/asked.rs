@@ -2,6 +2,7 @@
 
 use std::path::{Component, Path, PathBuf};
 
+use ladder_analysis::Connect;
 use ladder_analysis::values::value::Value;
 use ladder_host::World;
 use ladder_live::Keeping;
@@ -9,7 +10,7 @@ use ladder_live::value::from_json;
 use ladder_simulator::expression::Scope;
 use ladder_simulator::scenario::{self, Suite};
 use ladder_simulator::{Inputs, Session, Simulation};
-use ladder_workspace::{Disk, Named, shown};
+use ladder_workspace::{Disk, Named, Simulate, shown};
 use serde_json::{Map, Value as Json};
 
 use crate::configuration::{Configuration, GivenInputs, is_scenario_file};
@@ -73,6 +74,30 @@ impl Asked {
     /// The program's file.
     pub(crate) fn program(&self) -> &Path {
         &self.program
+    }
+
+    /// The models of the machine that run beside the program, each with what is before the names of its tags, and what is connected:
+    /// as the scenario says, else as the settings do.
+    pub(crate) fn plants(&self, settings: &Simulate) -> (Vec<(Named, String)>, Vec<Connect>) {
+        let Some(scenario) = &self.scenario else {
+            let plants = settings.plants_of(&self.program).iter();
+            let plants = plants.map(|plant| (plant.file.clone(), plant.name.clone()));
+            return (plants.collect(), settings.connects.clone());
+        };
+        let disk = &self.world.disk;
+        let plants = scenario.suite.plants.iter();
+        let plants = plants.map(|plant| {
+            (
+                disk.named_in(&scenario.file.path, &plant.file),
+                plant.name.clone(),
+            )
+        });
+        let connects = scenario
+            .suite
+            .connects
+            .iter()
+            .map(|connect| connect.sides.clone());
+        (plants.collect(), connects.collect())
     }
 
     /// Whether a scenario is to be run.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use ladder_analysis::program::Program;
-use ladder_analysis::{Analysis, NotWhole};
+use ladder_analysis::{Analysis, Linked, NotWhole, PlantFile};
 use ladder_host::World;
 use ladder_live::Keeping;
 use ladder_simulator::{HistoryLimits, Options, Session};
@@ -23,7 +23,7 @@ pub(crate) fn load(configuration: &Configuration, world: &World) -> Result<(Targ
         program,
         sources,
         workspace,
-    } = load_program(world, asked.program())?;
+    } = load_program(world, &asked)?;
     let simulate = &workspace.settings().simulate;
     let mut options: Options = simulate.options(&program, asked.program());
     options.interval = asked.interval()?.unwrap_or(options.interval);
@@ -74,7 +74,8 @@ pub(crate) fn must_be_program(path: &Path) -> Result<(), String> {
 }
 
 /// Reads a program with what it uses of its workspace.
-fn load_program(world: &World, path: &Path) -> Result<Loaded, String> {
+fn load_program(world: &World, asked: &Asked) -> Result<Loaded, String> {
+    let path = asked.program();
     must_be_program(path)?;
     let text = world.disk.read_own(path).map_err(|error| error.to_string())?;
     let workspace = Workspace::on(&world.disk, path).map_err(|error| error.to_string())?;
@@ -85,7 +86,7 @@ fn load_program(world: &World, path: &Path) -> Result<Loaded, String> {
         None => workspace.analyze_guest(&text, &path.to_string_lossy()),
     };
     let source = Source::new(path.to_owned(), text);
-    let program = match workspace.link(&analysis) {
+    let program = match link(world, asked, &workspace, &analysis)? {
         Ok(linked) => linked.program,
         Err(NotWhole::Missing(file)) => {
             return Err(format!(
@@ -122,6 +123,40 @@ fn load_program(world: &World, path: &Path) -> Result<Loaded, String> {
         sources,
         workspace,
     })
+}
+
+/// What runs: the program, beside the models of its machine if there are any that it has to do with.
+fn link(
+    world: &World,
+    asked: &Asked,
+    workspace: &Workspace,
+    analysis: &Arc<Analysis>,
+) -> Result<Result<Linked, NotWhole>, String> {
+    let (named, connects) = asked.plants(&workspace.settings().simulate);
+    if named.is_empty() {
+        return Ok(workspace.link(analysis));
+    }
+    let mut plants = Vec::new();
+    for (file, name) in named {
+        let path = world.disk.locate(&file).map_err(|error| error.to_string())?;
+        let plant = workspace.program_at(&path).ok_or_else(|| {
+            let path = shown::path(&path);
+            format!("{path}: the plant does not belong to the workspace of the program, or cannot be read")
+        })?;
+        let analysis = workspace.analysis(plant);
+        plants.push(PlantFile { analysis, name });
+    }
+    let linked = match workspace.link_beside(analysis, None, (&plants, &connects)) {
+        Ok(linked) => linked,
+        Err(why) => return Ok(Err(why)),
+    };
+    match linked {
+        (linked, _) if !linked.program.is_connected() && !asked.is_scenario() => Ok(workspace.link(analysis)),
+        (linked, errors) => match errors.first() {
+            None => Ok(Ok(linked)),
+            Some(error) => Err(format!("plant: {}: {}", error.message, error.help)),
+        },
+    }
 }
 
 /// Why a program with errors is not run: the first of them, and how many there are.

@@ -127,6 +127,11 @@ impl Properties {
     fn watch(&mut self, session: &Session, scan: u64, known: &mut Known, remarks: &mut Vec<Remark>) {
         let simulation = session.simulation();
         let interval = simulation.options().interval;
+        if !simulation.had_power() {
+            self.watched.restart();
+            known.memory = self.watched.memory();
+            return;
+        }
         if let Some(assumption) = self.watched.broken_assumption(simulation) {
             known.is_outside = true;
             let outside = Outside { assumption, scan };

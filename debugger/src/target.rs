@@ -104,10 +104,7 @@ impl Target {
             return;
         }
         let scan = self.session.simulation().scans();
-        for (point, value) in self.inputs.before(scan) {
-            // What could be refused was found when the table was read.
-            let _ = self.session.set(point, value);
-        }
+        self.inputs.give_to_session(scan, &mut self.session);
     }
 
     /// Runs on to the end of the scan, up to a breakpoint.

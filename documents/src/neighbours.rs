@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use ladder_analysis::{
-    Analysis, AnalyzeOptions, Exported, Exports, Linked, NotWhole, Others, RuleSettings, analyze, link_files,
-    link_tasks,
+    Analysis, AnalyzeOptions, Connect, Exported, Exports, Linked, NotWhole, Others, PlantError, PlantFile,
+    RuleSettings, analyze, link_files, link_tasks, link_with_plants,
 };
 use ladder_notations::{Foreign, of_workspaces};
 use ladder_workspace::{Disk, FileError, ForeignPrograms, Member, Plan, SETTINGS_FILE, Settings, Simulate};
@@ -489,29 +489,46 @@ impl Neighbours {
     /// # Errors
     /// Something that it uses is missing, or has errors.
     pub fn link(&self, path: &Path, own: &Arc<Analysis>) -> Result<Linked, NotWhole> {
-        let analysis = |name: &str| {
-            let mut state = self.loaded(path);
-            let (root, folder) = state.folder(path);
-            let open = folder
-                .open
-                .iter()
-                .find(|(path, _)| *name_in(&root, path) == *name);
-            if let Some((_, open)) = open {
-                return Some(Arc::clone(&open.analysis));
-            }
-            let (path, file) = folder.disk.iter().find(|(_, file)| *file.name == *name)?;
-            let rules = folder.settings.rules_for(path);
-            let (path, file) = (path.clone(), Arc::clone(file));
-            let others = folder.exported_for(&self.foreign, &root, &path).others_of(name);
-            drop(state);
-            Some(Arc::new(analyze(
-                &file.parse(),
-                AnalyzeOptions::new(name).among(&others).with_rules(&rules),
-            )))
-        };
+        let analysis = |name: &str| self.analysis_named(path, name);
         if !is_settings(path) {
             return self.checked(path, link_files(own, &analysis)?);
         }
+        let linked = link_tasks(own, &self.programs_of_tasks(path)?, &analysis)?;
+        self.checked(path, linked)
+    }
+
+    /// What runs beside models of its machine, which are these files with what is before the names of their tags. What is wrong with
+    /// them comes with it; then it must not run.
+    ///
+    /// # Errors
+    /// As for [`Neighbours::link`]; a plant has errors, too, or cannot be read.
+    pub fn link_beside(
+        &self,
+        path: &Path,
+        own: &Arc<Analysis>,
+        plants: &[(PathBuf, String)],
+        connects: &[Connect],
+    ) -> Result<(Linked, Vec<PlantError>), NotWhole> {
+        let analysis = |name: &str| self.analysis_named(path, name);
+        let programs = if is_settings(path) {
+            self.programs_of_tasks(path)?
+        } else {
+            Vec::new()
+        };
+        let plants = plants.iter().map(|(file, name)| {
+            let missing = || NotWhole::Missing(Arc::from(file.to_string_lossy()));
+            Ok(PlantFile {
+                analysis: self.analysis_of(file).map_err(|_| missing())?,
+                name: name.clone(),
+            })
+        });
+        let plants = plants.collect::<Result<Vec<_>, NotWhole>>()?;
+        let (linked, errors) = link_with_plants(own, &programs, (&plants, connects), &analysis)?;
+        Ok((self.checked(path, linked)?, errors))
+    }
+
+    /// The main programs that the tasks of a settings file run, each with how many scans there are from one run to the next.
+    fn programs_of_tasks(&self, path: &Path) -> Result<Vec<(Arc<Analysis>, u32)>, NotWhole> {
         let missing = |file: &Path| NotWhole::Missing(Arc::from(file.to_string_lossy()));
         let settings = self.settings(path, Settings::clone);
         let plan = Plan::of(&settings, path).map_err(|_| missing(path))?;
@@ -520,8 +537,29 @@ impl Neighbours {
             let program = self.analysis_of(&file).map_err(|_| missing(&file))?;
             Ok((program, every))
         });
-        let linked = link_tasks(own, &programs.collect::<Result<Vec<_>, _>>()?, &analysis)?;
-        self.checked(path, linked)
+        programs.collect()
+    }
+
+    /// The analysis of another file of the workspace, by its name.
+    fn analysis_named(&self, path: &Path, name: &str) -> Option<Arc<Analysis>> {
+        let mut state = self.loaded(path);
+        let (root, folder) = state.folder(path);
+        let open = folder
+            .open
+            .iter()
+            .find(|(path, _)| *name_in(&root, path) == *name);
+        if let Some((_, open)) = open {
+            return Some(Arc::clone(&open.analysis));
+        }
+        let (path, file) = folder.disk.iter().find(|(_, file)| *file.name == *name)?;
+        let rules = folder.settings.rules_for(path);
+        let (path, file) = (path.clone(), Arc::clone(file));
+        let others = folder.exported_for(&self.foreign, &root, &path).others_of(name);
+        drop(state);
+        Some(Arc::new(analyze(
+            &file.parse(),
+            AnalyzeOptions::new(name).among(&others).with_rules(&rules),
+        )))
     }
 
     /// What runs, unless a file that it uses has errors before it is ladder text.

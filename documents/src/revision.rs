@@ -383,6 +383,33 @@ impl Revision {
         })
     }
 
+    /// What a simulation of it runs: the program beside the models of its machine that the settings name, if it has to do with them.
+    /// In their place what is wrong with them, in words.
+    pub fn running(&self) -> Option<Result<Result<Arc<Program>, String>, NotWhole>> {
+        let alone = || Some(self.program()?.map(Ok));
+        let Some(place) = &self.place else { return alone() };
+        let settings = place.neighbours.simulate(&place.path);
+        let plants = settings.plants_of(&place.path).iter();
+        let plants: Vec<_> = plants
+            .map(|plant| (plant.file.path(), plant.name.clone()))
+            .collect();
+        if plants.is_empty() {
+            return alone();
+        }
+        let analysis = self.analysis()?.whole();
+        let linked = place
+            .neighbours
+            .link_beside(&place.path, analysis, &plants, &settings.connects);
+        Some(match linked {
+            Err(why) => Err(why),
+            Ok((linked, _)) if !linked.program.is_connected() => return alone(),
+            Ok((linked, errors)) => Ok(match errors.first() {
+                None => Ok(linked.program),
+                Some(error) => Err(format!("ladder.toml, plant: {}: {}", error.message, error.help)),
+            }),
+        })
+    }
+
     /// The same of an earlier text of the file, among the other files as they are now.
     pub fn earlier(&self, text: &str) -> (Arc<ladder_analysis::Analysis>, Result<Linked, NotWhole>) {
         let parse = Arc::new(ladder_syntax::parse(text));

@@ -223,7 +223,7 @@ A comment ends at the very next one."
   (ladder-treesit-setup))
 
 (defconst ladder--test-keywords
-  '(("^[ \t]*\\(scenario\\|program\\|step\\|interval\\|tolerance\\)\\_>" 1 font-lock-keyword-face)
+  '(("^[ \t]*\\(scenario\\|program\\|plant\\|connect\\|step\\|interval\\|tolerance\\)\\_>" 1 font-lock-keyword-face)
     ("^[ \t]*\\(time\\)[ \t]+[^= \t]" 1 font-lock-keyword-face)
     ("^[ \t]*\\(property\\)[ \t]+\"" 1 font-lock-keyword-face)
     ;; A row of a tag that is called so has an arrow, or levels.

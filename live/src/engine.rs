@@ -70,8 +70,9 @@ impl Engine {
         let Some(analysis) = revision.analysis() else {
             return Err(Failure::Failed("the file is too large to be simulated".into()));
         };
-        let program = match revision.program() {
-            Some(Ok(program)) => program,
+        let program = match revision.running() {
+            Some(Ok(Ok(program))) => program,
+            Some(Ok(Err(of_plants))) => return Err(Failure::Failed(of_plants)),
             Some(Err(NotWhole::Errors(file))) if *file != *analysis.whole().context.name => {
                 return Err(Failure::Failed(format!(
                     "there are errors in {file}, which the program uses"

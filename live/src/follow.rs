@@ -43,8 +43,8 @@ impl Engine {
     /// Goes on with the program of another text of the editor, if that has one; else the last good one runs on. Returns
     /// whether the program is another one. Analyses and compiles.
     pub(crate) fn follow(&mut self, shown: Arc<Revision>) -> bool {
-        let program = match shown.program() {
-            Some(Ok(program)) => Some(program),
+        let program = match shown.running() {
+            Some(Ok(Ok(program))) => Some(program),
             _ => None,
         };
         self.texts.stale = program.is_none();

@@ -61,7 +61,7 @@ function scenario(stream: StringStream, state: State): string | null {
     if (stream.match(/^"[^"\n]*"?/)) {
         return 'string';
     }
-    if (stream.sol() && stream.match(/^(program|step|interval|scenario|assume|property|set)\b/)) {
+    if (stream.sol() && stream.match(/^(program|plant|connect|step|interval|scenario|assume|property|set)\b/)) {
         return 'keyword';
     }
     if (stream.match(/^=>/)) {

@@ -16,6 +16,7 @@ use ladder_analysis::Cancel;
 use ladder_analysis::program::Location;
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{Form, Watched};
+use ladder_simulator::value_text::duration;
 use std::time::Duration;
 
 /// How much may be done, and for whom.
@@ -83,6 +84,8 @@ pub struct Answer {
     pub never_triggered: bool,
     /// The first scan known after which a fault happens in one of its expressions, which makes that FALSE.
     pub fault: Option<usize>,
+    /// Of what is proved beside a plant and is not about that: whether it was not proved without.
+    pub needs_plant: Option<bool>,
     /// Of what is proved or impossible over how many scans the induction goes.
     pub k: Option<usize>,
     /// How many clauses the solver had when it was decided.
@@ -190,6 +193,9 @@ pub fn prove(
             let long = what_takes_long(simulation, &exact, property.bad, scans);
             answer.open.extend(long);
             note_end(answer, &end, &cancel);
+            if !simulation.program().plants.is_empty() {
+                answer.open.push((slow_plant(simulation, scans), None));
+            }
             if answer.open.is_empty() && scans < most_scans {
                 let why = format!("what happens in scan {scans} is too hard for the solver");
                 answer.open.push((why, None));
@@ -233,6 +239,7 @@ impl Answer {
             open,
             never_triggered: false,
             fault: None,
+            needs_plant: None,
             k: None,
             clauses: 0,
             time: Duration::ZERO,
@@ -282,6 +289,18 @@ fn answer(
         k,
         ..Answer::of(verdict, open)
     }
+}
+
+/// What may help where a machine is slow: in fewer scans it comes as far.
+fn slow_plant(simulation: &Simulation, scans: usize) -> String {
+    const COARSER: i64 = 5;
+    let interval = simulation.options().interval;
+    let seen = interval.saturating_mul(scans as i64);
+    format!(
+        "the search saw {} of the machine: a coarser interval reaches further, as in: interval {}",
+        duration(seen),
+        duration(interval.saturating_mul(COARSER))
+    )
 }
 
 /// Says of what is not known whether more time may help, if nothing else says why it is not.

@@ -8,6 +8,7 @@
 //! Of two programs [`compare_programs`] says whether they do the same in every run, and [`Compared`] whether two networks do.
 
 mod answer;
+mod beside;
 mod body;
 mod both;
 mod causes;
@@ -39,6 +40,7 @@ mod told;
 mod unrolled;
 
 pub use answer::{Answer, Options, Refuted, Shown, Times, Verdict, prove};
+pub use beside::Basis;
 pub use clock::Clock;
 pub use concrete::Concrete;
 pub use equal::{Compared, Difference, Meaning, other_tags};

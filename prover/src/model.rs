@@ -177,7 +177,7 @@ impl<'w, 'c> Builder<'w, 'c> {
         let interval = options.interval;
         let mut memory = Memory::new(&compiled.initial, Some(cells));
         let first = world.states.len();
-        let had_fault = system::set(world, &mut memory, interval);
+        let had_fault = system::set(world, &mut memory, interval, compiled.system_of_plants());
         let system = first..world.states.len();
         let may_end = compiled.code.instrs.iter().any(|instr| {
             matches!(
@@ -197,13 +197,17 @@ impl<'w, 'c> Builder<'w, 'c> {
             scan.stop("an index reaches into something that is not known", 0);
         }
         scan.run();
-        let (faulted, mut ended) = (scan.faulted, scan.ended);
+        let (in_plants, in_program, mut ended) = (scan.faulted_before, scan.faulted, scan.ended);
         let mut memory = scan.memory;
         if let Some(stop) = compiled.code.relays.stop {
             let stops = memory.bit(world, stop);
             ended = world.graph.or(ended, stops);
         }
-        world.states[had_fault].next = faulted;
+        world.states[had_fault.program].next = in_program;
+        if let Some(number) = had_fault.plants {
+            world.states[number].next = in_plants;
+        }
+        let faulted = world.graph.or(in_plants, in_program);
         if let Some((leaf, number)) = over {
             world.states[number].next = world.graph.or(leaf, ended);
         }

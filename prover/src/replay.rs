@@ -16,6 +16,8 @@ pub struct Shown {
     pub seen: Vec<(Point, Vec<Value>)>,
     /// In which scans a block recorded a fault.
     pub faults: Vec<bool>,
+    /// The system tag that shows the last of them a scan later: that of the program, or of a plant.
+    pub fault_tag: String,
 }
 
 impl Shown {
@@ -54,6 +56,7 @@ pub(crate) fn replay(
             .map(|point| (point, Vec::new()))
             .collect(),
         faults: Vec::new(),
+        fault_tag: String::new(),
     };
     for (input, scans) in inputs.iter().zip(&run.inputs) {
         if scans.is_empty() {
@@ -91,6 +94,10 @@ pub(crate) fn replay(
             Wanted::Fault => monitor.faulted(),
         };
         shown.faults.push(faulted);
+        shown.fault_tag = match simulation.faulted_plant() {
+            Some(plant) => format!("{plant}.SYS.FAULT"),
+            None => "SYS.FAULT".to_owned(),
+        };
         for (point, values) in &mut shown.seen {
             values.push(simulation.value(point));
         }

@@ -33,7 +33,7 @@ fn scenario_of(name: &str, shown: &Shown, interval: i64, is_about_faults: bool) 
         add_scan(&mut rows);
         let mut cells = vec![RunCell::Nothing; shown.scans()];
         cells.push(RunCell::New("TRUE".to_owned()));
-        rows.push(level_expected("SYS.FAULT", cells));
+        rows.push(level_expected(&shown.fault_tag, cells));
     } else {
         let seen = shown
             .seen
@@ -138,10 +138,11 @@ pub fn rows_of(run: &Divergence) -> Vec<String> {
     rows.collect()
 }
 
-/// A scenario file of these scenarios, in its layout. `interval` is in nanoseconds.
-pub fn scenario_file(program: &str, interval: i64, scenarios: &[String]) -> String {
+/// A scenario file of these scenarios, in its layout. `head` are its lines about the program and what runs beside it, `interval` is
+/// in nanoseconds.
+pub fn scenario_file(head: &str, interval: i64, scenarios: &[String]) -> String {
     let interval = value_text::duration(interval);
-    let mut text = format!("{}interval {interval}\n", scenario::program_line(program));
+    let mut text = format!("{head}interval {interval}\n");
     for scenario in scenarios {
         text.push('\n');
         text.push_str(scenario);

@@ -20,29 +20,59 @@ fn becomes(world: &mut World, numbers: &[usize], next: &Number) {
     }
 }
 
-/// Sets the system tags. Returns the number of the state that says whether the scan before had a fault.
-pub(crate) fn set(world: &mut World, memory: &mut Memory<'_>, interval: i64) -> usize {
+/// The states that say whether the scan before had a fault: in the program, and in plants if there are any.
+pub(crate) struct HadFault {
+    pub(crate) program: usize,
+    pub(crate) plants: Option<usize>,
+}
+
+/// Sets the system tags. Those of plants, so far after those of the program, are the same but for their faults: no proof is about
+/// a failure of the controller's power.
+pub(crate) fn set(
+    world: &mut World,
+    memory: &mut Memory<'_>,
+    interval: i64,
+    of_plants: Option<(u32, u32)>,
+) -> HadFault {
+    let mut set_bit = |slot: Bit, value: Lit| {
+        memory.set_bit(slot, value);
+        if let Some((bits, _)) = of_plants {
+            memory.set_bit(slot.offset(bits), value);
+        }
+    };
     let (first, number) = world.remember(true);
     world.states[number].next = Lit::FALSE;
-    memory.set_bit(Bit::FIRST_SCAN, first);
-    let (fault, faulted) = world.remember(false);
-    memory.set_bit(Bit::FAULT, fault);
+    set_bit(Bit::FIRST_SCAN, first);
+    let (fault, program) = world.remember(false);
+    set_bit(Bit::FAULT, fault);
     for clock in Clock::ALL {
         let high = clock_bit(world, clock.period(), interval);
-        memory.set_bit(Bit::CLOCKS.offset(clock as u32), high);
+        set_bit(Bit::CLOCKS.offset(clock as u32), high);
     }
     // SYS.SCAN is a DINT and wraps.
     let (leaves, numbers): (Vec<Lit>, Vec<usize>) = (0..32).map(|_| world.remember(false)).unzip();
     let scan = Number::of_bits(leaves);
     let next = world.graph.add(&scan, &Number::constant(1));
     becomes(world, &numbers, &next);
-    memory.set_word(Word::SCAN, scan);
     let time = clock(world, interval);
-    memory.set_word(Word::TIME, time);
     let scan_time = Number::constant(interval);
     let scan_time = world.graph.choose_number(first, &Number::constant(0), &scan_time);
-    memory.set_word(Word::SCAN_TIME, scan_time);
-    faulted
+    for (slot, value) in [
+        (Word::SCAN, scan),
+        (Word::TIME, time),
+        (Word::SCAN_TIME, scan_time),
+    ] {
+        if let Some((_, words)) = of_plants {
+            memory.set_word(slot.offset(words), value.clone());
+        }
+        memory.set_word(slot, value);
+    }
+    let plants = of_plants.map(|(bits, _)| {
+        let (fault, number) = world.remember(false);
+        memory.set_bit(Bit::FAULT.offset(bits), fault);
+        number
+    });
+    HadFault { program, plants }
 }
 
 /// The time since the start. It is counted in scans: so it is easily seen as milliseconds, too.

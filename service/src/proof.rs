@@ -31,6 +31,12 @@ pub struct PropertiesProved {
     pub version: Option<i32>,
     /// The program.
     pub program: String,
+    /// The plants that run beside it: what is proved is about these.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub plants: Vec<String>,
+    /// The outputs of those that never change.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub unchanging: Vec<String>,
     /// What came of each, in the order of the file.
     pub properties: Vec<PropertyProved>,
 }
@@ -55,6 +61,9 @@ pub struct PropertyProved {
     pub times: Option<String>,
     /// What is on its left side never happens.
     pub never_triggered: bool,
+    /// Of what is proved beside a plant and is not about that: whether it was not proved without.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub needs_plant: Option<bool>,
     /// Why it is not decided, or what was left open.
     pub open: Vec<LeftOpen>,
     /// The rows of the run that was found.
@@ -83,6 +92,17 @@ pub struct LeftOpen {
     pub range: Option<Range>,
 }
 
+/// What came of the properties of a file, and what that rests on.
+#[cfg_attr(
+    not(feature = "prove"),
+    allow(dead_code, reason = "without the prover nothing is found")
+)]
+pub(crate) struct Found {
+    pub(crate) properties: Vec<PropertyProved>,
+    pub(crate) plants: Vec<String>,
+    pub(crate) unchanging: Vec<String>,
+}
+
 /// Without the prover nothing is decided.
 #[cfg(not(feature = "prove"))]
 pub(crate) fn run(
@@ -92,6 +112,6 @@ pub(crate) fn run(
     _: Option<&str>,
     _: ladder_host::Clock,
     _: ladder_analysis::Cancel,
-) -> Result<Vec<PropertyProved>, String> {
+) -> Result<Found, String> {
     Err("nothing is proved here; `ladder prove` does it".to_owned())
 }

@@ -106,6 +106,7 @@ pub(crate) fn fuse(plain: &Code, mut temporary: Vec<bool>, memory: &mut Memory) 
         saved: plain.saved.clone(),
         unread: Vec::new(),
         relays: plain.relays,
+        main: plain.main,
     };
     code.blocks.extend(plain.blocks.iter().map(|block| BlockPlace {
         start: moved[block.start as usize],

@@ -177,7 +177,9 @@ impl Layout {
             words: vec![0; Word::RESERVED],
             ..Memory::default()
         };
-        memory.set_bit(Bit::HIGH, true);
+        for high in [Bit::HIGH, Bit::POWER, Bit::HAD_POWER] {
+            memory.set_bit(high, true);
+        }
         Layout {
             memory,
             temporary: Vec::new(),

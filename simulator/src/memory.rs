@@ -26,8 +26,12 @@ impl Bit {
     pub const FAULT: Bit = Bit(3);
     /// The first of the clocks of `SYS`.
     pub const CLOCKS: Bit = Bit(4);
+    /// Whether the controller has power in this scan: `SYS.POWER` of a scenario.
+    pub const POWER: Bit = Bit(4 + Clock::ALL.len() as u32);
+    /// Whether it had power in the scan before.
+    pub const HAD_POWER: Bit = Bit::POWER.offset(1);
     /// How many bits are the engine's own.
-    pub const RESERVED: usize = 4 + Clock::ALL.len();
+    pub const RESERVED: usize = 6 + Clock::ALL.len();
 
     /// The slot this many after this one.
     #[must_use]
@@ -43,8 +47,14 @@ impl Word {
     pub const TIME: Word = Word(1);
     /// `SYS.SCAN_TIME`
     pub const SCAN_TIME: Word = Word(2);
+    /// The scan in which the controller got its power.
+    pub const POWERED_IN: Word = Word(3);
+    /// The time of it.
+    pub const POWERED_AT: Word = Word(4);
+    /// When it lost its power last.
+    pub const UNPOWERED_AT: Word = Word(5);
     /// How many words are the engine's own.
-    pub const RESERVED: usize = 3;
+    pub const RESERVED: usize = 6;
 
     /// The slot this many after this one.
     #[must_use]

@@ -6,7 +6,8 @@ use crate::compile::{CHANNELS, Ports};
 use crate::groups;
 use crate::layout::{self, Home, MemberSlot};
 use crate::members::{member_of, members};
-use crate::system::{self, SystemSlot};
+use crate::memory::Bit;
+use crate::system::{System, SystemSlot};
 use ladder_analysis::program::{Program, Role, SystemTag, Tag, TagId};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::with_article;
@@ -60,6 +61,21 @@ impl Names {
         let addresses = (0u32..).zip(&program.tags).filter(|(_, tag)| tag.block.is_none());
         for (index, address) in addresses.filter_map(|(index, tag)| Some((index, tag.address.as_ref()?))) {
             tags.entry(Name::new(address)).or_insert(index);
+        }
+        // What is a plant's needs its name only where the program, or another plant, has such a tag.
+        let mut of_plants: HashMap<Name, Option<u32>> = HashMap::new();
+        for plant in &program.plants {
+            let all = (0u32..).zip(&program.tags).filter(|(_, tag)| tag.block.is_none());
+            for (index, own) in all.filter_map(|(index, tag)| Some((index, plant.tag_in(&tag.name)?))) {
+                let known = of_plants.entry(Name::new(own));
+                known.and_modify(|known| *known = None).or_insert(Some(index));
+            }
+        }
+        for (name, index) in of_plants
+            .into_iter()
+            .filter_map(|(name, index)| Some((name, index?)))
+        {
+            tags.entry(name).or_insert(index);
         }
         Names { tags }
     }
@@ -212,7 +228,7 @@ impl Names {
         member: &str,
     ) -> Result<Point, UnknownTag> {
         if whole.eq_ignore_ascii_case("SYS") {
-            return system_tag(member);
+            return system_tag(member, System::CONTROLLER);
         }
         if let Some(number) = self.find(whole)
             && let Home::State { state, bits, words } = homes[number]
@@ -359,14 +375,18 @@ pub(crate) fn canonical(text: &str) -> String {
     out.replace("][", ", ")
 }
 
-fn system_tag(name: &str) -> Result<Point, UnknownTag> {
+/// A system tag.
+pub(crate) fn system_tag(name: &str, system: System) -> Result<Point, UnknownTag> {
+    if name.eq_ignore_ascii_case("POWER") && system == System::CONTROLLER {
+        return Ok(power());
+    }
     let Some(tag) = SystemTag::from_name(name) else {
         return unknown(format!(
             "there is no SYS.{name}: the system tags are {}",
             SystemTag::list()
         ));
     };
-    let slot = match system::slot(tag) {
+    let slot = match system.slot(tag) {
         SystemSlot::Bit(bit) => PointSlot::Bit(bit),
         SystemSlot::Word(word) => PointSlot::Word(word),
     };
@@ -379,6 +399,19 @@ fn system_tag(name: &str) -> Result<Point, UnknownTag> {
         within: Within::None,
         slot,
     })
+}
+
+/// `SYS.POWER`: whether the controller has power. It is not a tag of the program.
+pub(crate) fn power() -> Point {
+    Point {
+        name: "SYS.POWER".to_owned(),
+        ty: Scalar::Bool,
+        role: Role::Input,
+        is_input: true,
+        read_only: false,
+        within: Within::None,
+        slot: PointSlot::Bit(Bit::POWER),
+    }
 }
 
 /// A channel of a port: `PORT.ADC[3]`, `PORT.DUTY[0]`, `PORT.FREQUENCY[0]`. None if the text names no port.

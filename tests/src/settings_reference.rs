@@ -68,6 +68,7 @@ fn takes(setting: &Setting) -> String {
         Kind::Programs => format!("programs, as `{}`", setting.example),
         Kind::Switch => "`true` or `false`".to_owned(),
         Kind::Text => "a text".to_owned(),
+        Kind::Texts => format!("a text or a list of texts, as `{}`", setting.example),
         Kind::Choice(choices) => choices
             .iter()
             .map(|choice| format!("`\"{choice}\"`"))
@@ -227,6 +228,10 @@ fn described(setting: &Setting, about: &str) -> Value {
         Kind::Duration => json!({ "type": "string", "pattern": DURATION }),
         Kind::File => json!({ "type": "string", "minLength": 1 }),
         Kind::Text => json!({ "type": "string" }),
+        Kind::Texts => json!({ "anyOf": [
+            { "type": "string" },
+            { "type": "array", "items": { "type": "string" } }
+        ] }),
         Kind::Patterns | Kind::Folders | Kind::Programs => {
             json!({ "type": "array", "items": { "type": "string" } })
         }

@@ -1,4 +1,4 @@
-//! What a settings file names, as it is on a disk: folders of blocks, and the programs of tasks.
+//! What a settings file names, as it is on a disk: folders of blocks, the programs of tasks, and plants.
 
 use crate::disk::Disk;
 use crate::error::Problem;
@@ -13,6 +13,9 @@ pub fn errors_on_disk(settings: &Settings, text: &str, disk: &dyn Disk) -> Vec<S
         Some((folder.range.clone(), cannot(&folder.name, &why)))
     });
     let programs = settings.simulate.tasks.iter().flat_map(|task| &task.programs);
+    let programs = programs.map(|(program, range)| (program, range));
+    let plants = settings.simulate.plants.iter();
+    let programs = programs.chain(plants.map(|plant| (&plant.file, &plant.range)));
     let programs = programs.filter_map(|(program, range)| {
         let why = match disk.locate(program) {
             Ok(path) if disk.is_file(&path) => return None,

@@ -9,8 +9,8 @@ use crate::settings::Settings;
 use crate::settings::SettingsError;
 use crate::shown::from_here;
 use ladder_analysis::{
-    Analysis, AnalyzeOptions, Exported, Exports, Linked, NotWhole, Others, analyze, exports, link_files,
-    link_tasks,
+    Analysis, AnalyzeOptions, Connect, Exported, Exports, Linked, NotWhole, Others, PlantError, PlantFile,
+    analyze, exports, link_files, link_tasks, link_with_plants,
 };
 use ladder_syntax::Parse;
 use std::path::{Path, PathBuf};
@@ -196,16 +196,37 @@ impl Workspace {
     /// # Errors
     /// A program of a task, or a file that it uses, has errors or is not there.
     pub fn link_plan(&self, plan: &Plan<'_>, analysis: &Arc<Analysis>) -> Result<Linked, NotWhole> {
+        let programs = self.programs_of(plan)?;
+        let linked = link_tasks(analysis, &programs, &|name| {
+            Some(self.analysis(self.program_named(name)?))
+        })?;
+        self.checked(linked)
+    }
+
+    /// What runs beside models of its machine: a program, or what a plan runs. What is wrong with these comes with it; then it must
+    /// not run.
+    ///
+    /// # Errors
+    /// One of the programs, or a file that it uses, has errors or is not there.
+    pub fn link_beside(
+        &self,
+        analysis: &Arc<Analysis>,
+        plan: Option<&Plan<'_>>,
+        plants: (&[PlantFile], &[Connect]),
+    ) -> Result<(Linked, Vec<PlantError>), NotWhole> {
+        let programs = plan.map_or_else(|| Ok(Vec::new()), |plan| self.programs_of(plan))?;
+        let of_name = |name: &str| Some(self.analysis(self.program_named(name)?));
+        let (linked, errors) = link_with_plants(analysis, &programs, plants, &of_name)?;
+        Ok((self.checked(linked)?, errors))
+    }
+
+    fn programs_of(&self, plan: &Plan<'_>) -> Result<Vec<(Arc<Analysis>, u32)>, NotWhole> {
         let programs = plan.programs().map(|(program, every)| {
             let missing = || NotWhole::Missing(Arc::from(from_here(&program.path()).display().to_string()));
             let source = self.program_at(&program.path()).ok_or_else(missing)?;
             Ok((self.analysis(source), every))
         });
-        let programs: Vec<(Arc<Analysis>, u32)> = programs.collect::<Result<_, _>>()?;
-        let linked = link_tasks(analysis, &programs, &|name| {
-            Some(self.analysis(self.program_named(name)?))
-        })?;
-        self.checked(linked)
+        programs.collect()
     }
 
     fn exported(&self) -> &Arc<Exported> {

@@ -64,6 +64,11 @@ pub struct Program {
     pub blocks: Vec<UserBlock>,
     /// Every label with the network that holds it, in the order of the networks.
     pub labels: Vec<(Name, usize)>,
+    /// The models of its machine that run before the main program in each scan, in their order (LANGUAGE §9).
+    pub plants: Vec<Plant>,
+    /// The networks that are nowhere drawn and run before the main program: they hand its outputs to the plants, call these, and
+    /// hand theirs to it.
+    pub wiring: Range<usize>,
 }
 
 impl Program {
@@ -77,6 +82,23 @@ impl Program {
     /// [cycle](Program::cycle) is not to be changed.
     pub fn has_tasks(&self) -> bool {
         self.functions.iter().any(|function| function.every.is_some())
+    }
+
+    /// The plant that a tag belongs to.
+    pub fn plant_of(&self, tag: &Tag) -> Option<&Plant> {
+        self.plants.iter().find(|plant| plant.tag_in(&tag.name).is_some())
+    }
+
+    /// Whether anything is connected with a plant.
+    pub fn is_connected(&self) -> bool {
+        let mut plants = self.plants.iter();
+        plants.any(|plant| !plant.inputs.is_empty() || !plant.outputs.is_empty())
+    }
+
+    /// The inputs of plants that no tag of the program drives: disturbances.
+    pub fn undriven(&self) -> impl Iterator<Item = &Tag> {
+        let inputs = self.tags.iter().filter(|tag| tag.is_input);
+        inputs.filter(|tag| self.plant_of(tag).is_some())
     }
 
     /// What they do otherwise.
@@ -105,6 +127,41 @@ pub struct Function {
     pub networks: Range<usize>,
     /// How many scans there are from one run to the next, where it is such a main program.
     pub every: Option<u32>,
+}
+
+/// A model of the machine, which runs beside the program: a program as any other, whose outputs are inputs of this one.
+#[derive(Debug, Clone)]
+pub struct Plant {
+    /// What is before the names of its tags: `plant` in `plant.level`.
+    pub name: String,
+    /// Its file, an index into [`Program::files`].
+    pub file: u32,
+    /// Its main program, an index into [`Program::functions`].
+    pub function: usize,
+    /// Its tags that take what a tag of the program holds.
+    pub inputs: Vec<Connection>,
+    /// The inputs of the program that take what its tags hold.
+    pub outputs: Vec<Connection>,
+}
+
+/// A tag that takes the value of another one before each scan.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Connection {
+    /// Whose value it is.
+    pub from: TagId,
+    /// The tag that takes it.
+    pub to: TagId,
+}
+
+impl Plant {
+    /// What a tag of this name is called in the plant's own file; none if it is not one of its tags.
+    pub fn tag_in<'n>(&self, name: &'n str) -> Option<&'n str> {
+        let start = name.get(..self.name.len())?;
+        let rest = start
+            .eq_ignore_ascii_case(&self.name)
+            .then(|| &name[self.name.len()..])?;
+        rest.strip_prefix('.')
+    }
 }
 
 /// A tag that is the state of a user-defined block.

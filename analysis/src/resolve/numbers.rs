@@ -13,6 +13,8 @@ pub(crate) struct Unit<'c> {
     pub(crate) name: &'c str,
     /// The bodies that the program can reach. None: all, as in the program's own file.
     pub(crate) bodies: Option<FxHashSet<Body>>,
+    /// Where it is a plant, what it is called: nothing of it is a tag of the program.
+    pub(crate) plant: Option<&'c str>,
 }
 
 impl Unit<'_> {

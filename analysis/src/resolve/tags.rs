@@ -25,11 +25,17 @@ pub(super) struct Ids {
 
 /// Adds the units' tags to the program. Returns the ids of each scope of each unit.
 pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program) -> Vec<Vec<Ids>> {
-    let mut common = Common::default();
+    let mut of_program = Common::default();
     let prefixes = prefixes(units);
     let mut all = Vec::with_capacity(units.len());
     for (index, unit) in units.iter().enumerate() {
         let context = unit.context;
+        let mut of_plant = Common::default();
+        let common = if unit.plant.is_some() {
+            &mut of_plant
+        } else {
+            &mut of_program
+        };
         let mut ids: Vec<Ids> = Vec::with_capacity(context.scopes.len());
         for (scope, facts) in context.scopes.iter().enumerate() {
             let block = numbers.block_of_scope(index, scope);
@@ -47,6 +53,7 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
                     tag,
                     block: block.filter(|_| !is_global(tag)),
                     prefix: prefixes[index].as_deref(),
+                    is_of_plant: unit.plant.is_some(),
                     location: place(unit, index, tag, program),
                 };
                 if let Type::Compound(_) = type_of(tag) {
@@ -73,9 +80,10 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
                 }
             }
         }
+        of_program.has_two_types |= of_plant.has_two_types;
         all.push(ids);
     }
-    if common.has_two_types {
+    if of_program.has_two_types {
         for (unit, ids) in units.iter().zip(&mut all) {
             for (scope, ids) in unit.context.scopes.iter().zip(ids) {
                 ids.stored = stored(scope.tags.iter(), &ids.of_tags, program);
@@ -86,7 +94,7 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
 }
 
 /// What is before the names of a file's own tags in a program of several files, as in `library.count`: the stem
-/// of the file, or where two files have one stem its path. The program's own file needs none.
+/// of the file, or where two files have one stem its path. The program's own file needs none, a plant has its name.
 fn prefixes(units: &[Unit<'_>]) -> Vec<Option<String>> {
     let stem = |unit: &Unit<'_>| {
         let file = unit.name.rsplit(['/', '\\']).next().unwrap_or(unit.name);
@@ -95,6 +103,7 @@ fn prefixes(units: &[Unit<'_>]) -> Vec<Option<String>> {
     let stems: Vec<String> = units.iter().map(stem).collect();
     let prefix = |index: usize| match index {
         0 => None,
+        _ if units[index].plant.is_some() => units[index].plant.map(str::to_owned),
         _ if stems[..index].contains(&stems[index]) => Some(units[index].name.to_owned()),
         _ => Some(stems[index].clone()),
     };
@@ -108,6 +117,8 @@ pub(super) struct Named<'t> {
     pub(super) block: Option<usize>,
     /// What is before the names of the file's own tags.
     prefix: Option<&'t str>,
+    /// Its direct addresses are its own.
+    is_of_plant: bool,
     pub(super) location: Location,
 }
 
@@ -210,7 +221,7 @@ impl Common {
             // A body is there several times, its address once.
             let name = match named.block {
                 Some(_) => address.to_owned(),
-                None if named.is_bare() => named.tag.name.to_string(),
+                None if named.is_bare() && !named.is_of_plant => named.tag.name.to_string(),
                 None => named.name(),
             };
             let id = add(program, named, name, None);
@@ -355,7 +366,12 @@ fn add(program: &mut Program, named: &Named<'_>, name: String, block: Option<usi
         shared: named.is_shared(),
         initial,
         column: None,
-        address: tag.cold.address.as_deref().map(str::to_owned),
+        address: tag
+            .cold
+            .address
+            .as_deref()
+            .filter(|_| !named.is_of_plant)
+            .map(str::to_owned),
         block,
         location: named.location,
     });

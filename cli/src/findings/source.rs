@@ -7,7 +7,9 @@
 use crate::form::{self, Form};
 use crate::outcome::Failure;
 use ladder_analysis::program::{Location, Program};
-use ladder_analysis::{Analysis, Diagnostic, Linked, NotWhole, library};
+use ladder_analysis::{
+    Analysis, Connect, Diagnostic, Linked, NotWhole, PlantError, PlantFile, library, link_with_plants,
+};
 use ladder_notations::{Foreign, Mark, ReadError, conversion_of_cplc_draft};
 use ladder_syntax::{LineColumn, LineIndex, TextRange, TextSize};
 use ladder_workspace::{ForeignPrograms, Member, Plan, SETTINGS_FILE, Workspace, shown};
@@ -37,8 +39,10 @@ pub(crate) struct Source {
     workspace: OnceLock<Option<Arc<Workspace>>>,
     /// Whether it is a settings file, whose tasks the text runs.
     has_tasks: bool,
+    /// The models of its machine that run beside it, each with its name, and what is connected.
+    plants: (Vec<(Source, String)>, Vec<Connect>),
     analysis: OnceLock<Arc<Analysis>>,
-    linked: OnceLock<Result<Linked, NotWhole>>,
+    linked: OnceLock<Result<(Linked, Vec<PlantError>), NotWhole>>,
 }
 
 impl Source {
@@ -51,6 +55,7 @@ impl Source {
             index,
             workspace: OnceLock::new(),
             has_tasks: false,
+            plants: Default::default(),
             analysis: OnceLock::new(),
             linked: OnceLock::new(),
         }
@@ -128,6 +133,28 @@ impl Source {
     pub(crate) fn within(self, workspace: Arc<Workspace>) -> Source {
         let _ = self.workspace.set(Some(workspace));
         self
+    }
+
+    /// Beside models of its machine.
+    #[must_use]
+    pub(crate) fn beside(mut self, plants: Vec<(Source, String)>, connects: Vec<Connect>) -> Source {
+        self.plants = (plants, connects);
+        self
+    }
+
+    /// The same without them.
+    #[must_use]
+    pub(crate) fn alone(mut self) -> Source {
+        self.plants = Default::default();
+        self.linked = OnceLock::new();
+        self
+    }
+
+    /// What is wrong with them, and with how they are connected.
+    pub(crate) fn plant_errors(&self) -> Vec<PlantError> {
+        self.link()
+            .as_ref()
+            .map_or_else(|_| Vec::new(), |(_, errors)| errors.clone())
     }
 
     /// The same file with another text.
@@ -234,12 +261,31 @@ impl Source {
 
     /// The same with those files.
     pub(crate) fn linked(&self) -> Result<Linked, NotWhole> {
-        let linked = self.linked.get_or_init(|| {
+        self.link().clone().map(|(linked, _)| linked)
+    }
+
+    fn link(&self) -> &Result<(Linked, Vec<PlantError>), NotWhole> {
+        self.linked.get_or_init(|| {
             let analysis = self.analyze();
-            if self.has_errors() {
-                return Err(NotWhole::Errors(Arc::clone(&analysis.context.name)));
+            let (plants, connects) = &self.plants;
+            let mut all = std::iter::once(self).chain(plants.iter().map(|(plant, _)| plant));
+            if let Some(broken) = all.find(|source| source.has_errors()) {
+                return Err(NotWhole::Errors(Arc::clone(&broken.analyze().context.name)));
             }
-            match self.workspace() {
+            if !plants.is_empty() {
+                let plants = plants.iter().map(|(plant, name)| PlantFile {
+                    analysis: plant.analyze(),
+                    name: name.clone(),
+                });
+                let plants: Vec<PlantFile> = plants.collect();
+                let Some(workspace) = self.workspace() else {
+                    return link_with_plants(&analysis, &[], (&plants, connects), &|_| None);
+                };
+                let plan = Plan::of(workspace.settings(), Path::new(&self.file));
+                let plan = plan.ok().filter(|_| self.has_tasks);
+                return workspace.link_beside(&analysis, plan.as_ref(), (&plants, connects));
+            }
+            let linked = match self.workspace() {
                 Some(workspace) if self.has_tasks => {
                     let plan = Plan::of(workspace.settings(), Path::new(&self.file));
                     let plan = plan.map_err(|_| NotWhole::Missing(Arc::from(&*self.file)))?;
@@ -247,9 +293,15 @@ impl Source {
                 }
                 Some(workspace) => workspace.link(&analysis),
                 None => ladder_analysis::link_files(&analysis, &|_| None),
-            }
-        });
-        linked.clone()
+            };
+            linked.map(|linked| (linked, Vec::new()))
+        })
+    }
+
+    /// The plant of a name, as findings and programs know it.
+    fn plant(&self, name: &str) -> Option<&Source> {
+        let mut plants = self.plants.0.iter().map(|(plant, _)| plant);
+        plants.find(|plant| *plant.analyze().context.name == *name)
     }
 
     /// The layout that its workspace asks for.
@@ -260,6 +312,13 @@ impl Source {
 
     /// Another file of the workspace, by the name that findings and programs know it by.
     pub(crate) fn other(&self, name: &str) -> Option<Source> {
+        if let Some(plant) = self.plant(name) {
+            let other = Source::new(plant.file.clone(), plant.text.clone()).of_foreign(plant.foreign.clone());
+            return Some(match plant.workspace() {
+                Some(workspace) => other.within(Arc::clone(workspace)),
+                None => other,
+            });
+        }
         let program = self.member(name)?;
         let other = Source::new(name.to_owned(), program.text().to_owned())
             .of_foreign(program.member.foreign().cloned());
@@ -268,15 +327,24 @@ impl Source {
 
     /// A program's files, this one first.
     pub(crate) fn members(&self, files: &[String]) -> Vec<Member> {
-        let others = files.iter().skip(1).map(|name| match self.member(name) {
-            Some(other) => other.member.clone(),
-            None => Member::Ladder(library::source(name).map_or_else(String::new, |it| it.text.to_owned())),
-        });
-        let own = match &self.foreign {
+        let others = files
+            .iter()
+            .skip(1)
+            .map(|name| match (self.plant(name), self.member(name)) {
+                (Some(plant), _) => plant.as_member(),
+                (None, Some(other)) => other.member.clone(),
+                (None, None) => {
+                    Member::Ladder(library::source(name).map_or_else(String::new, |it| it.text.to_owned()))
+                }
+            });
+        std::iter::once(self.as_member()).chain(others).collect()
+    }
+
+    fn as_member(&self) -> Member {
+        match &self.foreign {
             Some(foreign) => Member::Foreign(Arc::clone(foreign)),
             None => Member::Ladder(self.text.clone()),
-        };
-        std::iter::once(own).chain(others).collect()
+        }
     }
 
     /// The workspace around the file. Settings that cannot be used were reported by the command, which read them first.
@@ -288,7 +356,7 @@ impl Source {
     /// The file of a place of the program, if it is another one.
     fn file_of(&self, location: Location) -> Option<Source> {
         match (location.file, self.linked.get()) {
-            (1.., Some(Ok(linked))) => self.other(&linked.program.files[location.file as usize]),
+            (1.., Some(Ok((linked, _)))) => self.other(&linked.program.files[location.file as usize]),
             _ => None,
         }
     }

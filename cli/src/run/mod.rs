@@ -1,10 +1,12 @@
 //! A run: scan after scan, with what is given to the program and what it complains about.
 
+mod plants;
 mod program;
 mod retention;
 mod stimulus;
 pub(crate) mod unread;
 
+pub(crate) use plants::{Plants, note_undriven};
 pub(crate) use program::{place, program, show_errors};
 pub(crate) use retention::{KeptIn, Retention};
 pub(crate) use stimulus::Stimulus;

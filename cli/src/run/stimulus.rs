@@ -91,6 +91,14 @@ impl Stimulus {
     }
 }
 
+impl Stimulus {
+    /// The tags that `--set` and `--force` are about, as they are written.
+    pub(crate) fn named(&self) -> impl Iterator<Item = &str> {
+        let texts = self.set.iter().chain(&self.force);
+        texts.filter_map(|text| Some(text.split_once('=')?.0))
+    }
+}
+
 /// `start=1`
 fn assignment(option: &str, text: &str, simulation: &Simulation) -> Result<(Point, Value), Failure> {
     let failure = |problem: &str| Failure::new(format!("{option} {text}: {problem}"));

@@ -20,19 +20,17 @@ pub(crate) fn note(file: &str, program: &Program) {
     }
 }
 
-/// Their names in a report in the form of JUnit.
-pub(crate) fn properties(names: &[String]) -> String {
-    if names.is_empty() {
-        return String::new();
-    }
-    let mut out = String::from("    <properties>\n");
-    for name in names {
+/// What a report in the form of JUnit says of a program: what each is, and its name.
+pub(crate) fn properties<'n>(names: impl Iterator<Item = (&'n str, &'n str)>) -> String {
+    let mut out = String::new();
+    for (what, name) in names {
         let name = attribute(name);
-        out.push_str(&format!(
-            "      <property name=\"unread part\" value=\"{name}\"/>\n"
-        ));
+        out.push_str(&format!("      <property name=\"{what}\" value=\"{name}\"/>\n"));
     }
-    out + "    </properties>\n"
+    match out.is_empty() {
+        true => out,
+        false => format!("    <properties>\n{out}    </properties>\n"),
+    }
 }
 
 /// Their names, for reports.

@@ -4,7 +4,7 @@ use super::plant::Plant;
 use crate::findings::Source;
 use crate::form::Form;
 use crate::outcome::Failure;
-use crate::run::{self, KeptIn, Retention, Stimulus};
+use crate::run::{self, KeptIn, Plants, Retention, Stimulus};
 use ladder_analysis::program::{Program, Role};
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::{NotWhole, Severity};
@@ -21,6 +21,8 @@ pub(crate) struct Request<'a> {
     pub(crate) file: &'a Path,
     /// What it is written in; none: its content decides.
     pub(crate) from: Option<Form>,
+    /// What runs beside it.
+    pub(crate) plants: &'a Plants,
     pub(crate) stimulus: &'a Stimulus,
     /// The file that keeps retentive tags.
     pub(crate) retain: Option<&'a Path>,
@@ -86,7 +88,7 @@ fn first_error(source: &Source) -> String {
 }
 
 fn source(request: &Request) -> Result<Source, Failure> {
-    Source::read(request.file, request.from)
+    request.plants.beside(Source::read(request.file, request.from)?)
 }
 
 fn plant(
@@ -165,6 +167,7 @@ mod tests {
         let request = Request {
             file: &file,
             from: None,
+            plants: &Plants::default(),
             stimulus: &stimulus,
             retain: None,
             watch: &[],

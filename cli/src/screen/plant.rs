@@ -157,10 +157,7 @@ impl Plant {
         let scan = self.scans();
         // What was given once is part of the history.
         if !self.is_open() && self.session.scans_ahead() == 0 {
-            for (point, value) in self.inputs.before(scan) {
-                // What could be refused was found when the file was read.
-                let _ = self.session.set(point, value);
-            }
+            self.inputs.give_to_session(scan, &mut self.session);
         }
         let ran = run(&mut self.session);
         self.look_at_what_runs();

@@ -6,7 +6,7 @@ endif
 " What a row is about is first; after an arrow is what is expected.
 syntax match laddertestTag /^\s*[^ \t#"'=]\+/
 syntax match laddertestArrow /=>/
-syntax match laddertestHeading /^\s*\%(program\|step\|interval\|tolerance\)\>/
+syntax match laddertestHeading /^\s*\%(program\|plant\|connect\|step\|interval\|tolerance\)\>/
 " How long the steps below are; expected of a tag of that name is something with an arrow.
 syntax match laddertestHeading /^\s*time\>\%(\s*=>\)\@!/
 syntax match laddertestScenario /^\s*scenario\>/

@@ -78,6 +78,13 @@ fn word(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<Hover> {
 pub(super) fn keyword(word: &str) -> Option<&'static str> {
     Some(match word {
         "program" => "The program that the scenarios are about, as it is seen from the folder of this file.",
+        "plant" => {
+            "A model of the machine, which runs beside the program: its outputs are inputs of the program and the reverse, where names and \
+             types are the same. Its tags are `plant.level` in rows and properties; with `as tank` after the file, `tank.level`."
+        }
+        "connect" => {
+            "Connects a tag of a plant with one of the program though their names differ: `connect plant.sensor_1 = near`."
+        }
         "step" => "How long a step is: a whole number of scans. Without it a step is one scan.",
         "interval" => {
             "The time from one scan to the next. Without it what `ladder.toml` or the program says."
@@ -181,6 +188,7 @@ fn of_step(scenarios: &Scenarios<'_>, scenario: &Scenario, row: &Row, number: us
         Cell::Low => "low (`FALSE`)".to_owned(),
         Cell::High => "high (`TRUE`)".to_owned(),
         Cell::Same => "as before".to_owned(),
+        Cell::Plant => "as the plant has it".to_owned(),
         Cell::Value(text) => {
             let value = ty.and_then(|ty| Some((value_text::parse(text, ty).ok()?, ty)));
             let value = value.map_or_else(|| text.clone(), |(value, ty)| value_text::display(&value, ty));

@@ -76,6 +76,9 @@ impl Scan<'_, '_> {
         let mut pc = start;
         loop {
             self.arrive(pc);
+            if pc == self.code.main && pc > 0 && self.open.is_empty() {
+                self.faulted_before = std::mem::replace(&mut self.faulted, Lit::FALSE);
+            }
             if self.is_alone() && self.alone.as_ref().is_some_and(|stretch| stretch.end == pc) {
                 return None;
             }

@@ -65,6 +65,8 @@ pub(crate) struct Scan<'w, 'c> {
     act: Lit,
     /// A fault was recorded.
     pub(crate) faulted: Lit,
+    /// The same, before the main program: in plants.
+    pub(crate) faulted_before: Lit,
     /// An `<END>` was reached.
     pub(crate) ended: Lit,
     /// Who goes on at an instruction that is still ahead.
@@ -136,6 +138,7 @@ impl<'w, 'c> Scan<'w, 'c> {
             memory,
             act,
             faulted: Lit::FALSE,
+            faulted_before: Lit::FALSE,
             ended: Lit::FALSE,
             pending: BTreeMap::new(),
             back: BTreeMap::new(),

@@ -2,11 +2,13 @@
 
 use ladder_analysis::Cancel;
 use ladder_host::Clock;
-use ladder_prover::{Answer, Clock as ProofClock, Options, drawn, found_scenario, prove, scenario_file};
+use ladder_prover::{
+    Answer, Basis, Clock as ProofClock, Options, drawn, found_scenario, prove, scenario_file,
+};
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, Monitor, Suite};
 
-use super::{LeftOpen, PropertyProved};
+use super::{Found, LeftOpen, PropertyProved};
 use crate::scenario_run::Files;
 
 /// Decides the properties of a file, or one of them, for no longer than `ladder prove` does, unless it is cancelled.
@@ -21,7 +23,7 @@ pub(crate) fn run(
     only: Option<&str>,
     clock: Clock,
     cancel: Cancel,
-) -> Result<Vec<PropertyProved>, String> {
+) -> Result<Found, String> {
     let (mut watched, found) = scenario::bind_properties(suite, simulation);
     files.without_errors(suite.errors.iter().chain(&found))?;
     if let Some(only) = only {
@@ -38,29 +40,36 @@ pub(crate) fn run(
         cancel,
         ..Options::default()
     };
-    let answers = prove(simulation, &mut watched, options).map_err(|refuted| {
+    let mut answers = prove(simulation, &mut watched, options.clone()).map_err(|refuted| {
         format!(
             "the prover found a run for \"{}\" that does not happen in the simulator: this is an error in the prover, please \
              report it with the program",
             refuted.name
         )
     })?;
+    let basis = Basis::of(suite, simulation, &watched, &mut answers, &options);
     let interval = simulation.options().interval;
-    let program = suite.program.as_ref().map_or("", |(name, _)| name);
+    let head = scenario::head(suite);
     let properties = watched.properties.iter().zip(answers);
-    Ok(properties
-        .map(|(property, answer)| proved(files, property, &answer, program, interval))
-        .collect())
+    Ok(Found {
+        properties: properties
+            .map(|(property, answer)| proved(files, property, &answer, (&basis, &head), interval))
+            .collect(),
+        plants: basis.plants,
+        unchanging: basis.unchanging,
+    })
 }
 
 fn proved(
     files: &Files<'_>,
     property: &Monitor,
     answer: &Answer,
-    program: &str,
+    (basis, head): (&Basis, &str),
     interval: i64,
 ) -> PropertyProved {
     let word = answer.verdict.word();
+    let told = [word.to_owned(), answer.note(interval), basis.told(answer)];
+    let told: Vec<String> = told.into_iter().filter(|told| !told.is_empty()).collect();
     let scenario = found_scenario(&property.name, &property.form, &answer.verdict, interval);
     let open = answer.open.iter().map(|(what, location)| LeftOpen {
         message: what.clone(),
@@ -70,14 +79,15 @@ fn proved(
         name: property.name.clone(),
         range: files.scenarios.range(property.range),
         verdict: word.to_owned(),
-        message: format!("{word} {}", answer.note(interval)).trim_end().to_owned(),
+        message: told.join(" "),
         scan: answer.verdict.scan(),
         times: answer.verdict.times().map(str::to_owned),
         never_triggered: answer.never_triggered,
+        needs_plant: answer.needs_plant,
         open: open.collect(),
         diagram: scenario.as_deref().map(drawn).unwrap_or_default(),
         scenario: scenario.map_or(String::new(), |scenario| {
-            scenario_file(program, interval, &[scenario])
+            scenario_file(head, interval, &[scenario])
         }),
     }
 }

@@ -47,6 +47,8 @@ pub struct Code {
     pub unread: Vec<UnreadPlace>,
     /// Where errors are reported that are not faults.
     pub relays: Relays,
+    /// Where the main program begins: what is before it are plants.
+    pub main: u32,
 }
 
 /// Where a scan can halt: in front of what has code. A set of kinds for each instruction.
@@ -136,6 +138,8 @@ pub struct BlockPlace {
     pub location: Location,
     /// Where its errors are reported.
     pub controller: Controller,
+    /// It is in a plant, or in the body of a block there.
+    pub is_of_plant: bool,
 }
 
 /// An array that is indexed while scanning.

@@ -149,6 +149,8 @@ impl Compiler<'_> {
         self.cycles = Cycles::of(program);
         let main = program.main.clone();
         note_skippable(program, &mut self.skippable);
+        self.plants()?;
+        self.controller();
         self.stretch(main, Kind::Main)?;
         self.emit(Instr::Finish);
         for (index, function) in program.functions.iter().enumerate() {
@@ -156,7 +158,7 @@ impl Compiler<'_> {
             let interval = self.interval;
             self.interval *= i64::from(function.every.unwrap_or(1));
             self.skippable[function.networks.clone()].fill(true);
-            self.stretch(function.networks.clone(), Kind::Function(index))?;
+            self.compile_function(index)?;
             self.emit(Instr::Finish);
             self.interval = interval;
         }
@@ -385,6 +387,7 @@ impl Compiler<'_> {
         let Argument::Function(function) = *arguments.get(0)? else {
             return Err(arguments.mismatch());
         };
+        let en = self.unless_ended(function, en);
         let every = self.program.functions[function].every.filter(|every| *every > 1);
         let before = every.map_or_else(Vec::new, |every| self.at_the_rate_of(every));
         let at = self.here();
@@ -407,6 +410,14 @@ impl Compiler<'_> {
         self.emit(Instr::Call { en, to: 0, saved });
         for (to, from) in before {
             self.emit(Instr::Move { to, from });
+        }
+        if let Some(ended) = self.plant_ended() {
+            let (step, network) = self.whereabouts();
+            self.emit(Instr::Return {
+                en: ended,
+                step,
+                network,
+            });
         }
         Ok(en)
     }
@@ -457,11 +468,20 @@ impl Compiler<'_> {
         Bit::LOW
     }
 
-    /// `<END>`
+    /// `<END>`: in a plant it ends that one.
     pub(super) fn end(&mut self, en: Bit) -> Bit {
         let (step, network) = self.whereabouts();
         let (en, start) = self.leave_bodies(0, en);
-        self.emit(Instr::End { en, step, network });
+        if let Some(ended) = self.plant_ended() {
+            self.emit(Instr::OrBit {
+                to: ended,
+                a: ended,
+                b: en,
+            });
+            self.emit(Instr::Return { en, step, network });
+        } else {
+            self.emit(Instr::End { en, step, network });
+        }
         self.end_leaving(start);
         Bit::LOW
     }

@@ -25,6 +25,7 @@ mod number_coils;
 mod owner;
 mod parts;
 mod place;
+mod plants;
 mod ports;
 #[cfg(test)]
 mod profile_tests;
@@ -46,12 +47,14 @@ use crate::layout::{Borrowed, Home, Layout};
 use crate::memory::{Bit, Memory, Word};
 use crate::places::{BlockAt, Cell, EdgeOf, Places, Remembered};
 use crate::retain::{Retained, kept_tags, retained};
+use crate::system::System;
 use crate::work;
 use call_graph::Cycles;
 use flow::Region;
 use ladder_analysis::program::{Location, Program, TagId};
 use ladder_instructions::Semantics;
 use owner::{Owner, Thing};
+use plants::PlantCells;
 pub use ports::{CHANNELS, Ports};
 use std::collections::HashMap;
 use std::ops::Range;
@@ -81,6 +84,8 @@ pub struct Compiled {
     pub retained: Vec<Retained>,
     /// What no tag of the program holds, for a change of the running program.
     pub(crate) places: Places,
+    /// What plants have of their own, where there are any.
+    pub(crate) plants: Option<PlantCells>,
 }
 
 /// More code than this is refused: user-defined blocks inside blocks can multiply without end.
@@ -166,10 +171,13 @@ pub fn compile(program: &Program, interval: i64) -> Result<Compiled> {
         owned_tags: HashMap::new(),
         owned: Vec::new(),
         unread: unread::Seen::default(),
+        system: System::CONTROLLER,
+        plant: None,
+        plant_cells: None,
+        ended: Vec::new(),
     };
     compiler.parts_at_any_time();
     compiler.starting_counts();
-    compiler.controller();
     compiler.regions()?;
     Ok(compiler.finish())
 }
@@ -242,9 +250,22 @@ struct Compiler<'p> {
     owned: Vec<(TagId, Home)>,
     /// What is known of unread parts.
     unread: unread::Seen,
+    /// The system tags of what is being compiled.
+    system: System,
+    /// The plant that is being compiled.
+    plant: Option<usize>,
+    /// What plants have of their own, once they are compiled.
+    plant_cells: Option<PlantCells>,
+    /// Of each plant the bit that says that it has ended, if it may.
+    ended: Vec<Option<Bit>>,
 }
 
 impl Compiled {
+    /// Where the system tags of plants are, if there are plants: how many bits and words after those of the controller.
+    pub fn system_of_plants(&self) -> Option<(u32, u32)> {
+        self.plants.as_ref().map(|plants| plants.system.offsets())
+    }
+
     /// Where the code of a network is. None: it has none, or the network is in the body of a block, each place of which
     /// has code of its own.
     pub fn stretch_of(&self, network: usize) -> Option<Range<u32>> {
@@ -290,6 +311,7 @@ impl Compiler<'_> {
         Compiled {
             fused,
             places: self.places,
+            plants: self.plant_cells,
             ports: self.ports,
             retained: retained(
                 self.program,

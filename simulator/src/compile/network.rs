@@ -116,6 +116,7 @@ impl Compiler<'_> {
             out: en,
             location: block.location,
             controller: self.semantics.controller,
+            is_of_plant: self.plant.is_some(),
         });
         let out = code(self)?;
         self.outer = outer;

@@ -6,7 +6,7 @@ use crate::code::{ArrayPlace, Instr};
 use crate::layout::{Borrowed, Home};
 use crate::memory::{Bit, TextSlot, Word};
 use crate::operation::{IntegerOp, Width};
-use crate::system::{self, SystemSlot};
+use crate::system::SystemSlot;
 use ladder_analysis::program::{Expr, Place, TagId};
 use ladder_analysis::values::types::Scalar;
 
@@ -108,7 +108,7 @@ impl Compiler<'_> {
                 },
                 other => other,
             },
-            Place::System(tag) => match system::slot(*tag) {
+            Place::System(tag) => match self.system.slot(*tag) {
                 SystemSlot::Bit(bit) => Spot::Bit(bit),
                 SystemSlot::Word(word) => Spot::Word(word),
             },

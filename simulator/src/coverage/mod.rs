@@ -114,6 +114,12 @@ impl Coverage {
         } else {
             program.networks.iter().map(always_powered).collect()
         };
+        // What scenarios are to exercise is the program, and not its machine.
+        let is_covered = |number: usize| {
+            let file = program.networks[number].location.file;
+            let is_of_plant = program.plants.iter().any(|plant| plant.file == file);
+            !is_of_plant && !program.wiring.contains(&number)
+        };
         let part = |(index, element): (usize, &ElementPlace)| {
             let network = &program.networks[element.network as usize];
             let Step::Block { block, en } = network.steps[element.step as usize] else {
@@ -135,7 +141,7 @@ impl Coverage {
         let mut parts: Vec<CoverageItem> = elements
             .iter()
             .enumerate()
-            .filter(|(_, element)| element.kind == ElementKind::Block)
+            .filter(|(_, element)| element.kind == ElementKind::Block && is_covered(element.network as usize))
             .filter_map(part)
             .collect();
         parts.sort_by_key(|part| (part.location.file, part.location.range.start()));
@@ -143,6 +149,7 @@ impl Coverage {
             .networks
             .iter()
             .enumerate()
+            .filter(|(index, _)| is_covered(*index))
             .map(|(index, network)| NetworkScans {
                 location: network.location,
                 elements: network
@@ -170,8 +177,8 @@ impl Coverage {
                 }),
             ),
             skippable: (0..networks.len())
-                .filter(|&index| simulation.is_skippable(index))
-                .map(|index| index as u32)
+                .filter(|&at| simulation.is_skippable(networks[at].index))
+                .map(|at| at as u32)
                 .collect(),
             networks,
             parts,

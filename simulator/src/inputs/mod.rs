@@ -3,6 +3,7 @@
 mod cells;
 mod table;
 
+use crate::session::Session;
 use crate::simulation::Simulation;
 use crate::tags::Point;
 use crate::value_text;
@@ -23,6 +24,9 @@ impl fmt::Display for InputsError {
 }
 
 impl std::error::Error for InputsError {}
+
+/// A cell that gives an input back to the plant that drives it.
+const GIVEN_BACK: &str = "~";
 
 /// The assignments of a run. A cell of row k is one assignment before scan k, an empty cell none.
 #[derive(Debug, Default)]
@@ -52,14 +56,17 @@ impl Inputs {
             })
             .collect::<Result<Vec<Point>, InputsError>>()?;
         let inputs = Inputs { table, points };
-        inputs.check()?;
+        inputs.check(simulation)?;
         Ok(inputs)
     }
 
     /// Every cell is checked before the run, so that no run ends in the middle because of a typing error.
-    fn check(&self) -> Result<(), InputsError> {
+    fn check(&self, simulation: &Simulation) -> Result<(), InputsError> {
         for row in 0..self.table.rows.len() {
             for (column, (cell, point)) in self.table.cells(row).zip(&self.points).enumerate() {
+                if cell == GIVEN_BACK && simulation.is_driven(point) {
+                    continue;
+                }
                 if !cell.is_empty()
                     && let Err(problem) = self.value(cell, point)
                 {
@@ -84,20 +91,41 @@ impl Inputs {
     /// Makes the assignments that are before a scan.
     pub fn give(&self, scan: u64, simulation: &mut Simulation) {
         for (point, value) in self.before(scan) {
-            // What could be refused was found when the file was read.
-            let _ = simulation.set(point, value);
+            match value {
+                // What could be refused was found when the file was read.
+                Some(value) => _ = simulation.set(point, value),
+                None => simulation.unforce(point),
+            }
         }
     }
 
-    /// The assignments that are before a scan.
-    pub fn before(&self, scan: u64) -> impl Iterator<Item = (&Point, Value)> {
+    /// The same in a session, which keeps what is given.
+    pub fn give_to_session(&self, scan: u64, session: &mut Session) {
+        for (point, value) in self.before(scan) {
+            match value {
+                Some(value) => _ = session.set(point, value),
+                None => session.unforce(point),
+            }
+        }
+    }
+
+    /// The tags that something is given to.
+    pub fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    /// The assignments that are before a scan; without a value the plant that drives the tag does so again.
+    fn before(&self, scan: u64) -> impl Iterator<Item = (&Point, Option<Value>)> {
         let row = usize::try_from(scan)
             .ok()
             .filter(|row| *row < self.table.rows.len());
         row.into_iter()
             .flat_map(|row| self.table.cells(row).zip(&self.points))
             .filter(|(cell, _)| !cell.is_empty())
-            .filter_map(|(cell, point)| Some((point, self.value(cell, point).ok()?)))
+            .filter_map(|(cell, point)| match cell {
+                GIVEN_BACK => Some((point, None)),
+                cell => Some((point, Some(self.value(cell, point).ok()?))),
+            })
     }
 
     fn value(&self, cell: &str, point: &Point) -> Result<Value, String> {

@@ -42,6 +42,13 @@ pub(crate) struct FaultRecord {
     pub(crate) scan: i64,
 }
 
+/// Whether a scan recorded a fault: each has a `SYS.FAULT` of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Faulted {
+    pub(crate) program: bool,
+    pub(crate) plants: bool,
+}
+
 /// A program's state while it runs.
 #[derive(Debug)]
 pub(crate) struct Machine {
@@ -61,9 +68,9 @@ pub(crate) struct Machine {
     /// How many were not kept for want of room.
     pub(crate) faults_lost: u64,
     /// Whether the last scan recorded a fault.
-    pub(crate) faulted: bool,
+    pub(crate) faulted: Faulted,
     /// Whether the scan that runs has recorded one.
-    fault_now: bool,
+    fault_now: Faulted,
     /// Whether the scan that runs is the last one, though it runs to its end.
     pub(crate) ending: bool,
     /// For each network the last scan that reached it, counted from 1; kept only where scans may skip it.
@@ -94,8 +101,8 @@ impl Machine {
             worked: 0,
             faults: Vec::with_capacity(FAULTS),
             faults_lost: 0,
-            faulted: false,
-            fault_now: false,
+            faulted: Faulted::default(),
+            fault_now: Faulted::default(),
             ending: false,
             position: Position::start(watchdog),
             reached: vec![0; networks],
@@ -114,7 +121,7 @@ impl Machine {
         self.memory.texts.clone_from(&memory.texts);
         self.memory.received.clear();
         self.memory.sent.clear();
-        (self.now, self.scan, self.faulted) = (0, 0, false);
+        (self.now, self.scan, self.faulted) = (0, 0, Faulted::default());
         self.faults.clear();
         self.faults_lost = 0;
         self.reached.fill(0);
@@ -126,7 +133,7 @@ impl Machine {
         self.frames.clear();
         self.saved.clear();
         self.outer_loops.clear();
-        self.fault_now = false;
+        self.fault_now = Faulted::default();
         self.ending = false;
         self.position = Position::start(self.watchdog);
     }
@@ -228,7 +235,14 @@ impl Machine {
         let place = &code.blocks[block as usize];
         let is_signalled = place.controller == Controller::Banks && self.signal(code, trouble);
         if !is_signalled {
+            let before = self.fault_now;
             self.record(trouble, block, clock.scan);
+            if place.is_of_plant {
+                self.fault_now = Faulted {
+                    plants: true,
+                    ..before
+                };
+            }
         }
         if trouble.is_remark() {
             self.ending = true;
@@ -258,7 +272,7 @@ impl Machine {
     }
 
     pub(crate) fn record(&mut self, trouble: Trouble, block: u32, scan: i64) {
-        self.fault_now = true;
+        self.fault_now.program = true;
         // A fault that stops the simulation is always kept: it is why nothing moves any more.
         if self.faults.len() == self.faults.capacity() {
             self.faults_lost += 1;

@@ -1,8 +1,8 @@
 //! What of a machine is kept to be brought back.
 
-use super::Machine;
 use super::flow::{Frame, Loop};
 use super::position::Position;
+use super::{Faulted, Machine};
 use crate::memory::Memory;
 
 /// A machine at one moment, but for its faults.
@@ -11,11 +11,11 @@ pub(crate) struct MachineState {
     pub(crate) memory: Memory,
     pub(crate) now: i64,
     pub(crate) scan: i64,
-    pub(crate) faulted: bool,
+    pub(crate) faulted: Faulted,
     pub(crate) reached: Vec<i64>,
     pub(crate) left_at: Vec<u32>,
     pub(crate) rows: Vec<u8>,
-    fault_now: bool,
+    fault_now: Faulted,
     ending: bool,
     position: Position,
     frames: Vec<Frame>,

@@ -36,37 +36,49 @@ impl Retained {
     /// Copies the tag's value from a memory that was running until `then`. A timer goes on where it was: its
     /// instant is moved to before the new clock's zero.
     pub(crate) fn restore(&self, memory: &mut Memory, kept: &Memory, then: i64) {
-        let bits = |memory: &mut Memory, at: Bit, len: u32| {
-            let range = at.0 as usize..(at.0 + len) as usize;
-            memory.bits[range.clone()].copy_from_slice(&kept.bits[range]);
-        };
-        let words = |memory: &mut Memory, at: Word, len: u32| {
-            let range = at.0 as usize..(at.0 + len) as usize;
-            memory.words[range.clone()].copy_from_slice(&kept.words[range]);
-        };
-        match self.home {
-            Home::Bits { at, len, .. } => bits(memory, at, len),
-            Home::Words { at, len, .. } => words(memory, at, len),
-            Home::Texts { at, len, .. } => {
-                for slot in at.0..at.0 + len {
-                    memory.texts[slot as usize].set(kept.text(TextSlot(slot)));
-                }
-            }
-            Home::State {
-                state,
-                bits: first_bit,
-                words: first_word,
-            } => {
-                let (bit_count, word_count) = state_size(state);
-                bits(memory, first_bit, bit_count);
-                words(memory, first_word, word_count);
-                if state.is_timer() {
-                    let since = &mut memory.words[first_word.offset(timer::SINCE).0 as usize];
-                    *since = since.saturating_sub(then);
-                }
-            }
-            Home::Borrowed(_) => {}
+        copy(self.home, memory, kept);
+        self.shift_clock(memory, then.saturating_neg());
+    }
+
+    /// Moves the instant of a timer, whose clock did not run for a while or begins elsewhere.
+    pub(crate) fn shift_clock(&self, memory: &mut Memory, by: i64) {
+        if let Home::State { state, words, .. } = self.home
+            && state.is_timer()
+        {
+            let since = &mut memory.words[words.offset(timer::SINCE).0 as usize];
+            *since = since.saturating_add(by);
         }
+    }
+}
+
+/// Copies what lives there from another memory of the same program.
+pub(crate) fn copy(home: Home, memory: &mut Memory, from: &Memory) {
+    let mut bits = |at: Bit, len: u32| {
+        let range = at.0 as usize..(at.0 + len) as usize;
+        memory.bits[range.clone()].copy_from_slice(&from.bits[range]);
+    };
+    let mut words = |at: Word, len: u32| {
+        let range = at.0 as usize..(at.0 + len) as usize;
+        memory.words[range.clone()].copy_from_slice(&from.words[range]);
+    };
+    match home {
+        Home::Bits { at, len, .. } => bits(at, len),
+        Home::Words { at, len, .. } => words(at, len),
+        Home::Texts { at, len, .. } => {
+            for slot in at.0..at.0 + len {
+                memory.texts[slot as usize].set(from.text(TextSlot(slot)));
+            }
+        }
+        Home::State {
+            state,
+            bits: first_bit,
+            words: first_word,
+        } => {
+            let (bit_count, word_count) = state_size(state);
+            bits(first_bit, bit_count);
+            words(first_word, word_count);
+        }
+        Home::Borrowed(_) => {}
     }
 }
 
@@ -113,6 +125,8 @@ pub(crate) fn retained(
 /// Of each tag whether it is retentive: declared so, or written by `(M)` `(SM)` `(RM)`, or named by `[PERSIST]`; also
 /// where a user-defined block does that to what an in-out stands for.
 pub(crate) fn kept_tags(program: &Program) -> Vec<bool> {
+    // What a plant keeps never leaves memory: the machine does not go away.
+    let is_of_plant = |tag: &Tag| program.plant_of(tag).is_some();
     let mut keeps: Vec<bool> = program.tags.iter().map(|tag| tag.retain).collect();
     let blocks = || program.networks.iter().flat_map(|network| &network.blocks);
     for block in blocks() {
@@ -152,6 +166,13 @@ pub(crate) fn kept_tags(program: &Program) -> Vec<bool> {
     }
     for (body, own) in program.instances.iter().flat_map(|instance| &instance.tags) {
         keeps[own.0 as usize] |= keeps[body.0 as usize];
+    }
+    for (keep, _) in keeps
+        .iter_mut()
+        .zip(&program.tags)
+        .filter(|(_, tag)| is_of_plant(tag))
+    {
+        *keep = false;
     }
     keeps
 }

@@ -1,6 +1,7 @@
 //! Scenarios with a program: names become tags, and cells values of the tags' types.
 
 use super::error::ScenarioError;
+use super::parse::HEADINGS;
 use super::steps::Steps;
 use super::suite::{Cell, Direction, Row, Scenario, Suite};
 use super::tolerance::Tolerance;
@@ -48,7 +49,15 @@ pub(super) struct Given {
     pub(super) name: String,
     pub(super) target: Target,
     /// One for each step, none where nothing is given.
-    pub(super) values: Vec<Option<Value>>,
+    pub(super) values: Vec<Option<Give>>,
+}
+
+/// What is given before a step.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Give {
+    Value(Value),
+    /// `~`: the plant gives it again.
+    Back,
 }
 
 /// What a tag is expected to hold.
@@ -60,6 +69,8 @@ pub(super) struct Expected {
     /// One for each step, none where nothing is checked, with their places.
     pub(super) values: Vec<(Option<Value>, TextRange)>,
     pub(super) tolerance: Option<Tolerance>,
+    /// It is of a plant: compared also while the controller has no power.
+    pub(super) is_of_plant: bool,
 }
 
 /// What a row is about.
@@ -203,6 +214,9 @@ impl Binder<'_> {
                     put(&mut case.given[at].values, row.first, values, None);
                 }
                 Direction::Expected => {
+                    let values = self.without_plant(row, values);
+                    let mut plants = self.simulation.program().plants.iter();
+                    let is_of_plant = plants.any(|plant| plant.tag_in(&name).is_some());
                     let known = case.expected.iter().position(|expected| expected.name == name);
                     let at = known.unwrap_or_else(|| {
                         case.expected.push(Expected {
@@ -211,6 +225,7 @@ impl Binder<'_> {
                             target,
                             values: Vec::new(),
                             tolerance,
+                            is_of_plant,
                         });
                         case.expected.len() - 1
                     });
@@ -285,7 +300,7 @@ impl Binder<'_> {
             Ok(point) => point,
             Err(unknown) => {
                 // A heading that is too late.
-                let heading = matches!(row.name.as_str(), "program" | "step" | "interval" | "tolerance");
+                let heading = HEADINGS.contains(&row.name.as_str());
                 self.errors.push(ScenarioError {
                     range: row.range,
                     message: unknown.message,
@@ -305,14 +320,45 @@ impl Binder<'_> {
         Some((point.name.clone(), Target::Point(point)))
     }
 
+    /// What is expected in each step; a plant gives nothing back there.
+    fn without_plant(&mut self, row: &Row, values: Vec<Option<Give>>) -> Vec<Option<Value>> {
+        if let Some((_, range)) = row.cells.iter().find(|(cell, _)| *cell == Cell::Plant) {
+            let message = "`~` is for what is given: it gives an input back to the plant";
+            self.error(*range, message, "write . where nothing is checked");
+        }
+        let values = values.into_iter().map(|value| match value {
+            Some(Give::Value(value)) => Some(value),
+            Some(Give::Back) | None => None,
+        });
+        values.collect()
+    }
+
+    /// Whether a plant drives what a row gives.
+    fn is_driven(&self, row: &Row) -> bool {
+        let point = self.simulation.resolve(&row.name);
+        point.is_ok_and(|point| self.simulation.is_driven(&point))
+    }
+
     /// A value for each step. After an error the rest of the row is read all the same.
-    fn values(&mut self, row: &Row, name: &str, ty: Scalar) -> Vec<Option<Value>> {
+    fn values(&mut self, row: &Row, name: &str, ty: Scalar) -> Vec<Option<Give>> {
         let mut complained = false;
         let mut values = Vec::with_capacity(row.cells.len());
         for (cell, range) in &row.cells {
             let level = |high| (ty == Scalar::Bool).then_some(Value::Bool(high));
             let value = match cell {
                 Cell::Same => None,
+                Cell::Plant => {
+                    let is_wrong = row.direction == Direction::Given && !self.is_driven(row);
+                    if is_wrong && !std::mem::replace(&mut complained, true) {
+                        self.error(
+                            *range,
+                            format!("no plant drives {name}: `~` gives an input back to the plant"),
+                            "write . where the tag stays as it is; `plant` and `connect` in the head of the file say what drives what",
+                        );
+                    }
+                    values.push(Some(Give::Back));
+                    continue;
+                }
                 Cell::Low | Cell::High => {
                     let value = level(*cell == Cell::High);
                     // One error for such a row is enough.
@@ -337,7 +383,7 @@ impl Binder<'_> {
                     }
                 },
             };
-            values.push(value);
+            values.push(value.map(Give::Value));
         }
         values
     }

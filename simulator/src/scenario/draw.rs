@@ -1,6 +1,6 @@
 //! The rows of a scenario that came out differently: what was expected and what came, the differing steps marked.
 
-use super::bind::Case;
+use super::bind::{Case, Give};
 use super::parse::TIME;
 use super::run::{Difference, Ran};
 use super::steps::Steps;
@@ -140,7 +140,12 @@ fn draw_group(case: &Case, entries: &[Entry], interval: i64, width: usize, lines
         cells: row
             .values
             .iter()
-            .map(|value| drawn(value.as_ref(), row.target.ty(), "."))
+            .map(|given| match given {
+                Some(Give::Back) if row.target.ty() == Scalar::Bool => Drawn::Level('~'),
+                Some(Give::Back) => Drawn::Nothing("~"),
+                Some(Give::Value(value)) => drawn(Some(value), row.target.ty(), "."),
+                None => Drawn::Nothing("."),
+            })
             .collect(),
     });
     let given: Vec<Row> = time.into_iter().chain(given).collect();

@@ -1,5 +1,6 @@
 //! Reads scenario files.
 
+mod plants;
 mod rows;
 
 use super::error::ScenarioError;
@@ -19,6 +20,8 @@ pub fn parse(text: &str) -> Suite {
     let mut reader = Reader {
         suite: Suite {
             program: None,
+            plants: Vec::new(),
+            connects: Vec::new(),
             step: None,
             interval: None,
             tolerance: None,
@@ -54,8 +57,22 @@ pub fn parse(text: &str) -> Suite {
     reader.finish(text)
 }
 
+/// The name of a file, which may hold blanks, in quotes or not.
+fn file_of(words: &[Word]) -> Option<(String, TextRange)> {
+    let (from, to) = words.first().zip(words.last())?;
+    let mut name = String::new();
+    let mut end = from.start;
+    for word in words {
+        name.extend(std::iter::repeat_n(' ', word.start - end));
+        name.push_str(word.text);
+        end = word.end();
+    }
+    let unquoted = name.trim_matches('"').to_owned();
+    Some((unquoted, range(from.start, to.end())))
+}
+
 /// The words that begin a line before the first scenario.
-pub const HEADINGS: [&str; 4] = ["program", "step", "interval", "tolerance"];
+pub const HEADINGS: [&str; 6] = ["program", "plant", "connect", "step", "interval", "tolerance"];
 
 /// The word that begins a row of how long steps are.
 pub const TIME: &str = "time";
@@ -100,6 +117,8 @@ impl Reader {
         }
         match first.text {
             "program" => self.program(first, rest),
+            "plant" => self.plant(first, rest),
+            "connect" => self.connect(first, rest),
             "step" | "interval" => self.duration(first, rest),
             "tolerance" => self.tolerance(first, rest),
             other => {
@@ -117,7 +136,7 @@ impl Reader {
                 self.error(
                     first.range(),
                     format!(
-                        "`{other}` is before the first scenario, where only program, step, interval, \
+                        "`{other}` is before the first scenario, where only program, plant, connect, step, interval, \
                          tolerance and properties are"
                     ),
                     help,
@@ -193,7 +212,7 @@ impl Reader {
     }
 
     fn program(&mut self, first: Word, rest: &[Word]) {
-        let Some((from, to)) = rest.first().zip(rest.last()) else {
+        let Some(named) = file_of(rest) else {
             return self.error(
                 first.range(),
                 "the program is missing",
@@ -207,16 +226,7 @@ impl Reader {
                 "put the scenarios of another program into a file of their own",
             );
         }
-        // A name may hold blanks, in quotes or not.
-        let mut name = String::new();
-        let mut end = from.start;
-        for word in rest {
-            name.extend(std::iter::repeat_n(' ', word.start - end));
-            name.push_str(word.text);
-            end = word.end();
-        }
-        let unquoted = name.trim_matches('"').to_owned();
-        self.suite.program = Some((unquoted, range(from.start, to.end())));
+        self.suite.program = Some(named);
     }
 
     fn duration(&mut self, first: Word, rest: &[Word]) {

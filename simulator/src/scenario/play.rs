@@ -1,6 +1,6 @@
 //! A scenario played step by step, for those who look into it while it runs.
 
-use super::bind::{Case, Target};
+use super::bind::{Case, Give, Target};
 use super::run::is_met;
 use crate::session::Session;
 use crate::simulation::{Simulation, Status};
@@ -36,11 +36,12 @@ impl Case {
     pub fn give(&self, step: usize, session: &mut Session) {
         for row in &self.given {
             match (&row.target, row.values.get(step)) {
-                (Target::Point(point), Some(Some(value))) => {
+                (Target::Point(point), Some(Some(Give::Value(value)))) => {
                     // What could be refused was found when the row was read.
                     let _ = session.set(point, value.clone());
                 }
-                (Target::Serial, Some(Some(Value::Text(bytes)))) => session.feed_serial(bytes),
+                (Target::Point(point), Some(Some(Give::Back))) => session.unforce(point),
+                (Target::Serial, Some(Some(Give::Value(Value::Text(bytes))))) => session.feed_serial(bytes),
                 _ => {}
             }
         }
@@ -56,8 +57,9 @@ impl Case {
     /// meanwhile.
     pub fn unmet(&self, step: usize, simulation: &Simulation, sent: &[u8]) -> Vec<Unmet> {
         let stopped = simulation.status() == Status::Faulted;
+        let has_power = simulation.had_power();
         let mut unmet = Vec::new();
-        for row in &self.expected {
+        for row in self.expected.iter().filter(|row| has_power || row.is_of_plant) {
             let Some((Some(wanted), range)) = row.values.get(step) else {
                 continue;
             };

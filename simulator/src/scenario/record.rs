@@ -378,12 +378,17 @@ pub(super) fn written(value: &Value, ty: Scalar) -> Option<String> {
 
 /// The line of a file of scenarios that names its program: in quotes where the name holds what would end it.
 pub fn program_line(name: &str) -> String {
+    file_line("program", name, "")
+}
+
+/// A line that names a file, likewise.
+pub(super) fn file_line(word: &str, name: &str, after: &str) -> String {
     let quote = if name.contains(['#', '\'', '[', '=']) {
         "\""
     } else {
         ""
     };
-    format!("program {quote}{name}{quote}\n")
+    format!("{word} {quote}{name}{quote}{after}\n")
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Playing a scenario.
 
-use super::bind::{Case, Expected, Target};
+use super::bind::{Case, Expected, Give, Target};
 use super::monitor::Watched;
 use super::tolerance::Tolerance;
 use super::watch::{Outside, Violation, Watch};
@@ -18,6 +18,8 @@ pub struct Ran {
     /// For each row that expects something, what was there at the end of each step; none after a fault that
     /// stopped the simulation.
     pub(super) got: Vec<Vec<Option<Value>>>,
+    /// In which steps the controller had no power.
+    pub(super) off: Vec<bool>,
     /// What is not as expected, row by row.
     pub differences: Vec<Difference>,
     /// The properties that it violates, in the order of the file.
@@ -80,6 +82,7 @@ pub fn run_within(
     let mut watch = Watch::new(watched);
     let mut ran = Ran {
         got: vec![Vec::with_capacity(case.steps()); case.expected.len()],
+        off: Vec::with_capacity(case.steps()),
         differences: Vec::new(),
         violations: Vec::new(),
         outside: None,
@@ -102,6 +105,7 @@ pub fn run_within(
             }
         }
         watch.step(simulation, step);
+        ran.off.push(!simulation.had_power());
         ran.faults.extend(simulation.take_faults());
         let stopped = simulation.status() == Status::Faulted;
         if stopped && ran.stopped.is_none() {
@@ -131,11 +135,12 @@ fn give(case: &Case, step: usize, simulation: &mut Simulation) {
             continue;
         };
         match (&row.target, value) {
-            (Target::Point(point), value) => {
+            (Target::Point(point), Give::Value(value)) => {
                 // What could be refused was found when the row was read.
                 let _ = simulation.set(point, value.clone());
             }
-            (Target::Serial, Value::Text(bytes)) => simulation.feed_serial(bytes),
+            (Target::Point(point), Give::Back) => simulation.unforce(point),
+            (Target::Serial, Give::Value(Value::Text(bytes))) => simulation.feed_serial(bytes),
             (Target::Serial, _) => {}
         }
     }
@@ -156,6 +161,9 @@ fn compare(case: &Case, ran: &mut Ran) {
             let Some(wanted) = wanted else {
                 continue;
             };
+            if ran.off[step] && !row.is_of_plant {
+                continue;
+            }
             if got.as_ref().is_some_and(|got| is_met(row, wanted, got)) {
                 continue;
             }

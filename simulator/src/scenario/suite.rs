@@ -10,6 +10,10 @@ use ladder_syntax::TextRange;
 pub struct Suite {
     /// The program, as it is named, seen from the file's own folder.
     pub program: Option<(String, TextRange)>,
+    /// The models of its machine that run beside it, in their order.
+    pub plants: Vec<PlantLine>,
+    /// What is connected though the names differ.
+    pub connects: Vec<ConnectLine>,
     /// How long a step is, in nanoseconds. Without it a step is one scan.
     pub step: Option<(i64, TextRange)>,
     /// The time from one scan to the next, in nanoseconds.
@@ -24,6 +28,39 @@ pub struct Suite {
     pub properties: Vec<Property>,
     /// What could not be read.
     pub errors: Vec<ScenarioError>,
+}
+
+/// A line `plant`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PlantLine {
+    /// Its file, as it is named, seen from the scenario file's own folder.
+    pub file: String,
+    /// Where that is.
+    pub range: TextRange,
+    /// What is before the names of its tags.
+    pub name: String,
+}
+
+/// A line `connect`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ConnectLine {
+    /// What is on both sides of `=`; one is a tag of a plant.
+    pub sides: (String, String),
+    /// All after `connect`.
+    pub range: TextRange,
+}
+
+/// What the tags of a plant have before their names that has none of its own.
+pub const PLANT: &str = "plant";
+
+/// The file of a plant and what it is called, where they are written as `tank.clad as tank`.
+pub fn plant_named(text: &str) -> (&str, &str) {
+    let is_name = |name: &str| name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    let (file, name) = match text.rsplit_once(" as ") {
+        Some((file, name)) if is_name(name.trim()) => (file, name.trim()),
+        _ => (text, PLANT),
+    };
+    (file.trim().trim_matches('"'), name)
 }
 
 /// One scenario.
@@ -95,6 +132,8 @@ pub enum Cell {
     High,
     /// `.`: as before; not checked.
     Same,
+    /// `~`: what the plant says.
+    Plant,
     /// Anything else: a value as it is written.
     Value(String),
 }

@@ -73,6 +73,10 @@ impl<'w> Watch<'w> {
         if self.outside.is_some() {
             return;
         }
+        if !simulation.had_power() {
+            // It begins again when the power comes back.
+            return self.watched.restart();
+        }
         self.outside =
             (self.watched.broken_assumption(simulation)).map(|assumption| Outside { assumption, scan });
         if self.outside.is_some() {

@@ -143,8 +143,10 @@ impl Session {
         if self.simulation.is_open() {
             return self.simulation.set(point, value);
         }
-        let differs =
-            self.simulation.is_forced(point) && point.is_input || self.simulation.value(point) != value;
+        let is_forced = self.simulation.is_forced(point);
+        let differs = is_forced && point.is_input
+            || !is_forced && self.simulation.is_driven(point)
+            || self.simulation.value(point) != value;
         self.simulation.set(point, value)?;
         if differs {
             self.goes_another_way();
@@ -306,10 +308,25 @@ impl Session {
     }
 
     /// Begins again as after a power failure: retentive tags keep their values. Forces stay; the history starts again.
+    ///
+    /// Beside a plant the controller has no power for a scan, which is kept as any other: the machine goes on.
     pub fn warm_restart(&mut self) {
         self.go_to_newest();
-        self.simulation.warm_restart();
-        self.begin_again();
+        if self.simulation.program().plants.is_empty() || self.simulation.status() != Status::Ready {
+            self.simulation.warm_restart();
+            return self.begin_again();
+        }
+        self.forget_ahead();
+        if self.simulation.is_open() {
+            self.scan();
+        }
+        for high in [false, true] {
+            // SYS.POWER takes each BOOL.
+            let _ = self.set(&crate::tags::power(), Value::Bool(high));
+            if !high {
+                self.scan();
+            }
+        }
     }
 
     /// Begins with the values of retentive tags that were kept outside of the session, see [`Simulation::warm_start`].

@@ -9,11 +9,15 @@ use std::collections::BTreeMap;
 
 impl Simulation {
     /// Sets a tag to a value before the next scan, as the world outside does. A forced tag goes on showing its
-    /// forced value. While a scan is open ([`Self::is_open`]) this waits for its end, and so do forces.
+    /// forced value. While a scan is open ([`Self::is_open`]) this waits for its end, and so do forces. What a plant drives is
+    /// held at the value from there on, until it is given back ([`Self::unforce`]): the machine is not as the model of it.
     ///
     /// # Errors
     /// The point is read-only, or the value does not fit its type.
     pub fn set(&mut self, point: &Point, value: Value) -> Result<(), ValueRefused> {
+        if self.is_driven(point) {
+            return self.force(point, value);
+        }
         check(point, &value)?;
         if self.open {
             self.pending.push(Change::Set(point.clone(), value));
@@ -140,6 +144,19 @@ impl Simulation {
             _ => None,
         });
         waiting.flatten()
+    }
+
+    /// Whether a connection between the program and a plant writes this point before each scan.
+    pub fn is_driven(&self, point: &Point) -> bool {
+        let plants = self.program.plants.iter();
+        let mut driven = plants.flat_map(|plant| plant.inputs.iter().chain(&plant.outputs));
+        driven.any(|it| {
+            let home = self.compiled.homes[it.to.0 as usize];
+            match point.slot {
+                PointSlot::BitOf { word, .. } => home.holds(PointSlot::Word(word)),
+                slot => home.holds(slot),
+            }
+        })
     }
 
     /// Whether a point is forced.

@@ -12,6 +12,7 @@ mod restart;
 mod scan;
 mod scope;
 mod state;
+mod supply;
 
 use crate::compile::{Compiled, compile};
 use crate::compile_error::CompileError;
@@ -245,7 +246,29 @@ impl Simulation {
         if let Some(of_instance) = self.resolve_in_instance(text) {
             return of_instance;
         }
+        if let Some(of_plant) = self.resolve_system_of_plant(text) {
+            return of_plant;
+        }
         self.names.resolve(&self.program, &self.compiled.homes, text)
+    }
+
+    /// A system tag of a plant, `plant.SYS.FAULT`. None: the text names something else.
+    fn resolve_system_of_plant(&self, text: &str) -> Option<Result<Point, UnknownTag>> {
+        let system = self.compiled.plants.as_ref()?.system;
+        let own = self
+            .program
+            .plants
+            .iter()
+            .find_map(|plant| plant.tag_in(text.trim()));
+        let (sys, name) = own?.split_once('.')?;
+        sys.eq_ignore_ascii_case("SYS").then(|| {
+            let point = tags::system_tag(name.trim(), system)?;
+            let plant = &text.trim()[..text.trim().len() - own.unwrap_or_default().len()];
+            Ok(Point {
+                name: format!("{plant}{}", point.name),
+                ..point
+            })
+        })
     }
 
     /// The value of a place that is written so, if it always is the same one: not `a[i]`, and not the tags of a

@@ -3,7 +3,8 @@
 use super::{Simulation, Status};
 use crate::code::{Instr, stop};
 use crate::machine::{Halt, Until};
-use crate::system::{self, Moment};
+use crate::memory::{Bit, Word};
+use crate::system::{Moment, System};
 use ladder_analysis::Cancel;
 use ladder_analysis::program::Location;
 
@@ -31,7 +32,9 @@ impl Simulation {
         }
         self.start();
         self.ran_plain = !self.forces.is_empty();
-        let halt = if self.ran_plain {
+        let halt = if self.is_off() {
+            Halt::Done
+        } else if self.ran_plain {
             self.machine.run::<true>(&self.compiled.code, Until::End)
         } else {
             self.machine.run::<false>(&self.compiled.fused.code, Until::End)
@@ -129,7 +132,11 @@ impl Simulation {
         if !self.begin_scan() {
             return Stepped::Stopped;
         }
-        let halt = self.machine.run::<true>(&self.compiled.code, until);
+        let halt = if self.is_off() {
+            Halt::Done
+        } else {
+            self.machine.run::<true>(&self.compiled.code, until)
+        };
         if halt == Halt::Halted {
             return Stepped::At(self.is_at(until));
         }
@@ -157,16 +164,30 @@ impl Simulation {
 
     /// Sets the system tags and begins.
     fn start(&mut self) {
-        let interval = self.options.interval;
+        self.supply();
         let machine = &mut self.machine;
         let moment = Moment {
             scan: machine.scan,
             now: machine.now,
-            interval,
-            faulted: machine.faulted,
+            interval: self.options.interval,
+            faulted: machine.faulted.plants,
         };
-        system::set(&mut machine.memory, moment);
+        if let Some(plants) = &self.compiled.plants {
+            plants.system.set(&mut machine.memory, moment);
+        }
+        let of_controller = Moment {
+            scan: moment.scan - machine.memory.word(Word::POWERED_IN),
+            now: moment.now - machine.memory.word(Word::POWERED_AT),
+            faulted: machine.faulted.program,
+            ..moment
+        };
+        System::CONTROLLER.set(&mut machine.memory, of_controller);
         machine.begin();
+    }
+
+    /// Nothing runs: the controller has no power, and there is no plant that goes on.
+    fn is_off(&self) -> bool {
+        !self.machine.memory.bit(Bit::POWER) && self.compiled.plants.is_none()
     }
 
     /// What the end of a scan means for the next one.

@@ -23,6 +23,7 @@ mod literals_and_types;
 mod logix;
 mod order;
 mod parts;
+mod plants;
 mod profiles;
 mod record;
 mod retain;

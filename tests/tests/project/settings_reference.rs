@@ -70,7 +70,7 @@ fn the_defaults_are_those_of_the_code() {
                 ("inlayHints", "enable") => Some(editor.inlay_hints.to_string()),
                 ("codeLens", "enable") => Some(editor.code_lens.to_string()),
                 ("task", "priority") => Some("0".to_owned()),
-                ("simulate", "history" | "retain")
+                ("simulate", "history" | "retain" | "plant" | "connect")
                 | ("lint", "overrides")
                 | ("task" | "workspace" | "project", _) => None,
                 other => panic!("compare the default of {other:?} with the code"),

@@ -22,7 +22,7 @@ pub(crate) use files::LibraryFolder;
 pub use given::Tree;
 pub use lint::{Levels, Lint};
 pub use project::Project;
-pub use simulate::Simulate;
+pub use simulate::{Plant, Simulate};
 pub use tasks::Task;
 pub(crate) use tasks::scan_of;
 

@@ -209,6 +209,17 @@ impl Reader {
             .collect()
     }
 
+    /// A text, or a list of texts. `example` shows one of them.
+    pub(super) fn text_or_texts(&mut self, given: &Given, example: &str) -> Vec<(Range<usize>, String)> {
+        match given.value {
+            Value::List(_) => self.texts(given, example),
+            _ => {
+                let text = self.text(given, example);
+                text.map(|text| (given.range.clone(), text)).into_iter().collect()
+            }
+        }
+    }
+
     /// A list of tables, each under a heading like `heading`, with these keys and perhaps others.
     pub(super) fn tables(
         &mut self,

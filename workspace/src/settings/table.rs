@@ -58,6 +58,8 @@ pub enum Kind {
     Switch,
     /// A text.
     Text,
+    /// A text, or a list of texts.
+    Texts,
     /// One of these texts.
     Choice(&'static [&'static str]),
     /// Tables, each with `files` and the rules that count differently in those.
@@ -158,6 +160,24 @@ pub(super) const RETAIN: Setting = Setting {
     about: "Where retentive tags are kept over a restart, for the editors' simulations and the interactive screen.",
 };
 
+pub(super) const PLANT: Setting = Setting {
+    key: "plant",
+    kind: Kind::Texts,
+    place: SetBy::File,
+    default: None,
+    example: "\"tank.clad\"",
+    about: "A model of the machine, which runs beside each program that is connected with it; or a list of several, each with its name: `\"left.clad as left\"`. For `ladder sim`, the interactive screen and the editors' simulations; scenarios name theirs.",
+};
+
+pub(super) const CONNECT: Setting = Setting {
+    key: "connect",
+    kind: Kind::Texts,
+    place: SetBy::File,
+    default: None,
+    example: "[\"plant.sensor_1 = near\"]",
+    about: "Which tags of the plant and of the program are connected though their names differ.",
+};
+
 pub(super) const INCLUDE: Setting = Setting {
     key: "include",
     kind: Kind::Patterns,
@@ -224,7 +244,7 @@ pub(super) const SIMULATE: Section = Section {
     name: "simulate",
     is_list: false,
     about: "How programs are run.",
-    settings: &[INTERVAL, WATCHDOG, HISTORY, RETAIN],
+    settings: &[INTERVAL, WATCHDOG, HISTORY, RETAIN, PLANT, CONNECT],
 };
 
 pub(super) const TASK_NAME: Setting = Setting {

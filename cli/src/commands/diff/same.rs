@@ -7,6 +7,7 @@ use crate::terminal;
 use ladder_prover::{Which, scenario_file, scenario_of_difference};
 use ladder_review::report::Compared;
 use ladder_review::whole::{REFUTED, Whole, told};
+use ladder_simulator::scenario::program_line;
 use ladder_workspace::shown;
 use std::io::{self, Write};
 use std::path::Path;
@@ -83,7 +84,11 @@ pub(super) fn write(file: &Path, compared: &[Compared<'_>]) -> Result<(), Failur
         terminal::note(&"no scenario shows that only one program ends: nothing is written");
         return Ok(());
     };
-    let text = scenario_file(&program.to_string_lossy(), run.interval, &[scenario]);
+    let text = scenario_file(
+        &program_line(&program.to_string_lossy()),
+        run.interval,
+        &[scenario],
+    );
     ladder_workspace::write_made(file, text.as_bytes())?;
     Ok(())
 }

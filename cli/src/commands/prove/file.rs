@@ -7,7 +7,8 @@ use crate::run::unread;
 use crate::terminal;
 use annotate_snippets::Renderer;
 use ladder_analysis::Cancel;
-use ladder_prover::{Answer, Listener, Options, Progress, Verdict, found_scenario, prove};
+use ladder_prover::{Answer, Basis, Listener, Options, Progress, Verdict, found_scenario, prove};
+use ladder_simulator::scenario;
 use std::cell::Cell;
 use std::path::Path;
 use std::sync::Mutex;
@@ -34,6 +35,10 @@ pub(super) struct FileAnswers {
     pub(super) file: String,
     /// The program as the file names it.
     pub(super) program: String,
+    /// The lines about it and what runs beside it.
+    pub(super) head: String,
+    /// What the answers rest on besides.
+    pub(super) basis: Basis,
     /// Its unread parts.
     pub(super) unread_parts: Vec<String>,
     /// Why nothing was decided.
@@ -66,6 +71,16 @@ impl PropertyAnswer {
 }
 
 impl FileAnswers {
+    /// The words next to the verdict of a property.
+    pub(super) fn note(&self, property: &PropertyAnswer) -> String {
+        let note = property.answer.note(self.interval);
+        let told = self.basis.told(&property.answer);
+        match (note.is_empty(), told.is_empty()) {
+            (false, false) => format!("{note}, {told}"),
+            _ => note + &told,
+        }
+    }
+
     pub(super) fn outcome(&self, allow_unknown: bool) -> Outcome {
         let problems = self.problems.iter().map(|problem| problem.outcome);
         let properties = self
@@ -92,6 +107,8 @@ pub(super) fn answers(path: &Path, title: &str, wishes: &Wishes) -> FileAnswers 
     let mut answers = FileAnswers {
         file: path.display().to_string(),
         program: String::new(),
+        head: String::new(),
+        basis: Basis::default(),
         unread_parts: Vec::new(),
         problems: Vec::new(),
         properties: Vec::new(),
@@ -133,7 +150,12 @@ fn decide(
         program,
         ..
     } = ready.map_err(|(problems, _)| problems)?;
-    answers.program = suite.program.map(|(name, _)| name).unwrap_or_default();
+    answers.head = scenario::head(&suite);
+    answers.program = suite
+        .program
+        .as_ref()
+        .map(|(name, _)| name.clone())
+        .unwrap_or_default();
     answers.unread_parts = unread::names(simulation.program());
     answers.interval = simulation.options().interval;
     let shows_progress = wishes.shows_progress;
@@ -150,7 +172,7 @@ fn decide(
         listener: Listener::new(tell),
         ..Options::default()
     };
-    let found = prove(&mut simulation, &mut watched, options).map_err(|refuted| {
+    let mut found = prove(&mut simulation, &mut watched, options.clone()).map_err(|refuted| {
         let message = format!(
             "the prover found a run for \"{}\" that does not happen in the simulator: this is an error in the prover, \
              please report it with the program",
@@ -158,6 +180,7 @@ fn decide(
         );
         vec![Problem::unusable(FileRange::start(&answers.file), &message)]
     })?;
+    answers.basis = Basis::of(&suite, &simulation, &watched, &mut found, &options);
     let files = simulation.program().files.clone();
     for (property, answer) in watched.properties.into_iter().zip(found) {
         let scenario = found_scenario(&property.name, &property.form, &answer.verdict, answers.interval);

@@ -21,11 +21,21 @@ struct Suite<'a> {
     program: &'a str,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     unread_parts: &'a [String],
+    /// What the answers rest on, where there are plants: these, how much is assumed, and which of their outputs never change.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    beside: Option<Beside<'a>>,
     seconds: f64,
     interval_ns: i64,
     /// With the members of the findings of `ladder check`.
     errors: &'a [Problem],
     properties: Vec<Property<'a>>,
+}
+
+#[derive(Serialize)]
+struct Beside<'a> {
+    plants: &'a [String],
+    assumptions: usize,
+    unchanging: &'a [String],
 }
 
 #[derive(Serialize)]
@@ -47,6 +57,9 @@ struct Property<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     k: Option<usize>,
     never_triggered: bool,
+    /// Of what is proved beside a plant and is not about that: whether it was not proved without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    needs_plant: Option<bool>,
     /// In which scan a fault happens in the property itself, from 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     fault_scan: Option<usize>,
@@ -111,6 +124,7 @@ fn property(of: &PropertyAnswer) -> Property<'_> {
         },
         k: of.answer.k,
         never_triggered: of.answer.never_triggered,
+        needs_plant: of.answer.needs_plant,
         fault_scan: of.answer.fault,
         clauses: of.answer.clauses,
         seconds: of.answer.time.as_secs_f64(),
@@ -131,6 +145,11 @@ pub(super) fn write(all: &[FileAnswers], seconds: f64, out: &mut dyn Write) -> i
         file: &answers.file,
         program: &answers.program,
         unread_parts: &answers.unread_parts,
+        beside: (!answers.basis.plants.is_empty()).then_some(Beside {
+            plants: &answers.basis.plants,
+            assumptions: answers.basis.assumptions,
+            unchanging: &answers.basis.unchanging,
+        }),
         seconds: answers.seconds,
         interval_ns: answers.interval,
         errors: &answers.problems,

@@ -35,7 +35,12 @@ pub(super) fn write(
             failures(answers),
             answers.seconds
         )?;
-        out.write_all(unread::properties(&answers.unread_parts).as_bytes())?;
+        let plants = answers.basis.plants.iter().map(|plant| ("plant", plant.as_str()));
+        let parts = answers
+            .unread_parts
+            .iter()
+            .map(|part| ("unread part", part.as_str()));
+        out.write_all(unread::properties(plants.chain(parts)).as_bytes())?;
         for problem in &answers.problems {
             let place = &problem.place;
             writeln!(
@@ -65,7 +70,7 @@ pub(super) fn write(
                 continue;
             }
             let verdict = property.answer.verdict.word();
-            let message = format!("{verdict} {}", property.answer.note(answers.interval));
+            let message = format!("{verdict} {}", answers.note(property));
             writeln!(
                 out,
                 ">\n      <failure message=\"{}\" type=\"{verdict}\">{}</failure>\n    </testcase>",

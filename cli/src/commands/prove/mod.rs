@@ -192,7 +192,7 @@ fn write_runs(file: &Path, all: &[FileAnswers]) -> Result<(), Failure> {
             shown::line(&answers.file)
         )));
     }
-    let text = ladder_prover::scenario_file(&answers.program, answers.interval, &answers.scenarios());
+    let text = ladder_prover::scenario_file(&answers.head, answers.interval, &answers.scenarios());
     ladder_workspace::write_made(file, text.as_bytes())?;
     Ok(())
 }

@@ -54,10 +54,7 @@ pub(super) fn file(answers: &FileAnswers, colours: bool, out: &mut dyn Write) ->
         let verdict = &property.answer.verdict;
         let name = shown::line(&property.name);
         let word = paint(colours, style(verdict), &format!("{:<10}", verdict.word()));
-        let line = format!(
-            "  {word}  {name:<widest$}  {}",
-            property.answer.note(answers.interval)
-        );
+        let line = format!("  {word}  {name:<widest$}  {}", answers.note(property));
         writeln!(out, "{}", line.trim_end())?;
         if property.answer.never_triggered {
             writeln!(
@@ -95,6 +92,13 @@ pub(super) fn file(answers: &FileAnswers, colours: bool, out: &mut dyn Write) ->
                 writeln!(out, "{INDENT}{}", paint(colours, FAINT, &shown::line(row)))?;
             }
         }
+    }
+    for output in &answers.basis.unchanging {
+        let output = shown::line(output);
+        writeln!(
+            out,
+            "  {output} never changes: what is proved with it is about a machine that does nothing"
+        )?;
     }
     writeln!(out)
 }

@@ -8,7 +8,7 @@ use crate::findings::{Source, with_line_feeds};
 use crate::form;
 use crate::outcome::{Failure, Outcome};
 use crate::output::{DRAWN_BY, Output};
-use crate::run::{KeptIn, Retention, Run, Stimulus, number_of_scans, place, program};
+use crate::run::{KeptIn, Plants, Retention, Run, Stimulus, note_undriven, number_of_scans, place, program};
 #[cfg(feature = "screen")]
 use crate::screen;
 use crate::terminal;
@@ -31,7 +31,9 @@ Examples:
                                       these two tags; the inputs from a file
   ladder sim motor.clad --scans 90 --inputs in.csv --format svg -o motor.svg
                                       a timing diagram
-  ladder sim plant.ld --scans 100     a program of another system, as it is
+  ladder sim pump.ld --scans 100      a program of another system, as it is
+  ladder sim pump.clad --plant tank.clad
+                                      the program beside a model of its machine
 
 A row of the file for --inputs is given to the program before one scan; its header names the tags:
 
@@ -65,6 +67,9 @@ pub(crate) struct Arguments {
     /// How many scans to run; without it, on a terminal, the program is shown running
     #[arg(long, value_name = "N", value_parser = number_of_scans, allow_negative_numbers = true)]
     scans: Option<u64>,
+
+    #[command(flatten)]
+    plants: Plants,
 
     #[command(flatten)]
     stimulus: Stimulus,
@@ -127,12 +132,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return screen::run(&screen::Request {
             file: &arguments.file,
             from,
+            plants: &arguments.plants,
             stimulus: &arguments.stimulus,
             retain: arguments.retain.as_deref(),
             watch: &watch,
         });
     }
-    let source = Source::read(&arguments.file, from)?;
+    let source = arguments.plants.beside(Source::read(&arguments.file, from)?)?;
     let scans = arguments.scans.ok_or_else(|| {
         Failure::new("say how many scans to run, for example --scans 100; `ladder sim --help` shows more")
     })?;
@@ -154,6 +160,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         None => None,
     };
     let inputs = arguments.stimulus.give(&mut simulation)?;
+    note_undriven(&simulation, &inputs, &arguments.stimulus);
 
     let mut out = Output::open(arguments.output.as_deref(), arguments.stimulus.existing())?;
     let mut run = Run {

@@ -85,7 +85,11 @@ impl Junit {
              skipped=\"0\" time=\"{:.6}\" file=\"{file}\">",
             report.seconds
         )?;
-        out.push_str(&unread::properties(&report.unread_parts));
+        let parts = report
+            .unread_parts
+            .iter()
+            .map(|part| ("unread part", part.as_str()));
+        out.push_str(&unread::properties(parts));
         for problem in &report.problems {
             let place = &problem.place;
             writeln!(

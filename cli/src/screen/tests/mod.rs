@@ -11,7 +11,7 @@ mod watching;
 use super::app::{App, Next};
 use super::load::{self, Request};
 use super::theme::{Charset, Theme};
-use crate::run::Stimulus;
+use crate::run::{Plants, Stimulus};
 use expect_test::Expect;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
@@ -104,6 +104,7 @@ impl Bench {
         let request = Request {
             from: None,
             file: &file,
+            plants: &Plants::default(),
             stimulus: &stimulus,
             retain: None,
             watch: &self.watch,

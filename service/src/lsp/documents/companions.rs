@@ -3,14 +3,14 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use ladder_analysis::{Analysis, Diagnostic as Finding, Severity};
+use ladder_analysis::{Analysis, Connect, Diagnostic as Finding, Severity};
 use ladder_documents::{Kind, Revision, address};
 use ladder_host::Work;
 use ladder_notations::of_workspaces;
 use ladder_simulator::Simulation;
-use ladder_simulator::scenario::{self, ScenarioError};
+use ladder_simulator::scenario::{self, PlantLine, ScenarioError, Suite};
 use ladder_syntax::TextRange;
-use ladder_workspace::{Settings, errors_on_disk};
+use ladder_workspace::{FileError, Settings, errors_on_disk};
 use tower_lsp::ls_types::Diagnostic;
 
 use super::{diagnostics, foreign, pull, settings_file};
@@ -135,9 +135,7 @@ fn scenarios(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
         let disk = &shared.world().disk;
         let program = disk.locate(&disk.named_in(&path, name));
         let program = program.map_err(|error| NotReady::Missing(error.to_string()));
-        match program
-            .and_then(|program| compiled(shared, &program, suite.interval.map(|(interval, _)| interval)))
-        {
+        match program.and_then(|program| compiled(shared, &program, (&path, &suite))) {
             Ok(simulation) => {
                 errors.extend(scenario::bind(&suite, &simulation).1);
                 errors.extend(scenario::bind_properties(&suite, &simulation).1);
@@ -152,6 +150,7 @@ fn scenarios(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
                     format!("{message}\n{help}"),
                 ));
             }
+            Err(NotReady::Plants(of_plants)) => errors.extend(of_plants),
             // The program itself shows what is wrong with it.
             Err(NotReady::Errors(message)) => {
                 let range = convert::range_in(revision, *range);
@@ -197,21 +196,34 @@ pub(crate) fn refresh_proofs(shared: &Arc<Shared>, uri: &str) {
 pub(crate) enum NotReady {
     Missing(String),
     Errors(String),
+    /// What is wrong with the plants, where the scenarios name them.
+    Plants(Vec<ScenarioError>),
 }
 
 impl From<NotReady> for String {
-    fn from((NotReady::Missing(message) | NotReady::Errors(message)): NotReady) -> String {
-        message
+    fn from(not_ready: NotReady) -> String {
+        match not_ready {
+            NotReady::Missing(message) | NotReady::Errors(message) => message,
+            NotReady::Plants(errors) => {
+                let first = errors.into_iter().next();
+                first.map_or_else(String::new, |error| error.message)
+            }
+        }
     }
 }
 
-/// The program of scenarios, ready to run: as the editor shows it if it is open, else as it is on disk.
-pub(crate) fn compiled(shared: &Shared, path: &Path, interval: Option<i64>) -> Result<Simulation, NotReady> {
+/// The program of scenarios, ready to run: as the editor shows it if it is open, else as it is on disk. These are their file and
+/// what it says.
+pub(crate) fn compiled(
+    shared: &Shared,
+    path: &Path,
+    scenarios: (&Path, &Suite),
+) -> Result<Simulation, NotReady> {
     let analysis = shared
         .neighbours
         .analysis_of(path)
         .map_err(|error| NotReady::Missing(error.to_string()))?;
-    compiled_from(shared, path, &analysis, interval)
+    compiled_from(shared, path, &analysis, scenarios)
 }
 
 /// The program of a file that is analysed, ready to run.
@@ -219,23 +231,55 @@ pub(crate) fn compiled_from(
     shared: &Shared,
     path: &Path,
     analysis: &Arc<Analysis>,
-    interval: Option<i64>,
+    (file, suite): (&Path, &Suite),
 ) -> Result<Simulation, NotReady> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let errors = |of: &str| NotReady::Errors(format!("{of} has errors; its scenarios run when it has none"));
     if analysis.diagnostics().iter().any(is_error) {
         return Err(errors(&name));
     }
-    let linked = shared.neighbours.link(path, analysis).map_err(|_| {
+    let disk = &shared.world().disk;
+    let plants = suite.plants.iter().map(|plant| {
+        let located = disk.locate(&disk.named_in(file, &plant.file));
+        let missing = |error: FileError| NotReady::Plants(vec![plant_missing(plant, &error.to_string())]);
+        Ok((located.map_err(missing)?, plant.name.clone()))
+    });
+    let plants = plants.collect::<Result<Vec<_>, NotReady>>()?;
+    let connects: Vec<Connect> = suite
+        .connects
+        .iter()
+        .map(|connect| connect.sides.clone())
+        .collect();
+    let linked = if plants.is_empty() {
+        let linked = shared.neighbours.link(path, analysis);
+        linked.map(|linked| (linked, Vec::new()))
+    } else {
+        shared.neighbours.link_beside(path, analysis, &plants, &connects)
+    };
+    let (linked, of_plants) = linked.map_err(|_| {
         NotReady::Errors(format!(
             "a file that {name} uses has errors; its scenarios run when that has none"
         ))
     })?;
+    if !of_plants.is_empty() {
+        let of_plants = of_plants.iter().map(|error| scenario::plant_error(suite, error));
+        return Err(NotReady::Plants(of_plants.collect()));
+    }
+    let interval = suite.interval.map(|(interval, _)| interval);
     let mut options = shared.neighbours.simulate(path).options(&linked.program, path);
     if let Some(interval) = interval.filter(|_| !linked.program.has_tasks()) {
         options.interval = interval;
     }
     Simulation::new(linked.program, options).map_err(|_| errors(&name))
+}
+
+/// A plant that cannot be read.
+fn plant_missing(plant: &PlantLine, message: &str) -> ScenarioError {
+    ScenarioError {
+        range: plant.range,
+        message: message.to_owned(),
+        help: Some("a plant is named as it is seen from the folder of the scenario file".to_owned()),
+    }
 }
 
 fn is_error(finding: &Finding) -> bool {

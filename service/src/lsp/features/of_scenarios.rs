@@ -87,6 +87,8 @@ pub(crate) async fn about_scenarios<T: Send + 'static>(
 pub(super) struct NamedProgram {
     pub(super) revision: Arc<Revision>,
     path: PathBuf,
+    /// The file of the scenarios.
+    scenarios: PathBuf,
     /// The editor shows it; else it is as it is on disk.
     pub(super) is_open: bool,
 }
@@ -112,6 +114,7 @@ impl NamedProgram {
         Ok(NamedProgram {
             revision: revision.ok_or_else(|| format!("{name} cannot be read any more"))?,
             path,
+            scenarios: file,
             is_open,
         })
     }
@@ -124,8 +127,8 @@ impl NamedProgram {
     pub(super) fn compiled(&self, shared: &Shared, suite: &Suite) -> Result<Simulation, String> {
         let analysis = self.revision.analysis();
         let analysis = analysis.ok_or_else(|| format!("{} is too large", shown_path(&self.path)))?;
-        let interval = suite.interval.map(|(interval, _)| interval);
-        Ok(compiled_from(shared, &self.path, analysis.whole(), interval)?)
+        let scenarios = (&*self.scenarios, suite);
+        Ok(compiled_from(shared, &self.path, analysis.whole(), scenarios)?)
     }
 }
 

@@ -101,12 +101,14 @@ fn decide(
         return Err(Given::Overtaken);
     }
     if is_open {
-        shared.proofs.found(&scenarios, text, found.clone());
+        shared.proofs.found(&scenarios, text, found.properties.clone());
     }
     Ok(PropertiesProved {
         uri: scenarios.uri.to_string(),
         version: is_open.then_some(scenarios.version),
         program: program.uri.to_string(),
-        properties: found,
+        plants: found.plants,
+        unchanging: found.unchanging,
+        properties: found.properties,
     })
 }

@@ -58,8 +58,8 @@ fn counterexamples(
         .and_then(|program| program.revision.place());
     let Some(place) = program else { return Vec::new() };
     let program = || {
-        let interval = scenarios.suite.interval.map(|(interval, _)| interval);
-        let simulation = compiled(shared, &place.path, interval).ok()?;
+        let file = address::path_of(&asked.revision.uri)?;
+        let simulation = compiled(shared, &place.path, (&file, scenarios.suite)).ok()?;
         Some(ProgramText::of(&simulation))
     };
     let known = shared.proofs.of(&asked.revision, program);

@@ -186,7 +186,7 @@ impl Reader {
 }
 
 pub(in crate::scenario) fn is_levels(text: &str) -> bool {
-    text.chars().all(|c| matches!(c, '_' | '-' | '.'))
+    text.chars().all(|c| matches!(c, '_' | '-' | '.' | '~'))
 }
 
 /// A word of levels is a step a letter, any other word is one value.
@@ -199,6 +199,7 @@ fn push_cells(cells: &mut Vec<(Cell, TextRange)>, word: Word) {
         let cell = match letter {
             '_' => Cell::Low,
             '-' => Cell::High,
+            '~' => Cell::Plant,
             _ => Cell::Same,
         };
         cells.push((cell, range(word.start + at, word.start + at + 1)));

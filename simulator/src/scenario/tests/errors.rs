@@ -74,7 +74,7 @@ run _ => -
 run => _- ± 1 2
 ",
         expect![[r#"
-            1:1-8: `Program` is before the first scenario, where only program, step, interval, tolerance and properties are
+            1:1-8: `Program` is before the first scenario, where only program, plant, connect, step, interval, tolerance and properties are
                 write it in small letters: program
             3:10-14: `soon` is not a duration longer than 0
                 write it as in: interval 10ms
@@ -82,7 +82,7 @@ run => _- ± 1 2
                 leave only one of them
             5:11-15: `much` is not a tolerance: write it as in 0.01 or 1%
                 write it as in: tolerance 0.001
-            6:1-4: `run` is before the first scenario, where only program, step, interval, tolerance and properties are
+            6:1-4: `run` is before the first scenario, where only program, plant, connect, step, interval, tolerance and properties are
                 a property begins with always, never, when, after, within, possible or no faults; rows are after a line as in: scenario "what is shown"
             7:1-14: a scenario's name is in quotes
                 write it as in: scenario "the pump starts"

@@ -1,5 +1,6 @@
 //! What is kept of a scan, and how much of the past.
 
+use crate::machine::Faulted;
 use crate::simulation::{Force, Simulation, Status};
 use std::collections::BTreeMap;
 
@@ -39,7 +40,7 @@ pub(in crate::session) type Forces = BTreeMap<String, Force>;
 pub(in crate::session) struct Moment {
     pub(in crate::session) now: i64,
     pub(in crate::session) scan: i64,
-    faulted: bool,
+    faulted: Faulted,
     status: Status,
     ran_plain: bool,
 }
