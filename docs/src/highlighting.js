@@ -23,7 +23,7 @@
         ],
     });
     const scenarios = () => ({
-        keywords: 'program step interval scenario property assume set never always after possible',
+        keywords: 'program plant connect step interval scenario property assume set never always after possible',
         contains: [
             { className: 'comment', begin: /#/, end: /#|$/ },
             { className: 'string', begin: /"/, end: /"/ },
