@@ -375,3 +375,21 @@ fn an_original_outside_of_the_folder_is_not_kept() {
     assert!(!run.to_string().contains("since it was read from"), "{run}");
     assert_ne!(folder.read("back.L5X"), cell());
 }
+
+#[test]
+fn what_is_not_written_into_the_file_is_named() {
+    let pump = "# ladder: profile logix #\nVAR_GLOBAL go, run : BOOL; END_VAR\n+--[ ]( go )--( )( run )--+\n";
+    let clamp = "FUNCTION Clamp : INT\nVAR_INPUT v : INT; END_VAR\n    Clamp := MIN(v, 5);\nEND_FUNCTION\n";
+    let folder = Folder::with(&[("plant/Pump.clad", pump), ("plant/more/Clamp.st", clamp)]);
+    expect![[r#"
+        exit status 1
+        -- stderr
+        plant/Pump.clad: 1 translated, 0 approximated, 0 refused
+        plant/more/Clamp.st:1:1: refused: Structured Text: only ladder text is written into a Logix L5X export: bring this file there by hand
+        plant/more/Clamp.st: 0 translated, 0 approximated, 1 refused
+    "#]].assert_eq(
+        &folder
+            .ladder(&["convert", "plant", "-o", "plant.L5X"])
+            .to_string(),
+    );
+}

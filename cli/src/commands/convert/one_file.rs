@@ -7,8 +7,10 @@ use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
 use crate::output::Existing;
 use crate::terminal;
-use ladder_notations::{Notation, ProjectTask, Source, recognise, write_one_file};
-use ladder_workspace::{Named, Settings, find_ladder_text, read_bytes, shown};
+use ladder_notations::{
+    LineColumn, Notation, ProjectTask, Report, Source, of_workspaces, recognise, write_one_file,
+};
+use ladder_workspace::{Named, Settings, find_ladder_text, find_programs, read_bytes, shown};
 use std::path::{Path, PathBuf};
 
 /// A folder, and the file that its programs go into.
@@ -100,14 +102,29 @@ impl<'a> Target<'a> {
             .reports
             .into_iter()
             .filter(|(_, report)| !report.entries.is_empty());
-        let accounts = told.map(|(file, report)| {
-            let mut account = Account::new(shown::path(&self.folder.join(file)));
+        let told = told.map(|(file, report)| (self.folder.join(file), report));
+        let accounts = told.chain(self.left_out()).map(|(path, report)| {
+            let mut account = Account::new(shown::path(&path));
             account.add(Side::Source, &report, &[]);
             outcome = outcome.max(account.outcome());
             account
         });
         let accounts = accounts.collect();
         Ok((accounts, outcome))
+    }
+
+    /// The programs of the folder that are not ladder text: they are not written into the file.
+    fn left_out(&self) -> impl Iterator<Item = (PathBuf, Report)> {
+        let (paths, _) = find_programs(std::slice::from_ref(&self.folder.to_owned()));
+        paths.into_iter().filter_map(|path| {
+            let mut report = Report::default();
+            let why = format!(
+                "only ladder text is written into a {}: bring this file there by hand",
+                self.notation.title()
+            );
+            report.refused(LineColumn::START, of_workspaces(&path)?.title(), why);
+            Some((path, report))
+        })
     }
 
     /// The tasks of the settings that run programs of the folder, which are these files. `program`: one of them.
