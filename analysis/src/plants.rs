@@ -73,6 +73,10 @@ pub(crate) fn connect(
     for (number, file) in files.iter().enumerate() {
         connector.check_plant(number, file);
     }
+    // Whose tags are whose is known only where the names are right.
+    if !connector.errors.is_empty() {
+        return connector.errors;
+    }
     for (number, connect) in connects.iter().enumerate() {
         connector.by_hand(number, connect);
     }
@@ -202,18 +206,16 @@ impl Connector<'_> {
                 .position(|plant| plant.tag_in(name.trim()).is_some());
             *end = Some((id, plant));
         }
-        let (plant, ours, theirs) = match ends {
-            [Some((theirs, Some(plant))), Some((ours, None))]
-            | [Some((ours, None)), Some((theirs, Some(plant)))] => (plant, ours, theirs),
-            _ => {
-                let name = &self.program.plants.first().map_or("plant", |plant| &plant.name);
-                let help = format!("write it as in: connect {name}.sensor_1 = near");
-                return self.error(
-                    blames,
-                    "one side is a tag of a plant, the other one of the program",
-                    help,
-                );
-            }
+        let ([Some((theirs, Some(plant))), Some((ours, None))]
+        | [Some((ours, None)), Some((theirs, Some(plant)))]) = ends
+        else {
+            let name = &self.program.plants.first().map_or("plant", |plant| &plant.name);
+            let help = format!("write it as in: connect {name}.sensor_1 = near");
+            return self.error(
+                blames,
+                "one side is a tag of a plant, the other one of the program",
+                help,
+            );
         };
         if !self.are_alike(ours, theirs) {
             let (message, _) = self.types_differ(ours, theirs);

@@ -193,7 +193,7 @@ pub fn prove(
             let long = what_takes_long(simulation, &exact, property.bad, scans);
             answer.open.extend(long);
             note_end(answer, &end, &cancel);
-            if !simulation.program().plants.is_empty() {
+            if scans > 0 && !simulation.program().plants.is_empty() {
                 answer.open.push((slow_plant(simulation, scans), None));
             }
             if answer.open.is_empty() && scans < most_scans {

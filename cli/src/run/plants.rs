@@ -59,7 +59,7 @@ impl Plants {
         let beside = source.beside(plants, connects.clone());
         if let Some(error) = beside.plant_errors().first() {
             let about = match error.blames {
-                Blames::Plant(number) => shown::path(&named[number].0).to_string(),
+                Blames::Plant(number) => shown::path(&named[number].0),
                 Blames::Connect(number) => {
                     let (one, other) = &connects[number];
                     format!("{one} = {other}")

@@ -27,10 +27,10 @@ pub(crate) fn properties<'n>(names: impl Iterator<Item = (&'n str, &'n str)>) ->
         let name = attribute(name);
         out.push_str(&format!("      <property name=\"{what}\" value=\"{name}\"/>\n"));
     }
-    match out.is_empty() {
-        true => out,
-        false => format!("    <properties>\n{out}    </properties>\n"),
+    if out.is_empty() {
+        return out;
     }
+    format!("    <properties>\n{out}    </properties>\n")
 }
 
 /// Their names, for reports.
