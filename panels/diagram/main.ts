@@ -1,6 +1,6 @@
 // The page of the diagram: puts its parts together and talks with the extension.
 import type { FromPage, ToPage } from './messages.ts';
-import { ACTIONS, type Tools } from './draw/actions.ts';
+import type { Tools } from './draw/actions.ts';
 import { Asker } from './draw/asker.ts';
 import { Band } from './draw/band.ts';
 import { Clipboard } from './draw/clipboard.ts';
@@ -8,18 +8,19 @@ import { DeclarationsTable } from './draw/declarations.ts';
 import { Drag } from './draw/drag.ts';
 import { Field } from './draw/field.ts';
 import { Findings } from './draw/findings.ts';
-import { keysShown, showKeys } from './draw/help.ts';
+import { showKeys } from './draw/help.ts';
 import { Menu } from './draw/menu.ts';
 import { ModeSwitch } from './draw/mode.ts';
 import { CONTACT, Palette } from './draw/palette.ts';
 import { Pen } from './draw/pen.ts';
 import { beginReorder } from './draw/reorder.ts';
-import { aboutOf, rangeOf } from './draw/selection.ts';
+import { rangeOf } from './draw/selection.ts';
+import { openMenu } from './draw/selectionMenu.ts';
 import { Hands } from './hands.ts';
 import type { DrawableRow } from '../protocol.ts';
 import { Inspector } from './inspector.ts';
 import { Live } from './live.ts';
-import { type Found, Page } from './page.ts';
+import { Page } from './page.ts';
 import { describe } from './speech.ts';
 import { Toolbar } from './toolbar.ts';
 
@@ -133,29 +134,10 @@ const tools: Tools = {
         const { start, end } = rangeOf(found);
         send({ type: 'reveal', from: start, to: end, focus: true });
     },
-    menu: (found) => void showMenu(found),
+    menu: (found) => void openMenu(found, tools, menu),
     help: showKeys,
 };
 
-/** The menu of what is selected: what cannot be done is there, and says why. */
-async function showMenu(found: Found): Promise<void> {
-    const about = aboutOf(found);
-    const { start } = rangeOf(found);
-    const what = pen.selection.ranges;
-    const offered = await Promise.all([pen.look(about === 'element' ? { what } : { at: start }), pen.look({ network: found.drawing.first })]);
-    const offers = offered.flatMap((offer) => offer?.offers ?? []);
-    const why = (op: string | undefined) => offers.find((offer) => offer.op === op)?.why;
-    const heads = (offered[0]?.heads ?? []).map(({ text, title }) => ({ title: `${title} ${text}`, run: () => void pen.head(found, () => text) }));
-    let group = '';
-    const items = ACTIONS.filter(({ isHidden, on }) => !isHidden && on.includes(about)).flatMap((action) => {
-        const begins = group !== '' && group !== action.group;
-        group = action.group;
-        const item = { title: action.title, keys: keysShown(action.keys), why: why(action.offer), begins, run: () => void action.run(tools, found) };
-        return action.offer === 'head' && action.keys.includes('E') && heads.length > 0 ? heads : action.offer === 'head' && heads.length > 0 ? [] : [item];
-    });
-    const { left, bottom } = found.part.node.getBoundingClientRect();
-    menu.open(found.part.node.getAttribute('aria-label') ?? '', items, { x: left, y: bottom + 4 });
-}
 const mode = new ModeSwitch((mode) => {
     const isDraw = mode === 'draw';
     page.isDrawing = isDraw;
