@@ -326,6 +326,8 @@ export interface DrawableRow {
     /** As it is drawn without operands: `[TON]`. */
     readonly block: string;
     readonly title: string;
+    /** What it is called elsewhere: `XIC`. */
+    readonly elsewhere?: readonly string[];
     /** What its parentheses hold until a person writes something else. Missing: it has none. */
     readonly operands?: string;
 }

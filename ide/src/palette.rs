@@ -6,7 +6,7 @@ use ladder_analysis::context::Context;
 use ladder_analysis::library;
 use ladder_analysis::written::user_block::UserBlockFacts;
 use ladder_format::names::Names;
-use ladder_instructions::{Accepts, Group, Instruction, Op, Purpose, TABLE, purpose};
+use ladder_instructions::{Accepts, Group, Instruction, Op, Purpose, TABLE, names_elsewhere, purpose};
 use ladder_syntax::Name;
 use rustc_hash::FxHashSet;
 
@@ -19,6 +19,8 @@ pub struct PaletteRow {
     pub block: String,
     /// In a few words: "On-delay timer".
     pub title: String,
+    /// What it is called elsewhere: `XIC`.
+    pub elsewhere: Vec<&'static str>,
     /// What its parentheses hold until a person writes something else; empty for one tag that is to be named. None: it has none.
     pub operands: Option<String>,
 }
@@ -118,6 +120,7 @@ fn instruction(taken: &FxHashSet<Name>, row: &Instruction) -> PaletteRow {
         section,
         block: row.block(),
         title: row.title.to_owned(),
+        elsewhere: names_elsewhere(row).collect(),
         operands,
     }
 }
@@ -168,6 +171,7 @@ fn user_block(taken: &FxHashSet<Name>, block: &UserBlockFacts, file: Option<&str
             (None, Some(file)) => format!("Block in {file}"),
             (None, None) => "Block of this program".to_owned(),
         },
+        elsewhere: Vec::new(),
         operands: Some(operands.join(", ")),
     }
 }

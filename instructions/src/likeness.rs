@@ -63,7 +63,7 @@ pub(crate) fn known_elsewhere(spelling: Option<Spelling>) -> Option<&'static Ins
 }
 
 /// The names that an instruction goes by elsewhere.
-pub(crate) fn names_elsewhere(row: &Instruction) -> impl Iterator<Item = &'static str> {
+pub fn names_elsewhere(row: &Instruction) -> impl Iterator<Item = &'static str> {
     let op = row.op;
     KNOWN_ELSEWHERE
         .iter()

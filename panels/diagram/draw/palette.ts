@@ -140,7 +140,10 @@ export class Palette {
             block.textContent = row.block;
             const title = document.createElement('span');
             title.textContent = row.title;
-            node.append(block, title);
+            const elsewhere = document.createElement('span');
+            elsewhere.className = 'elsewhere';
+            elsewhere.textContent = row.elsewhere?.join(', ') ?? '';
+            node.append(block, title, elsewhere);
             group.append(node);
         });
         this.#list.replaceChildren(...nodes);

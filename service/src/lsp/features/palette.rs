@@ -26,6 +26,7 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
             section: row.section.to_owned(),
             block: row.block,
             title: row.title,
+            elsewhere: row.elsewhere.into_iter().map(str::to_owned).collect(),
             operands: row.operands,
         });
         Some(Drawable { rows: rows.collect() })
@@ -66,6 +67,9 @@ pub struct DrawableRow {
     pub block: String,
     /// In a few words: "On-delay timer".
     pub title: String,
+    /// What it is called elsewhere: `XIC`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub elsewhere: Vec<String>,
     /// What its parentheses hold until a person writes something else. Missing: it has none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub operands: Option<String>,
