@@ -99,7 +99,7 @@ fn the_file_that_a_folder_comes_from_is_named() {
     expect![[r#"
         exit status 2
         -- stderr
-        error: cell/Pump.clad: this is not a Logix L5X export, so what is written cannot be kept as it is there; name the file that the programs come from
+        error: cell/Pump.clad: its notation is not "Logix L5X export", so what is written cannot be kept as it is there; name the file that the programs come from
     "#]].assert_eq(&run.to_string());
     let run = folder.ladder(&["convert", "cell", "-o", "other.L5X", "--keep", "missing.L5X"]);
     expect![[r#"
@@ -385,7 +385,7 @@ fn what_is_not_written_into_the_file_is_named() {
         exit status 1
         -- stderr
         plant/Pump.clad: 1 translated, 0 approximated, 0 refused
-        plant/more/Clamp.st:1:1: refused: Structured Text: only ladder text is written into a Logix L5X export: bring this file there by hand
+        plant/more/Clamp.st:1:1: refused: Structured Text: only ladder text is written there (Logix L5X export): bring this file there by hand
         plant/more/Clamp.st: 0 translated, 0 approximated, 1 refused
     "#]].assert_eq(
         &folder

@@ -119,7 +119,7 @@ impl<'a> Target<'a> {
         paths.into_iter().filter_map(|path| {
             let mut report = Report::default();
             let why = format!(
-                "only ladder text is written into a {}: bring this file there by hand",
+                "only ladder text is written there ({}): bring this file there by hand",
                 self.notation.title()
             );
             report.refused(LineColumn::START, of_workspaces(&path)?.title(), why);
@@ -204,7 +204,7 @@ impl<'a> Target<'a> {
     fn source<'s>(&self, path: &'s Path, bytes: &'s [u8]) -> Result<Source<'s>, Failure> {
         if recognise(path, bytes) != Some(self.notation) {
             return Err(Failure::new(format!(
-                "{}: this is not a {}, so what is written cannot be kept as it is there; name the file that the programs come from",
+                "{}: its notation is not \"{}\", so what is written cannot be kept as it is there; name the file that the programs come from",
                 shown::path(path),
                 self.notation.title()
             )));

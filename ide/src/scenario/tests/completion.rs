@@ -13,6 +13,8 @@ fn completion_of_headings() {
     check(
         "program main.clad\n$0\n",
         expect![[r#"
+            plant||plant 
+            connect||connect 
             step||step 
             interval||interval 
             tolerance||tolerance 
