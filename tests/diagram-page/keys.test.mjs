@@ -142,6 +142,16 @@ test('kinds, groups, networks and what cannot be done', async () => {
     await until('the list closed', async () => (await page.locator('dialog.keys').count()) === 0);
 });
 
+test('a group is selected with all its branches, and goes as one', async () => {
+    const { press, becomes, focusOn, page, element } = await open(STARTER);
+    await element('contact', 'start').focus();
+    await focusOn('Open contact start');
+    await press('a');
+    await until('the group', async () => (await page.locator('g.element.chosen').count()) === 2);
+    await press('Delete');
+    await becomes('+--[/]( stop )-----------------------------------------------------( )( run )--+\n');
+});
+
 test('a comment is selected, changed and deleted', async () => {
     const { press, write, becomes, focusOn, page } = await open(`# Starts it. #\n${STARTER}`);
     await page.locator('g.element.note').focus();

@@ -297,9 +297,9 @@ export class Pen {
     }
 
     async larger(found: Found): Promise<void> {
-        const { larger } = (await this.offer({ what: this.selection.ranges })) ?? {};
-        if (larger) {
-            this.selection.within(found, larger);
+        const { largerThings = [] } = (await this.offer({ what: this.selection.ranges })) ?? {};
+        if (largerThings.length > 0) {
+            this.selection.these(found, largerThings);
         }
     }
 

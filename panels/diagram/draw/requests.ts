@@ -61,7 +61,8 @@ export interface Offered {
     /** The elements as ladder text. */
     readonly text?: string;
     readonly points?: { readonly before?: Place; readonly behind?: Place };
-    readonly larger?: Range;
+    /** The things of the next larger group. */
+    readonly largerThings?: readonly Range[];
     /** All that acts on the line. */
     readonly acting?: { readonly from: Place; readonly to: Place };
     /** The names of a text that are new, and what they would be. */

@@ -15,6 +15,9 @@ export function rangeOf({ drawing, part: { at, end } }: Found): Range {
 /** What can be done with it: elements and comments can be deleted and moved, places have room, ends of branches are moved. */
 export type About = 'element' | 'note' | 'point' | 'join';
 
+/** What can be deleted and moved. */
+const THINGS: readonly About[] = ['element', 'note'];
+
 export function aboutOf({ part: { kind } }: Found): About {
     return kind === 'point' || kind === 'join' || kind === 'note' ? kind : 'element';
 }
@@ -35,7 +38,7 @@ export class Selection {
     /** The selected elements and comments, from left to right. */
     get all(): readonly Found[] {
         const here = this.here;
-        const all = [...this.#also, ...(here ? [here] : [])].filter((found) => ['element', 'note'].includes(aboutOf(found)) && found.part.node.isConnected);
+        const all = [...this.#also, ...(here ? [here] : [])].filter((found) => THINGS.includes(aboutOf(found)) && found.part.node.isConnected);
         return [...new Map(all.map((found) => [found.part.node, found])).values()].sort((a, b) => order(rangeOf(a).start, rangeOf(b).start));
     }
 
@@ -65,12 +68,10 @@ export class Selection {
         selected.forEach((node) => node.classList.add('chosen'));
     }
 
-    /** Selects all elements of a drawing that are within a range of the text. */
-    within(found: Found, { start, end }: Range): void {
-        const all = found.drawing.parts.map((part) => ({ drawing: found.drawing, part }));
-        const isInside = (part: Range) =>
-            part.start.line >= start.line && part.end.line <= end.line && part.start.character >= start.character && part.end.character <= end.character;
-        this.set(all.filter((other) => isInside(rangeOf(other))));
+    /** Selects the things of a drawing that begin where some ranges of the text do. */
+    these({ drawing }: Found, ranges: readonly Range[]): void {
+        const all = [...drawing.parts, ...drawing.points].map((part) => ({ drawing, part }));
+        this.set(all.filter((found) => THINGS.includes(aboutOf(found)) && ranges.some(({ start }) => order(start, rangeOf(found).start) === 0)));
     }
 
     /** Nothing but what has the focus is selected. */
