@@ -61,10 +61,10 @@ test('what is taken up is put down elsewhere by single clicks', async () => {
 
 test('elements, ends of branches and networks are dragged', async () => {
     const two = `${railed('+--\\--[ ]( a )--\\--[ ]( b )--', '( )( y )')}${railed('|  /--[ ]( c )--/')}\n${railed('+--[ ]( d )--', '( )( z )')}`;
-    const { page, becomes, element, drag, host } = await open(two);
+    const { page, becomes, settled, element, drag, host } = await open(two);
     await drag(page.locator('g.element.join').last().locator('.hit'), page.locator('g.element.point[aria-label*="b and y"] .ring'));
     await until('the end moved', () => host.text.startsWith('+--\\--[ ]( a )--[ ]( b )--\\--'));
-    await element('contact', 'b').waitFor({ state: 'attached' });
+    await settled();
     await page.keyboard.press('Control+z');
     await becomes(two);
     await until('the diagram', async () => (await page.locator('.piece.network').count()) === 2);

@@ -1,5 +1,6 @@
 // A rubber band: what it reaches of one network is selected.
 import type { Found, Page } from '../page.ts';
+import { follow } from './follow.ts';
 import { aboutOf, type Selection } from './selection.ts';
 
 /** Who moves less only presses, in pixels. */
@@ -33,15 +34,7 @@ export class Band {
                 this.#select(box);
             }
         };
-        const end = () => {
-            window.removeEventListener('pointermove', move);
-            window.removeEventListener('pointerup', end);
-            window.removeEventListener('pointercancel', end);
-            node.remove();
-        };
-        window.addEventListener('pointermove', move);
-        window.addEventListener('pointerup', end);
-        window.addEventListener('pointercancel', end);
+        follow({ move, end: () => node.remove() });
     }
 
     #placeOf({ clientX, clientY }: PointerEvent): { x: number; y: number } {

@@ -1,6 +1,7 @@
 // What is dragged: an element of the drawing, or a row of the palette. While it moves the place is shown where it would go:
 // a ring in a wire, a bar below an element, which a new branch would go around.
 import type { Found, Page } from '../page.ts';
+import { follow } from './follow.ts';
 import type { Target } from './pen.ts';
 import { aboutOf, rangeOf } from './selection.ts';
 
@@ -46,7 +47,7 @@ export class Drag {
             const far = Math.hypot(moved.clientX - from.x, moved.clientY - from.y);
             if (!isDragging && far > LEAST) {
                 if (moved.pointerType === 'touch' && Date.now() - since < HOLD) {
-                    end();
+                    giveUp();
                     return;
                 }
                 isDragging = true;
@@ -60,34 +61,18 @@ export class Drag {
                 this.#show(moved, onlyWires);
             }
         };
-        const up = (released: PointerEvent) => {
+        const end = (released?: PointerEvent) => {
             const aim = this.#aim;
-            end();
-            if (!isDragging) {
-                pressed();
-            } else if (aim) {
-                dropped({ ...aim, isShifted: released.shiftKey, isCopy: released.ctrlKey || released.metaKey });
-            }
-        };
-        const key = (pressed: KeyboardEvent) => {
-            if (pressed.key === 'Escape') {
-                pressed.stopPropagation();
-                end();
-            }
-        };
-        const end = () => {
-            window.removeEventListener('pointermove', move);
-            window.removeEventListener('pointerup', up);
-            window.removeEventListener('pointercancel', end);
-            window.removeEventListener('keydown', key, true);
             document.body.classList.remove('dragging');
             this.#ghost.remove();
             this.#hide();
+            if (released && !isDragging) {
+                pressed();
+            } else if (released && aim) {
+                dropped({ ...aim, isShifted: released.shiftKey, isCopy: released.ctrlKey || released.metaKey });
+            }
         };
-        window.addEventListener('pointermove', move);
-        window.addEventListener('pointerup', up);
-        window.addEventListener('pointercancel', end);
-        window.addEventListener('keydown', key, true);
+        const giveUp = follow({ move, end });
     }
 
     #hide(): void {

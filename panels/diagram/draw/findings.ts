@@ -18,7 +18,7 @@ export class Findings {
     /** Where the last one was. */
     #visited: Place | undefined;
 
-    /** @param inTable gives the focus to the declaration that a finding is about. @returns whether there is one */
+    /** @param inTable focuses the declaration that a finding is about, and returns whether there is one */
     constructor(page: Page, ask: Ask, menu: Menu, voice: Voice, inTable: (finding: Finding) => boolean) {
         this.#inTable = inTable;
         this.#page = page;

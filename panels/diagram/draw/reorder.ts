@@ -1,5 +1,6 @@
 // Networks are put in another order by dragging their line numbers.
 import type { Found, Page } from '../page.ts';
+import { follow } from './follow.ts';
 import type { Pen } from './pen.ts';
 
 /** Who moves less only presses, in pixels. */
@@ -22,29 +23,13 @@ export function beginReorder(event: PointerEvent, { drawing }: Pick<Found, 'draw
         bar.style.top = `${(below?.top ?? height) - 8}px`;
         canvas.append(bar);
     };
-    const end = () => {
-        window.removeEventListener('pointermove', move);
-        window.removeEventListener('pointerup', drop);
-        window.removeEventListener('pointercancel', end);
-        window.removeEventListener('keydown', key, true);
+    const end = (released?: PointerEvent) => {
         bar.remove();
-    };
-    const drop = () => {
         const networks = page.networks();
         const next = networks[networks.indexOf(drawing.first) + 1] ?? null;
-        end();
-        if (before !== undefined && before !== drawing.first && before !== next) {
+        if (released && before !== undefined && before !== drawing.first && before !== next) {
             void pen.edit({ op: 'moveNetwork', network: drawing.first, before });
         }
     };
-    const key = (pressed: KeyboardEvent) => {
-        if (pressed.key === 'Escape') {
-            pressed.stopPropagation();
-            end();
-        }
-    };
-    window.addEventListener('pointermove', move);
-    window.addEventListener('pointerup', drop);
-    window.addEventListener('pointercancel', end);
-    window.addEventListener('keydown', key, true);
+    follow({ move, end });
 }
