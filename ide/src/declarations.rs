@@ -13,11 +13,11 @@ pub struct Row {
     pub section: String,
     /// Its name.
     pub name: String,
-    /// What is written behind `AT`; empty if nothing is.
+    /// What is written after `AT`; empty if nothing is.
     pub address: String,
     /// Its type.
     pub ty: String,
-    /// What is written behind `:=`; empty if nothing is.
+    /// What is written after `:=`; empty if nothing is.
     pub initial: String,
     /// What the comments on its line say.
     pub comment: String,
@@ -58,9 +58,7 @@ pub fn declarations(context: &Context) -> Vec<DeclaredRow> {
             let initial = declaration.initial_value();
             let initial = initial.map(|value| found.text()[value.range()].to_owned());
             let written = |part: &Option<String>| part.as_deref().unwrap_or_default().trim().to_owned();
-            let told = comments::of_line(parse, line).into_iter();
-            let told = told.filter_map(|(_, comment)| comments::whole(&comment));
-            let comment = told.collect::<Vec<_>>().join(" ").replace('\n', " ");
+            let comment = comment_of(context, line);
             rows.extend(declaration.names().map(|name| DeclaredRow {
                 block: block.clone(),
                 cells: Row {
@@ -76,6 +74,13 @@ pub fn declarations(context: &Context) -> Vec<DeclaredRow> {
         }
     }
     rows
+}
+
+/// What the comments on a line say, as one.
+pub(crate) fn comment_of(context: &Context, line: usize) -> String {
+    let told = comments::of_line(&context.parse, line).into_iter();
+    let told = told.filter_map(|(_, comment)| comments::whole(&comment));
+    told.collect::<Vec<_>>().join(" ").replace('\n', " ")
 }
 
 #[cfg(test)]

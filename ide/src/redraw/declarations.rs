@@ -4,7 +4,7 @@ use super::change::{Done, Work};
 use super::declaring::laid_out;
 use super::fragment::Fragment;
 use super::piece::Piece;
-use crate::declarations::Row;
+use crate::declarations::{Row, comment_of};
 use crate::refactor::declared::{DeclaredTag, at, parts, replaced, uses};
 use ladder_analysis::names::declaring::{Places, header_of};
 use ladder_format::Edit;
@@ -86,10 +86,8 @@ impl Work<'_> {
 
     /// The comments of a declaration as they are, if they still say what the row does: their form is the writer's.
     fn comments_of(&self, tag: &DeclaredTag<'_>, wanted: &str) -> Option<String> {
-        let row = crate::declarations::declarations(self.context);
-        let row = row.into_iter().find(|row| row.at == tag.at)?;
-        let parts =
-            parts(self.context, tag.line).filter(|_| row.cells.comment == wanted && !wanted.is_empty())?;
+        let stays = !wanted.is_empty() && comment_of(self.context, tag.line) == wanted;
+        let parts = parts(self.context, tag.line).filter(|_| stays)?;
         let from = parts.says.find(';')? + 1;
         Some(parts.says[from..].to_owned())
     }
