@@ -66,12 +66,7 @@ impl Ready {
             let of_plant = of_plant.map_err(|error| with_errors(broken_program(&named.path(), &error)))?;
             plants.push((of_plant, plant.name.clone()));
         }
-        let connects = suite
-            .connects
-            .iter()
-            .map(|connect| connect.sides.clone())
-            .collect();
-        let program_source = Arc::new(program_source.beside(plants, connects));
+        let program_source = Arc::new(program_source.beside(plants, suite.connections()));
         let of_plants = program_source.plant_errors();
         if !of_plants.is_empty() {
             let of_plants: Vec<ScenarioError> = of_plants

@@ -3,9 +3,9 @@
 use crate::answer::{Answer, Options, Verdict, prove};
 use ladder_analysis::program::Program;
 use ladder_analysis::values::types::{Scalar, Type};
+use ladder_simulator::Simulation;
 use ladder_simulator::expression::Expression;
 use ladder_simulator::scenario::{Form, Monitor, Suite, Watched, bind_properties, parse};
-use ladder_simulator::{Point, Simulation};
 use ladder_syntax::numeral::counted;
 use std::sync::Arc;
 use std::time::Duration;
@@ -67,17 +67,9 @@ impl Basis {
     }
 }
 
-/// Whether a point is a tag of a plant.
-fn is_of_plant(program: &Program, point: &Point) -> bool {
-    program
-        .plants
-        .iter()
-        .any(|plant| plant.tag_in(&point.name).is_some())
-}
-
 fn names_plant(program: &Program, expression: &Expression) -> bool {
     let mut found = false;
-    expression.for_each_point(&mut |point| found |= is_of_plant(program, point));
+    expression.for_each_point(&mut |point| found |= program.plant_of(&point.name).is_some());
     found
 }
 
@@ -93,7 +85,10 @@ fn note_without_plants(
     let is_asked = |(monitor, answer): &(&Monitor, &mut Answer)| {
         matches!(answer.verdict, Verdict::Proved(_))
             && !matches!(monitor.form, Form::NoFaults)
-            && !monitor.points().iter().any(|point| is_of_plant(program, point))
+            && !monitor
+                .points()
+                .iter()
+                .any(|point| program.plant_of(&point.name).is_some())
     };
     let mut asked: Vec<(&Monitor, &mut Answer)> =
         watched.properties.iter().zip(answers).filter(is_asked).collect();

@@ -84,9 +84,9 @@ impl Program {
         self.functions.iter().any(|function| function.every.is_some())
     }
 
-    /// The plant that a tag belongs to.
-    pub fn plant_of(&self, tag: &Tag) -> Option<&Plant> {
-        self.plants.iter().find(|plant| plant.tag_in(&tag.name).is_some())
+    /// The plant that the tag of a name belongs to.
+    pub fn plant_of(&self, name: &str) -> Option<&Plant> {
+        self.plants.iter().find(|plant| plant.tag_in(name).is_some())
     }
 
     /// Whether anything is connected with a plant.
@@ -98,7 +98,7 @@ impl Program {
     /// The inputs of plants that no tag of the program drives: disturbances.
     pub fn undriven(&self) -> impl Iterator<Item = &Tag> {
         let inputs = self.tags.iter().filter(|tag| tag.is_input);
-        inputs.filter(|tag| self.plant_of(tag).is_some())
+        inputs.filter(|tag| self.plant_of(&tag.name).is_some())
     }
 
     /// What they do otherwise.

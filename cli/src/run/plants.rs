@@ -6,7 +6,7 @@ use crate::outcome::Failure;
 use crate::terminal;
 use clap::Args;
 use ladder_analysis::{Blames, Connect};
-use ladder_simulator::scenario::plant_named;
+use ladder_simulator::scenario::{connected, plant_named};
 use ladder_simulator::{Inputs, Point, Simulation};
 use ladder_workspace::{Settings, shown};
 use std::path::{Path, PathBuf};
@@ -80,12 +80,11 @@ impl Plants {
     fn connects(&self, others: &[Connect]) -> Result<Vec<Connect>, Failure> {
         let mut connects = others.to_vec();
         for text in &self.connect {
-            let (one, other) = text.split_once('=').ok_or_else(|| {
+            connects.push(connected(text).ok_or_else(|| {
                 Failure::new(format!(
                     "--connect {text}: a connection is between two tags, as in --connect plant.sensor_1=near"
                 ))
-            })?;
-            connects.push((one.trim().to_owned(), other.trim().to_owned()));
+            })?);
         }
         Ok(connects)
     }

@@ -126,7 +126,7 @@ pub(crate) fn retained(
 /// where a user-defined block does that to what an in-out stands for.
 pub(crate) fn kept_tags(program: &Program) -> Vec<bool> {
     // What a plant keeps never leaves memory: the machine does not go away.
-    let is_of_plant = |tag: &Tag| program.plant_of(tag).is_some();
+    let is_of_plant = |tag: &Tag| program.plant_of(&tag.name).is_some();
     let mut keeps: Vec<bool> = program.tags.iter().map(|tag| tag.retain).collect();
     let blocks = || program.networks.iter().flat_map(|network| &network.blocks);
     for block in blocks() {

@@ -215,8 +215,7 @@ impl Binder<'_> {
                 }
                 Direction::Expected => {
                     let values = self.without_plant(row, values);
-                    let mut plants = self.simulation.program().plants.iter();
-                    let is_of_plant = plants.any(|plant| plant.tag_in(&name).is_some());
+                    let is_of_plant = self.simulation.program().plant_of(&name).is_some();
                     let known = case.expected.iter().position(|expected| expected.name == name);
                     let at = known.unwrap_or_else(|| {
                         case.expected.push(Expected {

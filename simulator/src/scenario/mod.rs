@@ -48,7 +48,9 @@ pub use property::{FORMS, Form, PROPERTY, Property, Span, Written};
 pub use record::{Recordable, Recorded, Wanted, passes, program_line, record, recordable, recorded_file};
 pub use run::{Difference, Ran, run, run_within};
 pub use run_text::{RunCell, RunRow, run_text};
-pub use suite::{Cell, ConnectLine, Direction, PLANT, PlantLine, Row, Scenario, Suite, TimeRow, plant_named};
+pub use suite::{
+    Cell, ConnectLine, Direction, PLANT, PlantLine, Row, Scenario, Suite, TimeRow, connected, plant_named,
+};
 pub use tolerance::Tolerance;
 pub use watch::{Outside, Violation};
 pub use words::{Line as TextLine, Word};

@@ -30,6 +30,16 @@ pub struct Suite {
     pub errors: Vec<ScenarioError>,
 }
 
+impl Suite {
+    /// Both sides of each connection.
+    pub fn connections(&self) -> Vec<(String, String)> {
+        self.connects
+            .iter()
+            .map(|connect| connect.sides.clone())
+            .collect()
+    }
+}
+
 /// A line `plant`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PlantLine {
@@ -52,6 +62,13 @@ pub struct ConnectLine {
 
 /// What the tags of a plant have before their names that has none of its own.
 pub const PLANT: &str = "plant";
+
+/// Both tags of a connection, which is written as `plant.sensor_1 = near`. None: a side is missing.
+pub fn connected(text: &str) -> Option<(String, String)> {
+    let (one, other) = text.split_once('=')?;
+    let sides = (one.trim().to_owned(), other.trim().to_owned());
+    (!sides.0.is_empty() && !sides.1.is_empty()).then_some(sides)
+}
 
 /// The file of a plant and what it is called, where they are written as `tank.clad as tank`.
 pub fn plant_named(text: &str) -> (&str, &str) {

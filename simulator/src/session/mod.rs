@@ -320,13 +320,11 @@ impl Session {
         if self.simulation.is_open() {
             self.scan();
         }
-        for high in [false, true] {
-            // SYS.POWER takes each BOOL.
-            let _ = self.set(&crate::tags::power(), Value::Bool(high));
-            if !high {
-                self.scan();
-            }
-        }
+        let power = crate::tags::power();
+        // SYS.POWER takes each BOOL.
+        let _ = self.set(&power, Value::Bool(false));
+        self.scan();
+        let _ = self.set(&power, Value::Bool(true));
     }
 
     /// Begins with the values of retentive tags that were kept outside of the session, see [`Simulation::warm_start`].

@@ -1,7 +1,7 @@
 //! Beginning again: cold, or with what is retentive.
 
 use super::{Simulation, Status};
-use crate::memory::{Bit, Memory};
+use crate::memory::Memory;
 use crate::retain::{self, Kept, Retained};
 use crate::tags::Point;
 use ladder_analysis::program::Program;
@@ -14,14 +14,9 @@ impl Simulation {
     }
 
     /// Begins again as after a power failure: retentive tags keep their values, all others begin as before the
-    /// first scan. Forces stay. The machine that plants are goes on: beside one the controller has no power for a scan.
+    /// first scan. Forces stay. Plants begin again, too; in a session
+    /// they go on.
     pub fn warm_restart(&mut self) {
-        if self.compiled.plants.is_some() && self.status == Status::Ready {
-            self.machine.memory.set_bit(Bit::POWER, false);
-            self.scan();
-            self.machine.memory.set_bit(Bit::POWER, true);
-            return;
-        }
         let (kept, then) = (self.machine.memory.clone(), self.machine.now);
         self.restart(|_, retained, memory| {
             for tag in retained {

@@ -46,7 +46,7 @@ impl Simulation {
         memory.words[..Word::RESERVED].copy_from_slice(&kept.words[..Word::RESERVED]);
         memory.words[Word::UNPOWERED_AT.0 as usize] = self.machine.now;
         let tags = self.program.tags.iter().zip(&compiled.homes);
-        let stays = tags.filter(|(tag, _)| tag.is_input || self.program.plant_of(tag).is_some());
+        let stays = tags.filter(|(tag, _)| tag.is_input || self.program.plant_of(&tag.name).is_some());
         let retained = compiled.retained.iter().map(|retained| retained.home);
         for home in stays.map(|(_, home)| *home).chain(retained) {
             copy(home, memory, &kept);

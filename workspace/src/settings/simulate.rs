@@ -8,7 +8,7 @@ use crate::root::without_parents;
 use ladder_analysis::Connect;
 use ladder_analysis::program::Program;
 use ladder_simulator::Options;
-use ladder_simulator::scenario::plant_named;
+use ladder_simulator::scenario::{connected, plant_named};
 use std::ops::Range;
 use std::path::Path;
 
@@ -115,10 +115,8 @@ pub(super) fn read(mut table: Table, folder: &Path, reader: &mut Reader) -> Simu
     }
     if let Some(given) = reader.take(&mut table, &CONNECT) {
         for (range, text) in reader.text_or_texts(&given, CONNECT.example) {
-            match text.split_once('=') {
-                Some((one, other)) => simulate
-                    .connects
-                    .push((one.trim().to_owned(), other.trim().to_owned())),
+            match connected(&text) {
+                Some(sides) => simulate.connects.push(sides),
                 None => reader.wrong(
                     range,
                     format!(

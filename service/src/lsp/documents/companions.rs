@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use ladder_analysis::{Analysis, Connect, Diagnostic as Finding, Severity};
+use ladder_analysis::{Analysis, Diagnostic as Finding, Severity};
 use ladder_documents::{Kind, Revision, address};
 use ladder_host::Work;
 use ladder_notations::of_workspaces;
@@ -245,16 +245,13 @@ pub(crate) fn compiled_from(
         Ok((located.map_err(missing)?, plant.name.clone()))
     });
     let plants = plants.collect::<Result<Vec<_>, NotReady>>()?;
-    let connects: Vec<Connect> = suite
-        .connects
-        .iter()
-        .map(|connect| connect.sides.clone())
-        .collect();
     let linked = if plants.is_empty() {
         let linked = shared.neighbours.link(path, analysis);
         linked.map(|linked| (linked, Vec::new()))
     } else {
-        shared.neighbours.link_beside(path, analysis, &plants, &connects)
+        shared
+            .neighbours
+            .link_beside(path, analysis, &plants, &suite.connections())
     };
     let (linked, of_plants) = linked.map_err(|_| {
         NotReady::Errors(format!(

@@ -1,7 +1,7 @@
 //! The models of the machine that run beside the program, and what is connected.
 
 use super::{Reader, file_of};
-use crate::scenario::suite::{ConnectLine, PlantLine, plant_named};
+use crate::scenario::suite::{ConnectLine, PlantLine, connected, plant_named};
 use crate::scenario::words::{Word, range};
 
 impl Reader {
@@ -31,17 +31,9 @@ impl Reader {
         let written = written.join(" ");
         let end = rest.last().map_or(first.end(), Word::end);
         let place = range(rest.first().map_or(first.start, |word| word.start), end);
-        match written
-            .split_once('=')
-            .map(|(one, other)| (one.trim(), other.trim()))
-        {
-            Some((one, other)) if !one.is_empty() && !other.is_empty() => {
-                self.suite.connects.push(ConnectLine {
-                    sides: (one.to_owned(), other.to_owned()),
-                    range: place,
-                });
-            }
-            _ => self.error(place, "a connection is between two tags", EXAMPLE),
+        match connected(&written) {
+            Some(sides) => self.suite.connects.push(ConnectLine { sides, range: place }),
+            None => self.error(place, "a connection is between two tags", EXAMPLE),
         }
     }
 }
