@@ -6,7 +6,7 @@ use super::glyph::{self, WireEnds};
 use super::grid::{Kind, Slot};
 use super::nodes::point_of;
 use super::paper::Paper;
-use super::scene::{Anchor, Element};
+use super::shapes::{Anchor, Element};
 use super::style::{LINE, Look, MARGIN, UNIT};
 use super::symbol::width;
 use ladder_analysis::networks::NetworkAt;

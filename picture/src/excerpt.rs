@@ -1,7 +1,7 @@
-//! One network of a scene as a drawing of its own, with marks at some of its elements: for a page that has its own style
+//! One network of a picture as a drawing of its own, with marks at some of its elements: for a page that has its own style
 //! sheet, [`style_sheet`] among it.
 
-use super::scene::{Block, BlockKind, Placed, Scene};
+use super::shapes::{Block, BlockKind, Picture, Placed};
 use super::style::{MARGIN, Theme, sheet};
 use super::svg::write;
 use std::collections::{HashMap, HashSet};
@@ -12,34 +12,34 @@ pub fn style_sheet(theme: Theme) -> String {
     sheet(theme)
 }
 
-/// The networks of a scene, for those who want some of them one by one.
+/// The networks of a picture, for those who want some of them one by one.
 #[derive(Debug)]
 pub struct Excerpts<'s> {
-    scene: &'s Scene,
+    picture: &'s Picture,
     blocks: HashMap<usize, (&'s Block, usize)>,
     placed: HashMap<usize, Vec<&'s Placed>>,
 }
 
 impl<'s> Excerpts<'s> {
-    /// Of a scene.
-    pub fn new(scene: &'s Scene) -> Excerpts<'s> {
-        let blocks = scene.blocks.iter().filter_map(|block| match block.kind {
+    /// Of a picture.
+    pub fn new(picture: &'s Picture) -> Excerpts<'s> {
+        let blocks = picture.blocks.iter().filter_map(|block| match block.kind {
             BlockKind::Network { index, line } => Some((index, (block, line))),
             _ => None,
         });
         let mut placed: HashMap<usize, Vec<&Placed>> = HashMap::new();
-        for element in &scene.placed {
+        for element in &picture.placed {
             placed.entry(element.element.network).or_default().push(element);
         }
         Excerpts {
-            scene,
+            picture,
             blocks: blocks.collect(),
             placed,
         }
     }
 
     /// Draws a network by its index. An element (its rung, and which part of that it is) that is marked has a rectangle of the
-    /// class `changed` below it. None: the scene has no such network.
+    /// class `changed` below it. None: the picture has no such network.
     pub fn svg(&self, network: usize, marked: &[(usize, usize)]) -> Option<String> {
         let (block, line) = self.blocks.get(&network)?;
         let (top, height) = (block.rows.start, block.rows.end - block.rows.start);
@@ -60,7 +60,7 @@ impl<'s> Excerpts<'s> {
                 (below - above).max(1),
             );
         }
-        for shape in &self.scene.shapes[block.shapes.clone()] {
+        for shape in &self.picture.shapes[block.shapes.clone()] {
             write(shape, "", &mut out);
         }
         out.push_str("</svg>\n");

@@ -2,7 +2,7 @@
 
 use super::draw::Power;
 use super::paper::Paper;
-use super::scene::{Anchor, At, PathStep};
+use super::shapes::{Anchor, At, PathStep};
 use super::style::{HALF, LINE, Look, UNIT};
 use super::symbol::{Label, Mark, NAME, ROWS, Symbol, VALUE, width};
 

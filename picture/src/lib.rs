@@ -5,7 +5,7 @@
 //!         --nodes---> which connectors are one vertical line: points that only bare wire joins
 //!         --grid----> things on rungs, a vertical line as one thing
 //!         --columns-> where each thing is
-//!         --draw----> shapes on Paper, each knowing which part of the program it shows: a Scene
+//!         --draw----> shapes on Paper, each knowing which part of the program it shows: a Picture
 //!                         --svg---> a document for screens
 //!                         --sheet-> pages for a printer, still as shapes
 //!                         --excerpt--> one network with marks, for a page
@@ -13,8 +13,10 @@
 //!         --letters--> the same drawn with characters, at rest or live
 //! ```
 //!
-//! A [`Scene`] is all that a writer of documents needs to know: the same drawing is written as SVG, as pixels and as
+//! A [`Picture`] is all that a writer of documents needs to know: the same drawing is written as SVG, as pixels and as
 //! PDF, and can be shown live. One unit of a column is the width of a letter.
+//!
+//! [`mod@scene`] is another kind of picture: that of the machine, which somebody else has drawn.
 
 mod columns;
 mod comment;
@@ -30,13 +32,14 @@ mod nodes;
 mod page;
 mod paper;
 pub mod scene;
+pub mod shapes;
 pub mod sheet;
 pub mod style;
 mod svg;
 mod symbol;
 mod wrap;
 
-pub use scene::Scene;
+pub use shapes::Picture;
 pub use style::Theme;
 pub use svg::svg;
 
@@ -64,6 +67,6 @@ pub struct Options<'o> {
 pub type Values<'v> = dyn Fn(&str) -> Option<String> + 'v;
 
 /// Draws a file's networks with their comments. A network with an error in its drawing is shown as text.
-pub fn scene(context: &Context, options: &Options<'_>) -> Scene {
+pub fn picture(context: &Context, options: &Options<'_>) -> Picture {
     page::draw(context, options)
 }

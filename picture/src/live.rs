@@ -18,7 +18,7 @@
 use super::Options;
 use super::page::{self, PageItem};
 use super::paper::Paper;
-use super::scene::{BlockKind, Element, Form, Role, Scene, Shape};
+use super::shapes::{BlockKind, Element, Form, Picture, Role, Shape};
 use super::style::{Look, MARGIN, UNIT};
 use super::svg::write;
 use super::symbol::Words;
@@ -41,7 +41,7 @@ pub struct Piece {
     /// Where it is in the text, line ends included.
     pub range: TextRange,
     /// The drawing, from its own upper left corner.
-    scene: Scene,
+    picture: Picture,
 }
 
 /// What a piece is.
@@ -80,9 +80,9 @@ pub fn pieces(context: &Context, stretch: TextRange, rail: u32) -> Vec<Piece> {
         }
         let mut paper = Paper::new(true);
         let bottom = item.draw(&mut paper, EDGE, rail, context, &options);
-        let mut scene = paper.finish(bottom, MARGIN, 0);
-        scene.height = bottom + EDGE;
-        Some(Piece { range, scene })
+        let mut picture = paper.finish(bottom, MARGIN, 0);
+        picture.height = bottom + EDGE;
+        Some(Piece { range, picture })
     });
     pieces.collect()
 }
@@ -132,7 +132,7 @@ impl Piece {
         if unclosed.is_some_and(|place| place.start() < self.range.end()) {
             return Kind::Broken;
         }
-        match self.scene.blocks.first().map(|block| &block.kind) {
+        match self.picture.blocks.first().map(|block| &block.kind) {
             Some(&BlockKind::Network { index, .. }) if context.networks.at(index).broken => Kind::Broken,
             Some(BlockKind::Network { .. }) => Kind::Network,
             Some(BlockKind::Heading) => Kind::Heading,
@@ -142,12 +142,12 @@ impl Piece {
 
     /// Its width and height, in pixels.
     pub fn size(&self) -> (i32, i32) {
-        (self.scene.width, self.scene.height)
+        (self.picture.width, self.picture.height)
     }
 
     /// Which network it is.
     pub fn network(&self) -> Option<usize> {
-        match self.scene.blocks.first()?.kind {
+        match self.picture.blocks.first()?.kind {
             BlockKind::Network { index, .. } => Some(index),
             _ => None,
         }
@@ -156,14 +156,14 @@ impl Piece {
     /// The drawing. `place` says how the page calls a place in the text; `points` are the places of the network where something
     /// can be put in, sorted.
     pub fn svg(&self, context: &Context, points: &[TextSize], place: &dyn Fn(TextSize) -> String) -> String {
-        let Scene { width, height, .. } = self.scene;
+        let Picture { width, height, .. } = self.picture;
         let mut out = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" width=\"{width}\" height=\"{height}\" \
              viewBox=\"0 0 {width} {height}\">\n"
         );
-        let elements = Elements::of(&self.scene, context);
+        let elements = Elements::of(&self.picture, context);
         let mut open = None;
-        for shape in &self.scene.shapes {
+        for shape in &self.picture.shapes {
             let element = shape
                 .element
                 .filter(|element| shape.role == Role::Symbol && elements.symbols.contains_key(element));
@@ -200,15 +200,15 @@ struct Symbol<'c> {
 }
 
 impl<'c> Elements<'c> {
-    fn of(scene: &Scene, context: &'c Context) -> Elements<'c> {
+    fn of(picture: &Picture, context: &'c Context) -> Elements<'c> {
         let mut symbols = HashMap::new();
-        if let Some(first) = scene.placed.first() {
+        if let Some(first) = picture.placed.first() {
             let network = context.networks.at(first.element.network);
             let blocks = network.blocks();
             let blocks: HashMap<_, _> = blocks
                 .map(|block| ((block.facts.rung, block.facts.part), block))
                 .collect();
-            for placed in &scene.placed {
+            for placed in &picture.placed {
                 let element = placed.element;
                 if let Some(&block) = blocks.get(&(element.rung, element.part)) {
                     let (columns, rows) = (placed.columns, placed.rows);

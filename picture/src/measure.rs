@@ -26,7 +26,7 @@ pub(super) fn shortened(text: String) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Options, scene};
+    use super::super::{Options, picture};
     use ladder_analysis::analyze;
     use ladder_syntax::parse;
     use std::cell::Cell;
@@ -42,8 +42,8 @@ mod tests {
         let text = format!("+--[ADD]( y{} )--+\n", ", a".repeat(operands));
         let analysis = analyze(&Arc::new(parse(&text)), "program");
         MEASURED.with(|measured| measured.set(0));
-        let scene = scene(&analysis.context, &Options::default());
-        assert!(scene.shapes.len() > operands);
+        let picture = picture(&analysis.context, &Options::default());
+        assert!(picture.shapes.len() > operands);
         MEASURED.with(Cell::get)
     }
 

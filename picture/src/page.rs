@@ -5,7 +5,7 @@ use super::columns::{Layout, layout};
 use super::draw::Drawing;
 use super::figure::{Figure, figure};
 use super::paper::Paper;
-use super::scene::{Anchor, BlockKind, Scene};
+use super::shapes::{Anchor, BlockKind, Picture};
 use super::style::{LINE, Look, MARGIN, UNIT};
 use super::symbol::{Words, width};
 use ladder_analysis::context::Context;
@@ -31,7 +31,7 @@ pub(super) enum PageItem {
 }
 
 /// Draws the page.
-pub(super) fn draw(context: &Context, options: &Options<'_>) -> Scene {
+pub(super) fn draw(context: &Context, options: &Options<'_>) -> Picture {
     let words = Words::of(context, options);
     let mut items = items(&context.parse.structure().items, &words);
     // As in the text: one right rail for all networks but those that are wider than a page.

@@ -1,12 +1,12 @@
-//! The sheet that is drawn on: gathers shapes into a scene.
+//! The sheet that is drawn on: gathers shapes into a picture.
 
-use super::scene::{Anchor, At, Block, BlockKind, Element, Form, PathStep, Placed, Role, Scene, Shape};
+use super::shapes::{Anchor, At, Block, BlockKind, Element, Form, PathStep, Picture, Placed, Role, Shape};
 use super::style::Look;
 
-/// A scene that is being drawn.
+/// A picture that is being drawn.
 #[derive(Debug, Default)]
 pub(super) struct Paper {
-    scene: Scene,
+    picture: Picture,
     /// The part of the program that is drawn at present.
     element: Option<Element>,
     /// Whether a user will show the state of a running program on it.
@@ -74,7 +74,7 @@ impl Paper {
     /// The present element takes this place.
     pub(super) fn place(&mut self, columns: (i32, i32), wire: i32, rows: (i32, i32)) {
         if let Some(element) = self.element {
-            self.scene.placed.push(Placed {
+            self.picture.placed.push(Placed {
                 element,
                 columns,
                 wire,
@@ -140,32 +140,32 @@ impl Paper {
             form,
         };
         self.right = self.right.max(shape.extent().right);
-        self.scene.shapes.push(shape);
+        self.picture.shapes.push(shape);
     }
 
     /// Ends a network, comment or heading: all shapes since the one before.
     pub(super) fn end_block(&mut self, kind: BlockKind, top: i32, bottom: i32) {
-        let shapes = self.first..self.scene.shapes.len();
-        self.scene.blocks.push(Block {
+        let shapes = self.first..self.picture.shapes.len();
+        self.picture.blocks.push(Block {
             kind,
             shapes,
             rows: top..bottom,
             right: self.right,
         });
-        self.first = self.scene.shapes.len();
-        self.scene.width = self.scene.width.max(self.right);
+        self.first = self.picture.shapes.len();
+        self.picture.width = self.picture.width.max(self.right);
         self.right = 0;
     }
 
     /// What has been drawn, by itself.
     pub(super) fn into_shapes(self) -> Vec<Shape> {
-        self.scene.shapes
+        self.picture.shapes
     }
 
-    /// The scene, with a border to the right of and below it.
-    pub(super) fn finish(mut self, bottom: i32, margin: i32, least_width: i32) -> Scene {
-        self.scene.width = (self.scene.width + margin).max(least_width);
-        self.scene.height = bottom + margin;
-        self.scene
+    /// The picture, with a border to the right of and below it.
+    pub(super) fn finish(mut self, bottom: i32, margin: i32, least_width: i32) -> Picture {
+        self.picture.width = (self.picture.width + margin).max(least_width);
+        self.picture.height = bottom + margin;
+        self.picture
     }
 }

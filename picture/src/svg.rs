@@ -1,21 +1,21 @@
-//! A scene as an SVG document.
+//! A picture as an SVG document.
 
-use super::scene::{Anchor, BlockKind, Form, PathStep, Scene, Shape};
+use super::shapes::{Anchor, BlockKind, Form, PathStep, Picture, Shape};
 use super::style::{DOT, Look, Theme, sheet};
 use ladder_syntax::xml::Escaped;
 use std::fmt::Write;
 
 /// Writes the document. Text stays text; each network is a group with a name that a reader hears.
-pub fn svg(scene: &Scene, theme: Theme) -> String {
-    let Scene { width, height, .. } = scene;
+pub fn svg(picture: &Picture, theme: Theme) -> String {
+    let Picture { width, height, .. } = picture;
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
          viewBox=\"0 0 {width} {height}\" role=\"img\">\n<style>\n{}</style>\n\
          <rect class=\"paper\" width=\"{width}\" height=\"{height}\"/>\n",
         sheet(theme)
     );
-    for block in &scene.blocks {
-        let shapes = &scene.shapes[block.shapes.clone()];
+    for block in &picture.blocks {
+        let shapes = &picture.shapes[block.shapes.clone()];
         let network = match block.kind {
             BlockKind::Network { line, .. } => Some(line),
             _ => None,

@@ -3,14 +3,14 @@
 
 use expect_test::expect_file;
 use ladder_analysis::analyze;
-use ladder_picture::{Options, Theme, scene, svg};
+use ladder_picture::{Options, Theme, picture, svg};
 use ladder_syntax::{Parse, TextRange, TextSize, parse};
 use std::collections::HashMap;
 use std::sync::Arc;
 
 fn drawn(text: &str, theme: Theme, options: &Options<'_>) -> String {
     let analysis = analyze(&Arc::new(parse(text)), "program");
-    svg(&scene(&analysis.context, options), theme)
+    svg(&picture(&analysis.context, options), theme)
 }
 
 fn at_rest(text: &str, theme: Theme) -> String {

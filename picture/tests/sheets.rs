@@ -3,8 +3,8 @@
 
 use expect_test::{expect, expect_file};
 use ladder_analysis::analyze;
-use ladder_picture::scene;
-use ladder_picture::scene::{Extent, Form};
+use ladder_picture::picture;
+use ladder_picture::shapes::{Extent, Form};
 use ladder_picture::sheet::{Options, Orientation, Piece, Sheet, Size, sheets};
 use ladder_picture::style::Look;
 use ladder_syntax::parse;
@@ -12,8 +12,8 @@ use std::sync::Arc;
 
 fn pages(text: &str, options: &Options<'_>) -> Vec<Sheet> {
     let analysis = analyze(&Arc::new(parse(text)), "program");
-    let scene = scene(&analysis.context, &ladder_picture::Options::default());
-    sheets(&analysis.context, &scene, options)
+    let picture = picture(&analysis.context, &ladder_picture::Options::default());
+    sheets(&analysis.context, &picture, options)
 }
 
 /// The pages before the cross-reference.
@@ -251,7 +251,7 @@ fn networks_take_the_whole_width_of_a_page() {
             rail: Some(options.rail()),
             ..ladder_picture::Options::default()
         };
-        let sheet = &sheets(&analysis.context, &scene(&analysis.context, &drawn), &options)[0];
+        let sheet = &sheets(&analysis.context, &picture(&analysis.context, &drawn), &options)[0];
         let rails = sheet.pieces.iter().flat_map(|piece| {
             let rails = piece.shapes.iter().filter(|shape| shape.look == Look::Rail);
             rails.map(|rail| on_page(piece, (rail.extent().left, 0)).0)

@@ -1,6 +1,6 @@
 //! Where a drawing that is larger than a page may be cut: nowhere through a letter or a symbol, if that can be helped.
 
-use super::super::scene::{Extent, Form, Role, Shape};
+use super::super::shapes::{Extent, Form, Role, Shape};
 use super::super::style::Look;
 use std::ops::Range;
 

@@ -1,7 +1,7 @@
 //! What follows what on the pages.
 
 use super::super::paper::Paper;
-use super::super::scene::{Anchor, At, Block, BlockKind, Extent, Form, Role, Scene, Shape};
+use super::super::shapes::{Anchor, At, Block, BlockKind, Extent, Form, Picture, Role, Shape};
 use super::super::style::{LINE, Look, MARGIN, UNIT};
 use super::super::symbol::width;
 use super::super::wrap::paragraph;
@@ -23,11 +23,11 @@ const MOST_PARTS: usize = 400;
 pub(super) const CLOSE: f32 = 3.0;
 
 /// Fills the pages: what the file says of itself, its declarations, its networks.
-pub(super) fn fill(pages: &mut Pages, context: &Context, scene: &Scene) {
+pub(super) fn fill(pages: &mut Pages, context: &Context, picture: &Picture) {
     let mut notes = HashMap::new();
     let mut rest: Vec<&Block> = Vec::new();
     let mut first_section = None;
-    for block in &scene.blocks {
+    for block in &picture.blocks {
         if let BlockKind::Declarations { section, noted } = block.kind {
             first_section = first_section.or(Some(rest.len()));
             if noted && let Some(BlockKind::Comment(lines)) = rest.pop().map(|note| &note.kind) {
@@ -49,7 +49,7 @@ pub(super) fn fill(pages: &mut Pages, context: &Context, scene: &Scene) {
         }
     }
     declarations(pages, &groups(context), &notes);
-    networks(pages, scene, &rest[head..]);
+    networks(pages, picture, &rest[head..]);
 }
 
 /// A line of text in full size.
@@ -131,7 +131,7 @@ fn declarations(pages: &mut Pages, groups: &[Group], notes: &HashMap<usize, &[St
 }
 
 /// The networks with what is between them.
-fn networks(pages: &mut Pages, scene: &Scene, blocks: &[&Block]) {
+fn networks(pages: &mut Pages, picture: &Picture, blocks: &[&Block]) {
     let scale = common_scale(pages, blocks);
     let mut title: Option<&[String]> = None;
     for block in blocks {
@@ -146,7 +146,7 @@ fn networks(pages: &mut Pages, scene: &Scene, blocks: &[&Block]) {
                     comment(pages, before, APART);
                 }
                 let strip = Strip {
-                    shapes: scene.shapes[block.shapes.clone()].to_vec(),
+                    shapes: picture.shapes[block.shapes.clone()].to_vec(),
                     window: window(block),
                     scale: FULL,
                     above: APART,
@@ -160,7 +160,7 @@ fn networks(pages: &mut Pages, scene: &Scene, blocks: &[&Block]) {
                 };
                 network(
                     pages,
-                    scene,
+                    picture,
                     block,
                     label,
                     title.take().unwrap_or_default(),
@@ -220,8 +220,8 @@ impl Label {
     }
 }
 
-fn network(pages: &mut Pages, scene: &Scene, block: &Block, label: Label, title: &[String], scale: f32) {
-    let shapes = &scene.shapes[block.shapes.clone()];
+fn network(pages: &mut Pages, picture: &Picture, block: &Block, label: Label, title: &[String], scale: f32) {
+    let shapes = &picture.shapes[block.shapes.clone()];
     let whole = window(block);
     let mut head = vec![label.strip(pages, "", APART)];
     head.extend(comment_strips(pages, title, 0.0));

@@ -1,7 +1,7 @@
 //! A drawn file as pages for a printer: title, declarations, the networks with their numbers, and the cross-reference.
 //!
 //! ```text
-//! Scene, declarations --flow--> strips: a row of the table, a comment, a network or a piece of one
+//! Picture, declarations --flow--> strips: a row of the table, a comment, a network or a piece of one
 //!                               --pages--> strips at their places on sheets, with title and page number
 //! ```
 //!
@@ -15,7 +15,7 @@ mod flow;
 mod pages;
 mod table;
 
-use super::scene::{Extent, Scene, Shape};
+use super::shapes::{Extent, Picture, Shape};
 use ladder_analysis::context::Context;
 
 /// What is printed on.
@@ -96,9 +96,9 @@ impl Size {
 }
 
 /// The pages of a file.
-pub fn sheets(context: &Context, scene: &Scene, options: &Options<'_>) -> Vec<Sheet> {
+pub fn sheets(context: &Context, picture: &Picture, options: &Options<'_>) -> Vec<Sheet> {
     let mut pages = pages::Pages::new(options);
-    flow::fill(&mut pages, context, scene);
+    flow::fill(&mut pages, context, picture);
     cross_reference::fill(&mut pages, context);
     pages.finish(options)
 }

@@ -1,7 +1,7 @@
 //! Pages that are being filled from top to bottom.
 
 use super::super::paper::Paper;
-use super::super::scene::{Anchor, Extent, Shape};
+use super::super::shapes::{Anchor, Extent, Shape};
 use super::super::style::{LINE, Look, UNIT};
 use super::super::symbol::width;
 use super::{Options, Orientation, Piece, Sheet};

@@ -2,7 +2,7 @@
 
 use super::super::measure::columns;
 use super::super::paper::Paper;
-use super::super::scene::{Anchor, Shape};
+use super::super::shapes::{Anchor, Shape};
 use super::super::style::{LINE, Look, UNIT};
 use super::super::symbol::width;
 use super::super::wrap::wrap;

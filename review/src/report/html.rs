@@ -9,7 +9,7 @@ use crate::outline::{Entry, Kind, Outline};
 use crate::verdict::Verdict;
 use crate::words::{heading, reason};
 use ladder_picture::excerpt::{Excerpts, style_sheet};
-use ladder_picture::{Options, Theme, scene};
+use ladder_picture::{Options, Theme, picture};
 use ladder_syntax::xml::Escaped;
 use std::fmt::Write;
 
@@ -56,8 +56,8 @@ pub fn style(theme: Theme) -> String {
 /// What the report shows of each change: a heading, what is known of it, and both forms.
 pub fn sections(comparison: &Comparison<'_>) -> Vec<String> {
     let (old, new) = (
-        scene(&comparison.old.context, &Options::default()),
-        scene(&comparison.new.context, &Options::default()),
+        picture(&comparison.old.context, &Options::default()),
+        picture(&comparison.new.context, &Options::default()),
     );
     let pictures = Pictures {
         old: Excerpts::new(&old),

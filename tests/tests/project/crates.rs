@@ -26,7 +26,7 @@ const RULES: [(&str, &[&str]); 21] = [
     ),
     ("simulator", &[]),
     ("prover", &["simulator"]),
-    ("picture", &[]),
+    ("picture", &["simulator"]),
     ("review", &["simulator", "picture", "prover", "ide"]),
     ("notation", &[]),
     ("ide", &["simulator"]),

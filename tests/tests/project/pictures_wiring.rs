@@ -5,8 +5,8 @@ use ladder_analysis::analyze;
 use ladder_analysis::context::Context;
 use ladder_analysis::networks::NetworkAt;
 use ladder_format::{Circuit, ElementKind};
-use ladder_picture::scene::{Form, Placed, Role};
-use ladder_picture::{Options, Scene, scene};
+use ladder_picture::shapes::{Form, Placed, Role};
+use ladder_picture::{Options, Picture, picture};
 use ladder_syntax::parse;
 use ladder_syntax::wiring::PartKind;
 use ladder_tests::generator::{Dice, Mode, program};
@@ -19,10 +19,10 @@ type End = Option<(usize, usize)>;
 type Ways = BTreeSet<(End, End)>;
 type At = (i32, i32);
 
-fn drawn(text: &str) -> (Arc<Context>, Scene) {
+fn drawn(text: &str) -> (Arc<Context>, Picture) {
     let context = analyze(&Arc::new(parse(text)), "program").context.clone();
-    let scene = scene(&context, &Options::default());
-    (context, scene)
+    let picture = picture(&context, &Options::default());
+    (context, picture)
 }
 
 /// The ways of a network by its text.
@@ -75,14 +75,14 @@ struct Lines {
 }
 
 impl Lines {
-    fn of(scene: &Scene, network: usize) -> Lines {
+    fn of(picture: &Picture, network: usize) -> Lines {
         let mut lines = Lines::default();
-        let is_network = |block: &&ladder_picture::scene::Block| match block.kind {
-            ladder_picture::scene::BlockKind::Network { index, .. } => index == network,
+        let is_network = |block: &&ladder_picture::shapes::Block| match block.kind {
+            ladder_picture::shapes::BlockKind::Network { index, .. } => index == network,
             _ => false,
         };
-        let block = scene.blocks.iter().find(is_network).expect("it is drawn");
-        for shape in &scene.shapes[block.shapes.clone()] {
+        let block = picture.blocks.iter().find(is_network).expect("it is drawn");
+        for shape in &picture.shapes[block.shapes.clone()] {
             let Form::Line(from, to) = shape.form else {
                 continue;
             };
@@ -93,7 +93,7 @@ impl Lines {
                 Role::Symbol => {}
             }
         }
-        let placed = scene.placed.iter();
+        let placed = picture.placed.iter();
         lines.placed = placed
             .filter(|it| it.element.network == network)
             .copied()
@@ -184,13 +184,13 @@ impl Lines {
 }
 
 fn check(text: &str) -> usize {
-    let (context, scene) = drawn(text);
+    let (context, picture) = drawn(text);
     let mut checked = 0;
     for (index, network) in context.networks.iter().enumerate() {
         if network.broken {
             continue;
         }
-        let lines = Lines::of(&scene, index);
+        let lines = Lines::of(&picture, index);
         assert_eq!(lines.ways(), ways_in_text(network), "network {index} of\n{text}");
         lines.check_room(text);
         checked += 1;
@@ -266,8 +266,8 @@ fn branches_begin_at_one_line_and_end_at_one() {
             (ElementKind::Condition, text.as_str())
         });
         assert_eq!(check(&text), 1, "{text}");
-        let (_, scene) = drawn(&text);
-        let bundles = Lines::of(&scene, 0).bundles();
+        let (_, picture) = drawn(&text);
+        let bundles = Lines::of(&picture, 0).bundles();
         assert_eq!(bundles, 2 * parallels(&circuit), "{text}");
         met += parallels(&circuit);
     }

@@ -21,7 +21,7 @@ use ladder_analysis::values::types::Scalar;
 use ladder_picture::letters::Style;
 #[cfg(feature = "pdf")]
 use ladder_picture::sheet;
-use ladder_picture::{Options, Scene, Theme};
+use ladder_picture::{Options, Picture, Theme};
 use ladder_simulator::{Simulation, value_text};
 use ladder_workspace::shown;
 use std::io::{IsTerminal, Write};
@@ -154,7 +154,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if format == Format::Text {
         return characters(arguments, &source);
     }
-    let (scene, outcome) = match arguments.scans {
+    let (picture, outcome) = match arguments.scans {
         None => at_rest(arguments, &source),
         Some(scans) => match running(arguments, &source, scans)? {
             Some(drawn) => drawn,
@@ -162,16 +162,16 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         },
     };
     let bytes = match format {
-        Format::Svg => ladder_picture::svg(&scene, theme).into_bytes(),
+        Format::Svg => ladder_picture::svg(&picture, theme).into_bytes(),
         #[cfg(not(feature = "png"))]
         Format::Png => return Err(Feature::Png.left_out()),
         #[cfg(feature = "png")]
         Format::Png => raster::png(
-            &ladder_picture::svg(&scene, theme),
+            &ladder_picture::svg(&picture, theme),
             arguments.scale.unwrap_or(2.0),
         )
         .map_err(|problem| Failure::new(format!("{}: {problem}", shown::line(&source.file))))?,
-        Format::Pdf => pages(arguments, &source, &scene, theme)?,
+        Format::Pdf => pages(arguments, &source, &picture, theme)?,
         Format::Text => Vec::new(),
     };
     write(arguments, format, &bytes)?;
@@ -275,7 +275,12 @@ fn paper(arguments: &Arguments) -> sheet::Options<'static> {
 
 /// The picture as pages of a PDF.
 #[cfg(feature = "pdf")]
-fn pages(arguments: &Arguments, source: &Source, scene: &Scene, theme: Theme) -> Result<Vec<u8>, Failure> {
+fn pages(
+    arguments: &Arguments,
+    source: &Source,
+    picture: &Picture,
+    theme: Theme,
+) -> Result<Vec<u8>, Failure> {
     let stem = arguments.file.file_stem().map(|stem| stem.to_string_lossy());
     let title = match (&arguments.title, &stem) {
         (Some(title), _) => title,
@@ -294,7 +299,7 @@ fn pages(arguments: &Arguments, source: &Source, scene: &Scene, theme: Theme) ->
         block: &block,
         ..paper(arguments)
     };
-    let sheets = sheet::sheets(&source.analyze().context, scene, &options);
+    let sheets = sheet::sheets(&source.analyze().context, picture, &options);
     let document = pdf::document(&sheets, title, theme)
         .map_err(|problem| Failure::new(format!("{}: {problem}", source.file)))?;
     if !document.missing.is_empty() {
@@ -314,18 +319,18 @@ fn pages(arguments: &Arguments, source: &Source, scene: &Scene, theme: Theme) ->
 }
 
 #[cfg(not(feature = "pdf"))]
-fn pages(_: &Arguments, _: &Source, _: &Scene, _: Theme) -> Result<Vec<u8>, Failure> {
+fn pages(_: &Arguments, _: &Source, _: &Picture, _: Theme) -> Result<Vec<u8>, Failure> {
     Err(Feature::Pdf.left_out())
 }
 
 /// The picture of the program as it is written. One with errors is drawn as well, and stderr shows them.
-fn at_rest(arguments: &Arguments, source: &Source) -> (Scene, Outcome) {
+fn at_rest(arguments: &Arguments, source: &Source) -> (Picture, Outcome) {
     let options = Options {
         rail: rail(arguments),
         ..Options::default()
     };
-    let scene = ladder_picture::scene(&source.analyze().context, &options);
-    (scene, rest(source))
+    let picture = ladder_picture::picture(&source.analyze().context, &options);
+    (picture, rest(source))
 }
 
 /// What is reported about a program that is drawn without being run.
@@ -362,7 +367,11 @@ fn simulated<'s>(arguments: &Arguments, source: &'s Source, scans: u64) -> Resul
 }
 
 /// The picture of the program after this many scans; none if it has errors.
-fn running(arguments: &Arguments, source: &Source, scans: u64) -> Result<Option<(Scene, Outcome)>, Failure> {
+fn running(
+    arguments: &Arguments,
+    source: &Source,
+    scans: u64,
+) -> Result<Option<(Picture, Outcome)>, Failure> {
     let Some(run) = simulated(arguments, source, scans)? else {
         return Ok(None);
     };
@@ -379,8 +388,8 @@ fn running(arguments: &Arguments, source: &Source, scans: u64) -> Result<Option<
         rail: rail(arguments),
         ..Options::default()
     };
-    let scene = ladder_picture::scene(&source.analyze().context, &options);
-    Ok(Some((scene, run.outcome())))
+    let picture = ladder_picture::picture(&source.analyze().context, &options);
+    Ok(Some((picture, run.outcome())))
 }
 
 /// The value of an operand: of a timer or counter how far it is, of a BOOL 0 or 1. That of a literal is seen by itself.

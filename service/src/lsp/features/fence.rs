@@ -7,7 +7,7 @@ use ladder_analysis::networks::BlockAt;
 use ladder_ide::{Modifiers, Token, TokenKind, semantic_tokens};
 use ladder_instructions::Shape;
 use ladder_live::{Failure, argument_of};
-use ladder_picture::{Options, Theme, scene, svg};
+use ladder_picture::{Options, Theme, picture, svg};
 use ladder_syntax::TextRange;
 use serde::{Deserialize, Serialize};
 use tower_lsp::jsonrpc::Result;
@@ -107,10 +107,10 @@ pub(crate) fn draw(fence: &Fence) -> Option<DrawnFence> {
     }
     piece(at..text.len(), "");
     let picture = (!context.networks.is_empty()).then(|| {
-        let scene = scene(&context, &Options::default());
+        let picture = picture(&context, &Options::default());
         FencePicture {
-            light: svg(&scene, Theme::Light),
-            dark: svg(&scene, Theme::Dark),
+            light: svg(&picture, Theme::Light),
+            dark: svg(&picture, Theme::Dark),
         }
     });
     Some(DrawnFence { words, picture })

@@ -6,7 +6,7 @@ use crate::tested::Tested;
 use expect_test::expect_file;
 use ladder_analysis::analyze;
 use ladder_analysis::library::{SOURCES, Source};
-use ladder_picture::{Options, Theme, scene, svg};
+use ladder_picture::{Options, Theme, picture, svg};
 use ladder_simulator::scenario::{self, Scenario};
 use ladder_simulator::trace::{Format, Trace};
 use ladder_tests::{book, project};
@@ -142,7 +142,7 @@ pub(super) fn parameters(source: &'static Source) -> Vec<Parameter<'static>> {
 fn drawing(source: &Source) -> String {
     let parse = Arc::new(ladder_syntax::parse(source.example));
     let analysis = analyze(&parse, source.name);
-    svg(&scene(&analysis.context, &Options::default()), Theme::Auto)
+    svg(&picture(&analysis.context, &Options::default()), Theme::Auto)
 }
 
 fn first(source: &Source) -> Scenario {

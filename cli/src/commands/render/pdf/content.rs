@@ -1,7 +1,7 @@
 //! What is drawn on a page.
 
 use super::font::Fonts;
-use ladder_picture::scene::{Anchor, At, Form, PathStep, Shape};
+use ladder_picture::shapes::{Anchor, At, Form, PathStep, Shape};
 use ladder_picture::sheet::{Piece, Sheet};
 use ladder_picture::style::{Cap, Colour, DOT, Hue, Look, Theme};
 use pdf_writer::types::LineCapStyle;

@@ -9,7 +9,7 @@ pub type At = (i32, i32);
 
 /// A drawn file.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Scene {
+pub struct Picture {
     /// Its width, in pixels.
     pub width: i32,
     /// Its height.
@@ -35,7 +35,7 @@ pub struct Block {
     pub right: i32,
 }
 
-/// What a block of a scene is.
+/// What a block of a picture is.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum BlockKind {
     /// Comments, line by line.
