@@ -3,6 +3,7 @@ import type { Asked, Declarations, Edit, Edited, Offered } from './diagram/draw/
 import type { Compared } from './compare/messages.ts';
 import type { CrossReferenced } from './crossReference.ts';
 import type { Drawn, Lines } from './diagram/messages.ts';
+import type { SceneShown, SceneValues } from './scene/messages.ts';
 import type { Traced, TraceAsked } from './trace/messages.ts';
 
 /** A place in a text; both count from 0, characters in UTF-16 units. */
@@ -123,6 +124,8 @@ export interface State {
     readonly operands?: readonly Operand[];
     /** All of them, whenever one is at another place. */
     readonly labels?: readonly Label[];
+    /** What has changed in the scenes that are shown. */
+    readonly scenes?: readonly SceneValues[];
     readonly faults: readonly Fault[];
 }
 
@@ -340,6 +343,8 @@ export interface DrawnFence {
 
 /** The commands besides those of the simulator. */
 export interface OtherCommands {
+    /** A drawing of the machine, with the values of a simulation or at rest. */
+    'ladder.scene': { argument: { uri: string; session?: string }; answer: SceneShown };
     'ladder.fence': { argument: { text: string }; answer: DrawnFence };
     /** The page of a rule, in Markdown. */
     'ladder.rulePage': { argument: { rule: string }; answer: { markdown: string } };

@@ -32,6 +32,8 @@ export class Session<Document extends SimulatedText = SimulatedText> {
     readonly operands = new Map<number, readonly Operand[]>();
     /** Where values are shown. */
     labels: readonly Label[] = [];
+    /** What has changed in scenes since their pages were told, by address. */
+    readonly scenes = new Map<string, { readonly values: Map<number, string>; again: boolean }>();
     /** Grows whenever what is known of power changes. */
     powerChanges = 0;
     /** How many commands had taken effect in the last picture; an answer comes before the picture of it. */
@@ -118,6 +120,12 @@ export class Session<Document extends SimulatedText = SimulatedText> {
             this.operands.set(line, operands);
         }
         this.labels = state.labels ?? this.labels;
+        for (const { uri, values = [], again = false } of state.scenes ?? []) {
+            const scene = this.scenes.get(uri) ?? { values: new Map<number, string>(), again: false };
+            values.forEach(([slot, value]) => scene.values.set(slot, value));
+            scene.again ||= again;
+            this.scenes.set(uri, scene);
+        }
         return whole || state.tags.length > 0 || state.power.length > 0 || byLine.size > 0 || state.labels !== undefined;
     }
 

@@ -39,8 +39,10 @@ const { metafile } = await build({
         main: 'src/main.ts',
         worker: found('worker.js', [server, join(here, 'src')]),
         diagram: 'src/frames/diagram.ts',
+        scene: 'src/frames/scene.ts',
         trace: 'src/frames/trace.ts',
         'diagram.style': '../panels/diagram/diagram.css',
+        'scene.style': '../panels/scene/scene.css',
         'trace.style': '../panels/trace/trace.css',
         theme: 'page/theme.css',
         page: 'page/page.css',
@@ -61,21 +63,22 @@ const POLICY = "default-src 'none'; style-src 'self'; script-src 'self'";
 const STYLES = '<link rel="stylesheet" href="theme.css">\n<link rel="stylesheet" href="frame.css">';
 const withStyles = (html) => html.replace('</head>', `${STYLES}\n</head>`);
 
-const diagram = `<!DOCTYPE html>
+const panel = (name, title) => `<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
 <meta http-equiv="Content-Security-Policy" content="${POLICY}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<link rel="stylesheet" href="diagram.style.css">
-<title>Diagram</title>
+<link rel="stylesheet" href="${name}.style.css">
+<title>${title}</title>
 </head>
 <body>
-<script src="diagram.js"></script>
+<script src="${name}.js"></script>
 </body>
 </html>
 `;
-writeFileSync(join(out, 'diagram.html'), withStyles(diagram));
+writeFileSync(join(out, 'diagram.html'), withStyles(panel('diagram', 'Diagram')));
+writeFileSync(join(out, 'scene.html'), withStyles(panel('scene', 'Scene')));
 writeFileSync(join(out, 'trace.html'), withStyles(page({ script: 'trace.js', style: 'trace.style.css', styles: "'self'", scripts: "'self'" })));
 writeFileSync(join(out, 'examples.json'), JSON.stringify(programs(join(here, '..'))));
 copyFileSync(join(here, 'page/index.html'), join(out, 'index.html'));

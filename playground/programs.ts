@@ -1,4 +1,4 @@
-// The programs that come with the page: those of `examples/`, and those of the chapters that begin with nothing.
+// The programs that come with the page: those with a machine of their own, those of `examples/`, and those of the chapters that begin with nothing.
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
@@ -27,6 +27,23 @@ function ofFolder(folder: string): Example[] {
             name,
             text: readFileSync(join(folder, name), 'utf8'),
             ...(existsSync(tests) ? { scenarios: readFileSync(tests, 'utf8') } : {}),
+        };
+    });
+}
+
+/** Each in a folder of its own: the program has the folder's name, and all next to it is of its machine. */
+function ofMachines(folder: string): Example[] {
+    return readdirSync(folder).sort().map((stem) => {
+        const read = (name: string) => readFileSync(join(folder, stem, name), 'utf8');
+        const own = [`${stem}.clad`, `${stem}.ladder-test`];
+        const beside = readdirSync(join(folder, stem)).filter((name) => !own.includes(name)).sort();
+        return {
+            group: 'Machines',
+            title: title(stem),
+            name: `${stem}.clad`,
+            text: read(`${stem}.clad`),
+            scenarios: read(`${stem}.ladder-test`),
+            files: Object.fromEntries(beside.map((name) => [name, read(name)])),
         };
     });
 }
@@ -61,5 +78,5 @@ function ofChapter(root: string, [chapter, group]: readonly [string, string]): E
 }
 
 export function programs(root: string): Example[] {
-    return [...ofFolder(join(root, 'examples')), ...CHAPTERS.flatMap((chapter) => ofChapter(root, chapter))];
+    return [...ofMachines(join(root, 'playground/machines')), ...ofFolder(join(root, 'examples')), ...CHAPTERS.flatMap((chapter) => ofChapter(root, chapter))];
 }

@@ -64,6 +64,7 @@ mod settings;
 mod small_pages;
 mod stdin;
 mod terminal;
+mod values;
 mod xml;
 
 use clap::Parser;

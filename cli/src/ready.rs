@@ -2,14 +2,14 @@
 
 use crate::findings::{FileRange, NotRead, Problem, Source, Workspaces, full, is_settings};
 use crate::outcome::Outcome;
-use crate::run::unread;
+use crate::run::{Plants, unread};
 use annotate_snippets::Renderer;
 use ladder_analysis::program::Location;
 use ladder_analysis::{NotWhole, Severity};
 use ladder_simulator::scenario::{self, Case, ScenarioError, Suite, Watched};
 use ladder_simulator::{Options, Simulation};
 use ladder_syntax::TextRange;
-use ladder_workspace::{FileError, Named, Settings};
+use ladder_workspace::{FileError, Named, Settings, is_scene};
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::{Arc, Mutex};
@@ -31,7 +31,7 @@ impl Ready {
         source: &Source,
         renderer: &Renderer,
         workspaces: &Mutex<Workspaces>,
-    ) -> Result<Ready, (Vec<Problem>, Option<Arc<Source>>)> {
+    ) -> Result<Ready, NotReady> {
         let suite = scenario::parse(&source.text);
         let errors = |found: &[ScenarioError]| -> Vec<Problem> {
             let mut found: Vec<&ScenarioError> = suite.errors.iter().chain(found).collect();
@@ -41,44 +41,13 @@ impl Ready {
                 .map(|found| Problem::of(source, found, renderer))
                 .collect()
         };
-        let Some((name, range)) = &suite.program else {
+        if suite.program.is_none() {
             return Err((errors(&[]), None));
-        };
-        let named = Named::in_file(path, name);
-        let program = named.path();
-        let with_errors = |problem: Problem| {
-            let mut problems = errors(&[]);
-            problems.insert(0, problem);
-            (problems, None)
-        };
-        let bytes = named
-            .read_bytes()
-            .map_err(|error| with_errors(missing_program(source, *range, &error, renderer)))?;
-        let program_source = source_of(&program, bytes, workspaces);
-        let program_source = program_source.map_err(|error| with_errors(broken_program(&program, &error)))?;
-        let mut plants = Vec::new();
-        for plant in &suite.plants {
-            let named = Named::in_file(path, &plant.file);
-            let bytes = named
-                .read_bytes()
-                .map_err(|error| with_errors(missing_program(source, plant.range, &error, renderer)))?;
-            let of_plant = source_of(&named.path(), bytes, workspaces);
-            let of_plant = of_plant.map_err(|error| with_errors(broken_program(&named.path(), &error)))?;
-            plants.push((of_plant, plant.name.clone()));
         }
-        let program_source = Arc::new(program_source.beside(plants, suite.connections()));
-        let of_plants = program_source.plant_errors();
-        if !of_plants.is_empty() {
-            let of_plants: Vec<ScenarioError> = of_plants
-                .iter()
-                .map(|error| scenario::plant_error(&suite, error))
-                .collect();
-            return Err((errors(&of_plants), Some(program_source)));
-        }
-        let mut simulation = compile(&program, &program_source, &suite, renderer).map_err(|problems| {
-            let mut all = errors(&[]);
-            all.extend(problems);
-            (all, Some(Arc::clone(&program_source)))
+        let prepared = prepared(path, source, &suite, renderer, workspaces);
+        let (mut simulation, program_source) = prepared.map_err(|(mut problems, program)| {
+            problems.extend(errors(&[]));
+            (problems, program)
         })?;
         let (cases, mut found) = scenario::bind(&suite, &simulation);
         if let Some((_, range)) = suite.interval.filter(|_| simulation.program().has_tasks()) {
@@ -103,6 +72,61 @@ impl Ready {
             program: program_source,
         })
     }
+}
+
+/// What goes wrong before a program runs, and the program as far as it was read.
+type NotReady = (Vec<Problem>, Option<Arc<Source>>);
+
+/// The program that a file of scenarios or a scene is about, beside its plants and ready to run.
+pub(crate) fn prepared(
+    path: &Path,
+    source: &Source,
+    suite: &Suite,
+    renderer: &Renderer,
+    workspaces: &Mutex<Workspaces>,
+) -> Result<(Simulation, Arc<Source>), NotReady> {
+    let unread = |problem: Problem| (vec![problem], None);
+    let Some((name, range)) = &suite.program else {
+        return Err((Vec::new(), None));
+    };
+    let named = Named::in_file(path, name);
+    let program = named.path();
+    let bytes = named
+        .read_bytes()
+        .map_err(|error| unread(missing_program(source, *range, &error, renderer)))?;
+    let mut program_source =
+        source_of(&program, bytes, workspaces).map_err(|error| unread(broken_program(&program, &error)))?;
+    let mut plants = Vec::new();
+    for plant in &suite.plants {
+        let named = Named::in_file(path, &plant.file);
+        let bytes = named
+            .read_bytes()
+            .map_err(|error| unread(missing_program(source, plant.range, &error, renderer)))?;
+        let of_plant = source_of(&named.path(), bytes, workspaces)
+            .map_err(|error| unread(broken_program(&named.path(), &error)))?;
+        plants.push((of_plant, plant.name.clone()));
+    }
+    if plants.is_empty() && is_scene(path) {
+        // A scene shows what is simulated, and that runs with the plants of the settings.
+        program_source = Plants::default().beside(program_source).map_err(|failure| {
+            let place = FileRange::start(&program.display().to_string());
+            unread(Problem::unusable(place, &failure))
+        })?;
+    } else {
+        program_source = program_source.beside(plants, suite.connections());
+    }
+    let program_source = Arc::new(program_source);
+    let of_plants = program_source.plant_errors();
+    if !of_plants.is_empty() {
+        let of_plants = of_plants.iter().map(|error| {
+            let error = scenario::plant_error(suite, error);
+            Problem::of(source, &error, renderer)
+        });
+        return Err((of_plants.collect(), Some(program_source)));
+    }
+    let simulation = compile(&program, &program_source, suite, renderer)
+        .map_err(|problems| (problems, Some(Arc::clone(&program_source))))?;
+    Ok((simulation, program_source))
 }
 
 /// A program without scenarios, ready to run.
@@ -220,7 +244,14 @@ fn missing_program(source: &Source, range: TextRange, error: &FileError, rendere
     let found = ScenarioError {
         range,
         message: error.to_string(),
-        help: Some("a program is named as it is seen from the folder of the scenario file".to_owned()),
+        help: Some(
+            if is_scene(Path::new(&source.file)) {
+                "name the program in the element `svg`, as it is seen from the folder of this file: l:program=\"motor.clad\""
+            } else {
+                "a program is named as it is seen from the folder of the scenario file"
+            }
+            .to_owned(),
+        ),
     };
     Problem {
         outcome: Outcome::Failed,

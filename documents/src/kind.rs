@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use ladder_notations::{Notation, by_language, recognise};
-use ladder_workspace::{SETTINGS_FILE, is_ladder_text, is_scenario};
+use ladder_workspace::{SETTINGS_FILE, is_ladder_text, is_scenario, is_scene};
 
 /// How the languages of notations begin. One that is not known is of a notation that this build leaves out.
 const NOTATION: &str = "ladder-";
@@ -21,6 +21,8 @@ pub enum Kind {
     Settings,
     /// A file of scenarios.
     Scenarios,
+    /// A drawing of the machine.
+    Scene,
     /// Something that the server knows nothing of: the client sends all files of a language.
     Other,
 }
@@ -37,6 +39,8 @@ impl Kind {
             Kind::Program
         } else if is_scenario(name) || matches!(language, "ladder-test" | "laddertest") {
             Kind::Scenarios
+        } else if is_scene(name) {
+            Kind::Scene
         } else if matches!(language, "toml" | "python") || language.starts_with(NOTATION) {
             Kind::Other
         } else if let Some(notation) = by_file(name, text).filter(|_| language != "clad") {
@@ -52,7 +56,7 @@ impl Kind {
     pub fn notation(self) -> Option<&'static dyn Notation> {
         match self {
             Kind::Foreign(notation) => Some(notation),
-            Kind::Program | Kind::Settings | Kind::Scenarios | Kind::Other => None,
+            Kind::Program | Kind::Settings | Kind::Scenarios | Kind::Scene | Kind::Other => None,
         }
     }
 }
@@ -83,6 +87,8 @@ mod tests {
             ("file:///plant/motor.ladder-test", "ladder-test", Kind::Scenarios),
             ("file:///plant/motor.ladder-test", "", Kind::Scenarios),
             ("untitled:Untitled-2", "laddertest", Kind::Scenarios),
+            ("file:///plant/tank.scene.svg", "svg", Kind::Scene),
+            ("file:///plant/tank.svg", "svg", Kind::Program),
             ("file:///plant/tank.py", "python", Kind::Other),
             ("file:///plant/tank.py", "ladder-click", foreign),
             ("untitled:Untitled-3", "ladder-click", foreign),

@@ -12,8 +12,9 @@ use ladder_analysis::context::Context;
 use ladder_analysis::{Cancel, Exported};
 use ladder_ide::{ScenarioFile, Which, Workspace};
 use ladder_notations::Foreign;
+use ladder_picture::scene;
 use ladder_syntax::TextRange;
-use ladder_workspace::Member;
+use ladder_workspace::{Member, scene_stem};
 use ropey::Rope;
 
 use crate::kind::Kind;
@@ -200,17 +201,18 @@ impl OtherFiles {
             .get_or_init(|| self.find_scenarios().unwrap_or_default())
     }
 
-    /// The files of scenarios below the workspace's folder.
+    /// The files of scenarios, and the scenes, below the workspace's folder.
     fn find_scenarios(&self) -> Option<Vec<Scenarios>> {
         let place = self.own.place()?;
         let folder = place.neighbours.folder_of(&place.path);
         let disk = place.neighbours.disk();
-        let mut paths = disk.scenarios(&[folder]);
+        let mut paths = disk.scenarios(std::slice::from_ref(&folder));
+        paths.extend(disk.scenes(&[folder]));
         let open: Vec<_> = self
             .companions
             .all()
             .into_iter()
-            .filter(|revision| revision.kind() == Kind::Scenarios)
+            .filter(|revision| matches!(revision.kind(), Kind::Scenarios | Kind::Scene))
             .filter_map(|revision| Some((address::path_of(&revision.uri)?, revision)))
             .collect();
         // What a person has open counts, even where the workspace passes over it.
@@ -232,7 +234,10 @@ impl OtherFiles {
                 Some(revision) => revision.rope().to_string(),
                 None => disk.read(&path).unwrap_or_default(),
             };
-            let suite = ladder_simulator::scenario::parse(&text);
+            let suite = match scene_stem(&path) {
+                Some(stem) => scene::of_file(stem, &text).suite(),
+                None => ladder_simulator::scenario::parse(&text),
+            };
             let program = suite.program.as_ref().and_then(|(program, _)| {
                 let next_to = disk.locate(&disk.named_in(&path, program)).ok()?;
                 Some(place.neighbours.view(&next_to).0)

@@ -22,7 +22,7 @@ const { metafile } = await build({
 
 // The pages of views: each a script and a style of its own, for the browser that the editor is.
 const panels = '../../panels';
-for (const name of ['compare', 'diagram', 'trace']) {
+for (const name of ['compare', 'diagram', 'scene', 'trace']) {
     await build({
         entryPoints: { [name]: `${panels}/${name}/main.ts`, [`${name}.style`]: `${panels}/${name}/${name}.css` },
         entryNames: '[name]',

@@ -77,8 +77,8 @@ pub use rename::{
 };
 pub use rule_page::rule_page;
 pub use scenario::{
-    ScenarioPart, Scenarios, scenario_completions, scenario_definition, scenario_highlights, scenario_hover,
-    scenario_layout, scenario_on_type, scenario_outline,
+    ScenarioPart, Scenarios, SceneAttribute, scenario_completions, scenario_definition, scenario_highlights,
+    scenario_hover, scenario_layout, scenario_on_type, scenario_outline, scene_completions, scene_hover,
 };
 pub use selection::selections;
 pub use semantic_tokens::{Modifiers, Token, TokenKind, semantic_tokens, semantic_tokens_of};

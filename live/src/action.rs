@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use ladder_documents::Revision;
+use ladder_picture::scene::Scene;
 use ladder_syntax::TextSize;
 use serde::Serialize;
 use serde_json::Value;
@@ -10,7 +11,7 @@ use serde_json::Value;
 use crate::debugger::Beginning;
 use crate::debugging::Effect;
 use crate::diagram_text::{DiagramText, DrawnText};
-use crate::messages::{Found, History, Recorded, Search, Shown, State, Trace, Traced, Why};
+use crate::messages::{Found, History, Recorded, SceneShown, Search, Shown, State, Trace, Traced, Why};
 
 /// How fast a run goes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,6 +62,8 @@ pub enum Action {
     Trace(Trace),
     /// Draw lines with characters.
     DiagramText(DiagramText),
+    /// Show the scene of this address from now on.
+    Scene(String, Box<Scene>),
     /// Scan until another action comes.
     Run {
         /// Pause after this many scans.
@@ -154,6 +157,7 @@ impl Action {
                 | Action::History(..)
                 | Action::Trace(_)
                 | Action::DiagramText(_)
+                | Action::Scene(..)
                 | Action::Tags(_)
                 | Action::ValuesAt(_)
         )
@@ -178,6 +182,8 @@ pub enum Answer {
     Trace(Box<Traced>),
     /// Lines of a diagram.
     DiagramText(DrawnText),
+    /// A scene.
+    Scene(Box<SceneShown>),
     /// Tags that were searched for.
     Found(Found),
     /// Values, in words.

@@ -22,6 +22,7 @@ use crate::messages;
 use crate::pulse::Pulse;
 use crate::request::Failure;
 use crate::retention::{Keeping, Retention};
+use crate::scenes::LiveScene;
 use crate::value::from_given;
 use crate::view::View;
 
@@ -55,6 +56,8 @@ pub(crate) struct Engine {
     pub(crate) is_new: bool,
     /// The tags whose trace the client shows.
     pub(crate) recorder: Recorder,
+    /// The scenes that the client shows.
+    pub(crate) scenes: Vec<LiveScene>,
     /// How many breakpoints have stopped it.
     hits: u64,
 }
@@ -117,6 +120,7 @@ impl Engine {
             shown: None,
             is_new: false,
             recorder: Recorder::default(),
+            scenes: Vec::new(),
             hits: 0,
         };
         engine.set_inputs()?;
@@ -137,6 +141,7 @@ impl Engine {
         self.is_new = true;
         self.places = OnceCell::new();
         self.drawing = OnceCell::new();
+        self.scenes.iter_mut().for_each(LiveScene::let_go);
         if self.view.is_some() {
             self.view = Some(View::default());
             if let Some(shown) = self.shown.take() {

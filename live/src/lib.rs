@@ -25,6 +25,7 @@ mod request;
 mod retention;
 mod runner;
 mod running_program;
+mod scenes;
 mod session;
 mod sessions;
 mod status_text;

@@ -1,6 +1,7 @@
 //! What travels between editor and simulator. `docs/protocol.md` shows each message.
 
 mod debug;
+mod scene;
 mod shown;
 mod state;
 mod trace;
@@ -14,6 +15,9 @@ use serde_json::Value;
 
 pub use debug::{Debug, Debugged, DebuggerMessage};
 pub use ladder_documents::Lines;
+pub use scene::{
+    SceneAct, SceneActKind, SceneAsked, SceneNode, SceneRow, SceneShown, SceneSlot, SceneValues,
+};
 pub use shown::{Contact, Found, Label, Operand, Search, Show, Shown, Side};
 pub use state::{Breakpoint, Fault, Hit, Lost, Power, ProgramChange, Role, State, Status, Tag};
 pub use trace::{Cursors, GoTo, Reach, Tick, Trace, TraceColumn, TraceTag, Traced, TracedKind};

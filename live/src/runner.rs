@@ -134,6 +134,10 @@ impl Runner {
                 let drawn = self.simulation.engine.diagram_text(&asked);
                 drawn.map(Answer::DiagramText)
             }
+            Action::Scene(uri, scene) => {
+                let shown = self.simulation.engine.show_scene(uri, *scene);
+                Ok(Answer::Scene(Box::new(shown)))
+            }
             Action::Record(name, outputs) => {
                 let engine = &mut self.simulation.engine;
                 engine.obey(self.queue.cancel_of_command(&cancel));
@@ -224,6 +228,7 @@ impl Runner {
             | Action::History(..)
             | Action::Trace(_)
             | Action::DiagramText(_)
+            | Action::Scene(..)
             | Action::Tags(_)
             | Action::ValuesAt(_)
             | Action::Debug(_)

@@ -63,6 +63,11 @@ impl Simulation {
         } else {
             engine.update()
         };
+        let scenes = if in_part && detail == Detail::Answer {
+            Vec::new()
+        } else {
+            engine.scene_values()
+        };
         let mut state = State {
             session: self.id.clone(),
             uri: engine.revision().uri.to_string(),
@@ -85,6 +90,7 @@ impl Simulation {
             commands: in_part.then_some(self.answers),
             operands: update.operands,
             labels: update.labels,
+            scenes,
             tags,
             power: update.power,
             faults: engine.faults(),

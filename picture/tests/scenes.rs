@@ -107,7 +107,7 @@ fn expressions_are_checked() {
     check(
         "<g l:show=\"nobody\"/><g l:show=\"level\"/><g l:move-x=\"wait\"/><g l:move-x=\"start\"/><g l:show=\"level &gt;= 5 and\"/>\
          <g l:press=\"run\" l:alt=\"r\"/><g l:press=\"MOST\" l:alt=\"m\"/><g l:toggle=\"level > 1\" l:alt=\"x\"/>\
-         <g l:set=\"level = 5\" l:alt=\"s\"/><g l:set=\"level := 1.5\" l:alt=\"s\"/><g l:set=\"level := level + 1\" l:alt=\"more\"/>\
+         <g l:set=\"level = 5\" l:alt=\"s\"/><g l:set=\"level := 1.5\" l:alt=\"s\"/><g l:set=\"level := level + 1\" l:alt=\"more\"/><g l:set=\"level := 0\" l:move-x=\"1\" l:alt=\"none\"/>\
          <g l:fill=\"near: gren; red; blue\" l:alt=\"c\"/><g l:colour=\"red\"/><g l:show=\"\"/><g l:blink=\"fast\"/>\
          <text l:text=\"name\" l:format=\"0\"/><text l:text=\"level\" l:format=\"#.#\"/><g l:rotate=\"level\" l:at=\"1\"/>",
         &[],
@@ -147,6 +147,8 @@ fn expressions_are_checked() {
             <g aria-label="s" role="img"></g>
             <g aria-label="s" role="button" tabindex="0"></g>
             <g aria-label="more" role="button" tabindex="0"></g>
+            <g aria-label="none" role="button" tabindex="0" transform="translate(1 0)">
+            <g></g></g>
             <g aria-label="c, off" role="img" fill="red"></g>
             <g></g>
             <g></g>
@@ -163,6 +165,7 @@ fn who_does_not_see_it_is_told() {
     check(
         "<g l:press=\"start\" l:alt=\"start\"/><g l:toggle=\"near\" l:alt=\"near sensor\"/><g l:press=\"start\"><text>go</text></g>\
          <g l:press=\"start\"/><rect l:fill=\"near: red; blue\"/>\
+         <g l:alt=\"lamp\"><path/><circle l:fill=\"near: red; blue\"/></g>\
          <g l:show=\"start\" role=\"alert\" l:alt=\"late\"/><g l:alt=\"level\" l:scale-y=\"level\"><text l:text=\"level\">0</text></g>",
         &[("near", "1")],
         expect![[r#"
@@ -175,9 +178,12 @@ fn who_does_not_see_it_is_told() {
             <text>go</text></g>
             <g role="button" tabindex="0"></g>
             <rect fill="red"></rect>
+            <g aria-label="lamp, on" role="img">
+            <path></path>
+            <circle fill="red"></circle></g>
             <g role="alert" aria-label="late" display="none">
             <g></g></g>
-            <g aria-label="level" role="img" transform="translate(0 0) scale(1 0) translate(0 0)">
+            <g aria-label="level, 0" role="img" transform="translate(0 0) scale(1 0) translate(0 0)">
             <g>
             <text>0</text></g></g>"#]],
     );
@@ -330,17 +336,19 @@ fn limits_are_kept() {
     let deep = format!("{}{}", "<g>".repeat(70), "</g>".repeat(70));
     let long = format!("<!--{}-->", "x".repeat(MOST_BYTES));
     // Ten times ten times ten ...
-    let bomb: String = (0..12)
+    let bomb = (0..12)
         .map(|n| {
             format!(
                 "<g id=\"a{n}\">{}</g>",
                 format!("<use href=\"#a{}\"/>", n + 1).repeat(10)
             )
         })
-        .collect();
-    let chain: String = (0..5000)
+        .collect::<Vec<_>>()
+        .concat();
+    let chain = (0..5000)
         .map(|n| format!("<g id=\"a{n}\"><use href=\"#a{}\"/></g>", n + 1))
-        .collect();
+        .collect::<Vec<_>>()
+        .concat();
     let pattern = "<pattern id=\"p\"><rect fill=\"url(#p)\"/></pattern><rect fill=\"url(#p)\"/>";
     let markers = format!(
         "<marker id=\"m\">{}</marker><path marker-mid=\"url(#m)\" d=\"{}\"/>",
@@ -413,7 +421,7 @@ fn what_it_names_is_where_it_says() {
     let text = drawing(
         "<g l:show=\"level &gt;= 5 and near\" l:fill=\"start: red; blue\" l:set=\"level := speed\"/>",
     );
-    let scene = scene::of_file("plant/tank.scene.svg", &text);
+    let scene = scene::of_file("tank", &text);
     assert_eq!(
         scene.program.as_ref().map(|(name, _)| name.as_str()),
         Some("tank.clad")

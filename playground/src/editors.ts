@@ -27,6 +27,7 @@ import { OpenText } from './openText.ts';
 import { powerIn, showPower } from './power.ts';
 import { ProblemsPanel } from './problemsPanel.ts';
 import { marksOfRuns, ScenariosPanel } from './scenariosPanel.ts';
+import { ScenePanel } from './scenePanel.ts';
 import { Server } from './server.ts';
 import { Simulation } from './simulation.ts';
 import { Tabs } from './tabs.ts';
@@ -128,15 +129,17 @@ export function setUp(say: (text: string) => void, busy: (text?: string) => void
     });
     const moves = { start: () => simulation.start(), run: () => simulation.run(), pause: () => simulation.pause(), step: () => simulation.move('step'), back: () => simulation.move('back'), stop: () => simulation.stop() };
     const diagram: DiagramPanel | undefined = new DiagramPanel(byId('diagram'), program, server, simulation, { why: (tag) => void ask(tag), command: (name) => void moves[name]() });
+    const scene = new ScenePanel(byId('scene'), server, simulation);
     const appear = (id: string) => {
-        const views: Readonly<Record<string, () => void>> = { diagram: () => diagram.appear(), tags: () => tags.appear(), traces: () => void trace.tell() };
+        const views: Readonly<Record<string, () => void>> = { scene: () => scene.tell(), diagram: () => diagram.appear(), tags: () => tags.appear(), traces: () => void trace.tell() };
         views[id]?.();
     };
-    for (const [id, title] of [['diagram', 'Diagram'], ['tags', 'Tags'], ['traces', 'Traces'], ['why', 'Why'], ['runs', 'Scenarios'], ['problems', 'Problems']] as const) {
+    for (const [id, title] of [['scene', 'Scene'], ['diagram', 'Diagram'], ['tags', 'Tags'], ['traces', 'Traces'], ['why', 'Why'], ['runs', 'Scenarios'], ['problems', 'Problems']] as const) {
         tabs.add(id, title, byId(id));
     }
     showPower(program, simulation, { ranges: () => why.stopping() });
-    const frames = [diagram.frame, trace.frame];
+    tabs.offer('scene', false, 'diagram');
+    const frames = [scene.frame, diagram.frame, trace.frame];
     return {
         server,
         complete,
@@ -150,7 +153,13 @@ export function setUp(say: (text: string) => void, busy: (text?: string) => void
             why: ask,
             onReady: (ready: () => void) => byId('views').ownerDocument.querySelectorAll('iframe').forEach((frame) => frame.addEventListener('load', ready)),
             /** Another program is in the editor. */
-            forget() {
+            forget(files: Readonly<Record<string, string>>) {
+                server.beside(files);
+                const isThere = scene.open(files);
+                tabs.offer('scene', isThere, 'diagram');
+                if (isThere) {
+                    tabs.choose('scene');
+                }
                 diagram.open();
                 trace.forget();
                 runs.forget();

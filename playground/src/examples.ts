@@ -7,6 +7,8 @@ export interface Example {
     readonly name: string;
     readonly text: string;
     readonly scenarios?: string;
+    /** What is next to it: its machine, and a scene of that. */
+    readonly files?: Readonly<Record<string, string>>;
     /** Where the book tells of it, from the site's first page. */
     readonly chapter?: string;
 }

@@ -1,5 +1,5 @@
 // The programs that the browser keeps: each under a key of its own, so that no tab writes what another one has open.
-import { type Linked, nameOf } from './link.ts';
+import { filesOf, type Linked, nameOf } from './link.ts';
 
 export interface Kept extends Linked {
     readonly id: string;
@@ -36,7 +36,7 @@ export class Shelf {
                 return undefined;
             }
             const scenarios = typeof read.scenarios === 'string' ? { scenarios: read.scenarios } : {};
-            return { id, name: nameOf(read.name), text: read.text, ...scenarios, at: Number(read.at) || 0, isOwn: read.isOwn === true };
+            return { id, name: nameOf(read.name), text: read.text, ...scenarios, ...filesOf(read), at: Number(read.at) || 0, isOwn: read.isOwn === true };
         } catch {
             return undefined;
         }

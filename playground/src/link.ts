@@ -5,6 +5,8 @@ export interface Linked {
     readonly name: string;
     readonly text: string;
     readonly scenarios?: string;
+    /** What is next to it: models of its machine, a scene, settings. */
+    readonly files?: Readonly<Record<string, string>>;
 }
 
 /** A link may come from anybody: no more than this is made of it, in bytes. */
@@ -67,7 +69,18 @@ export async function fromFragment(fragment: string): Promise<Linked | undefined
         throw new Error('the link holds no program.');
     }
     const scenarios = 'scenarios' in read && typeof read.scenarios === 'string' ? { scenarios: read.scenarios } : {};
-    return { name: nameOf('name' in read ? read.name : undefined), text: read.text, ...scenarios };
+    return { name: nameOf('name' in read ? read.name : undefined), text: read.text, ...scenarios, ...filesOf(read) };
+}
+
+/** The files next to a program, of those names that may be there. */
+export function filesOf(read: object): { files?: Readonly<Record<string, string>> } {
+    const given: unknown = 'files' in read ? read.files : undefined;
+    if (typeof given !== 'object' || given === null) {
+        return {};
+    }
+    const isOne = ([name, text]: [string, unknown]) => /^[\p{L}\p{N}_-]+(\.clad|\.scene\.svg|\.toml)$/u.test(name) && name.length <= 80 && typeof text === 'string';
+    const files = (Object.entries(given) as [string, unknown][]).filter(isOne).slice(0, 16) as [string, string][];
+    return files.length === 0 ? {} : { files: Object.fromEntries(files) };
 }
 
 /** A name that a file may have, whatever a link says. */

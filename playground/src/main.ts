@@ -61,7 +61,7 @@ const programs = new Programs(program, scenarios, {
     message: say,
     opened() {
         void simulation.stop();
-        panels.forget();
+        panels.forget(programs.files);
         documents.title('program', program.name);
         documents.title('scenarios', scenarios.name);
         document.title = `${program.name} – Ladder playground`;
@@ -82,8 +82,8 @@ async function open(linked: Linked): Promise<void> {
 const step = byId('step');
 let all: readonly Example[] = [];
 
-async function openExample({ name, text, scenarios: tests, ...example }: Example): Promise<void> {
-    await open({ name, text, ...(tests === undefined ? {} : { scenarios: tests }) });
+async function openExample({ name, text, scenarios: tests, files, ...example }: Example): Promise<void> {
+    await open({ name, text, ...(tests === undefined ? {} : { scenarios: tests }), ...(files === undefined ? {} : { files }) });
     const group = all.filter(({ group }) => group === example.group);
     const at = group.findIndex(({ title }) => title === example.title);
     const link = (title: string, to: Example | undefined) => {
@@ -203,7 +203,9 @@ async function begin(): Promise<void> {
         const first = all[0];
         if (first) {
             await open(first);
-            say('Draw in the diagram: drag a contact onto a wire; a second press on an element shows what can be done with it.');
+            // Who comes for the first time sees at once what this is.
+            await simulation.start();
+            say('The program runs, and its machine with it: press the buttons of the picture, and see what lights up in the text.');
         }
     }
 }

@@ -73,7 +73,13 @@ export class Programs {
     }
 
     get current(): Linked {
-        return { name: this.#program.name, text: this.#program.text, scenarios: this.#scenarios.text };
+        const { files } = this;
+        return { name: this.#program.name, text: this.#program.text, scenarios: this.#scenarios.text, ...(Object.keys(files).length > 0 ? { files } : {}) };
+    }
+
+    /** What is next to the program that is open. */
+    get files(): Readonly<Record<string, string>> {
+        return this.#shelf.get(this.#program.opened.id)?.files ?? {};
     }
 
     /** The one that Back brings again. */

@@ -39,6 +39,7 @@ export class Server {
     readonly client: Client;
     readonly #events: ServerEvents;
     #connection: Connection;
+    #beside: Readonly<Record<string, string>> = {};
 
     constructor(extensions: readonly (Extension | LSPClientExtension)[], events: ServerEvents) {
         this.#events = events;
@@ -77,6 +78,7 @@ export class Server {
         this.#connection.end();
         this.client.disconnect();
         this.#connection = this.#connect();
+        this.files(this.#beside);
     }
 
     /** What was typed is sent before anything is asked about it. */
@@ -85,8 +87,20 @@ export class Server {
     }
 
     /** Puts files next to the texts that are open. */
-    files(files: Readonly<Record<string, string>>): void {
+    files(files: Readonly<Record<string, string | null>>): void {
         this.#connection.files(files);
+    }
+
+    /** These files and no others of those that were put here before are next to the program. */
+    beside(files: Readonly<Record<string, string>>): void {
+        const gone = Object.keys(this.#beside).filter((name) => !(name in files));
+        this.#beside = files;
+        const all = { ...files, ...Object.fromEntries(gone.map((name) => [name, null])) };
+        if (Object.keys(all).length > 0) {
+            this.files(all);
+            const changes = Object.entries(all).map(([name, text]) => ({ uri: `${FOLDER}/${encodeURIComponent(name)}`, type: text === null ? 3 : 1 }));
+            this.client.notification('workspace/didChangeWatchedFiles', { changes });
+        }
     }
 
     simulate<Name extends keyof Commands>(name: Name, argument: object): Promise<Commands[Name]['answer']> {

@@ -37,6 +37,17 @@ export class Tabs {
         }
     }
 
+    /** A tab that there is not always. */
+    offer(id: string, isOffered: boolean, instead: string): void {
+        const tab = this.#tabs.get(id)?.tab;
+        if (tab) {
+            tab.hidden = !isOffered;
+        }
+        if (!isOffered && this.chosen === id) {
+            this.choose(instead);
+        }
+    }
+
     title(id: string, title: string): void {
         const tab = this.#tabs.get(id)?.tab;
         if (tab && tab.textContent !== title) {
@@ -54,7 +65,7 @@ export class Tabs {
     }
 
     #key(event: KeyboardEvent): void {
-        const ids = [...this.#tabs.keys()];
+        const ids = [...this.#tabs].filter(([, { tab }]) => !tab.hidden).map(([id]) => id);
         const at = ids.indexOf(this.chosen);
         const to = { ArrowLeft: at - 1, ArrowRight: at + 1, Home: 0, End: ids.length - 1 }[event.key];
         const id = to === undefined ? undefined : ids.at(to % ids.length);

@@ -43,3 +43,10 @@ test('a name is one that a file may have', () => {
     assert.equal(nameOf(''), 'program.clad');
     assert.equal(nameOf(undefined), 'program.clad');
 });
+
+test('a link holds what is next to the program, but no other names', async () => {
+    const linked = { name: 'tank.clad', text: '', files: { 'machine.clad': 'a', 'tank.scene.svg': '<svg/>', 'ladder.toml': '' } };
+    assert.deepEqual(await fromFragment(await toFragment(linked)), linked);
+    const odd = { ...linked, files: { '../a.clad': '', 'a/b.clad': '', 'page.html': '', '.clad': '', 'm.clad': 1 as unknown as string } };
+    assert.deepEqual(await fromFragment(await toFragment(odd)), { name: 'tank.clad', text: '' });
+});

@@ -6,9 +6,15 @@ import { programs } from '../programs.ts';
 
 const all = programs(join(import.meta.dirname, '../..'));
 
-test('the examples come first, with their scenarios, and the motor before all', () => {
-    assert.equal(all[0]?.name, 'motor.clad');
-    assert.match(all[0]?.scenarios ?? '', /^program motor\.clad$/m);
+test('a machine that moves comes first, with all that belongs to it', () => {
+    assert.equal(all[0]?.name, 'water_tank.clad');
+    assert.deepEqual(Object.keys(all[0]?.files ?? {}), ['ladder.toml', 'machine.clad', 'water_tank.scene.svg']);
+});
+
+test('the examples come next, with their scenarios, and the motor before all', () => {
+    const first = all.find(({ group }) => group === 'Examples');
+    assert.equal(first?.name, 'motor.clad');
+    assert.match(first?.scenarios ?? '', /^program motor\.clad$/m);
 });
 
 test('a chapter is a list of steps, each with its place in the book', () => {

@@ -1,8 +1,8 @@
 // The language server over its pipes, for one document.
 import { spawn } from 'node:child_process';
 
-/** Starts the server. @param diagnosed hears of findings */
-export function startServer(program, diagnosed) {
+/** Starts the server. @param diagnosed hears of findings @param heard hears of all else that nobody asked for */
+export function startServer(program, diagnosed, heard = () => undefined) {
     const child = spawn(program, ['lsp'], { stdio: ['pipe', 'pipe', 'inherit'] });
     // Whoever ends it does not wait for what is on its way.
     child.stdin.on('error', () => undefined);
@@ -18,6 +18,8 @@ export function startServer(program, diagnosed) {
             diagnosed(message.params);
         } else if (message.method !== undefined && message.id !== undefined) {
             send({ id: message.id, result: null });
+        } else if (message.method !== undefined) {
+            heard(message);
         } else if (message.id !== undefined) {
             const { resolve, reject } = open.get(message.id) ?? {};
             open.delete(message.id);

@@ -25,6 +25,8 @@ export async function keeping(site) {
         await it.tab('program');
     };
     await step('an example opens next to the last program, which Back brings again with its scenarios', async () => {
+        await shows('Water is taken from a tank');
+        await it.page.locator('#examples').selectOption({ label: 'Motor' });
         await shows('A motor starter');
         await write(OWN);
         await scenarios('# my own scenarios #');

@@ -13,9 +13,22 @@ export async function sharing(site) {
     const it = await Playground.open(site);
     const failed = (name) => it.picture(`failed ${name}`);
     const text = async () => (await it.lines()).join('\n');
-    await step('the first visit shows an example', async () => {
-        await it.until('the example', async () => (await text()).includes('A motor starter'));
+    await step('the first visit shows a machine that moves, and its buttons reach the program', async () => {
+        await it.until('the example', async () => (await text()).includes('Water is taken from a tank'));
+        const scene = it.page.frameLocator('#scene iframe');
+        const height = () => scene.locator('[aria-label="water"]').getAttribute('transform');
+        const first = await height();
+        await it.until('the water to move', async () => (await height()) !== first);
+        await it.until('the pump', async () => (await scene.locator('[aria-label="pump, on"]').count()) === 1, 20);
+        await scene.getByRole('button', { name: 'stop the pump' }).press('Space', { delay: 500 });
+        await it.until('no pump', async () => (await scene.locator('[aria-label="pump, off"]').count()) === 1);
         await it.picture('first visit');
+    }, failed);
+    await step('a program without a machine has no scene', async () => {
+        await it.page.locator('#examples').selectOption({ label: 'Motor' });
+        await it.until('the example', async () => (await text()).includes('A motor starter'));
+        assert.equal(await it.page.locator('#tab-scene').isVisible(), false);
+        assert.equal(await it.page.locator('#diagram').isVisible(), true);
     }, failed);
     await step('every example opens, and holds no error', async () => {
         const options = await it.page.locator('#examples optgroup[label="Examples"] option').evaluateAll((all) => all.map((option) => option.value));

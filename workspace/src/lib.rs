@@ -62,7 +62,7 @@ pub use retentive::{Found, RetentiveFile};
 pub use root::{Root, SETTINGS_FILE, is_ladder_text, is_program};
 pub use search::{
     SCENARIO_EXTENSION, Survey, find_files, find_ladder_text, find_programs, find_scenarios, is_scenario,
-    survey,
+    is_scene, scene_stem, survey,
 };
 pub use settings::table;
 pub use settings::{

@@ -9,6 +9,7 @@ use crate::outcome::Outcome;
 use annotate_snippets::Renderer;
 use ladder_analysis::Severity;
 use ladder_notations::Mark;
+use ladder_picture::scene::Finding;
 use ladder_simulator::scenario::ScenarioError;
 use ladder_syntax::TextRange;
 use ladder_workspace::shown;
@@ -78,13 +79,29 @@ impl Problem {
     pub(crate) fn of(source: &Source, found: &ScenarioError, renderer: &Renderer) -> Problem {
         Problem {
             place: FileRange::of(source, found.range),
-            rule: scenario_error::NAME,
+            rule: scenario_error::name_in(&source.file),
             severity: Severity::Error,
             message: found.message.clone(),
             help: found.help.clone(),
             part: None,
             shown: scenario_error::render(source, found, renderer),
             outcome: Outcome::Findings,
+        }
+    }
+
+    /// What there is to say about a scene.
+    pub(crate) fn in_scene(source: &Source, found: &Finding, renderer: &Renderer) -> Problem {
+        let as_error = ScenarioError {
+            range: found.range,
+            message: found.message.clone(),
+            help: Some(found.help.to_owned()),
+        };
+        let shown = (Finding::NAME, found.severity);
+        Problem {
+            severity: found.severity,
+            shown: scenario_error::render_as(shown, source, &as_error, renderer),
+            outcome: of_severity(found.severity),
+            ..Problem::of(source, &as_error, renderer)
         }
     }
 
@@ -98,10 +115,7 @@ impl Problem {
             message: remark.message,
             help: None,
             part: source.name_of(remark.range).map(str::to_owned),
-            outcome: match remark.severity {
-                Severity::Error => Outcome::Findings,
-                Severity::Warning | Severity::Info => Outcome::Fine,
-            },
+            outcome: of_severity(remark.severity),
         }
     }
 
@@ -172,6 +186,13 @@ impl Problem {
         let help = self.help.as_ref().map(|help| format!("\n{help}"));
         let part = in_part(self.part.as_deref());
         format!("{}{part}{}", self.message, help.unwrap_or_default())
+    }
+}
+
+fn of_severity(severity: Severity) -> Outcome {
+    match severity {
+        Severity::Error => Outcome::Findings,
+        Severity::Warning | Severity::Info => Outcome::Fine,
     }
 }
 

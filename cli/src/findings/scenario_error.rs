@@ -4,11 +4,23 @@ use super::source::Source;
 use crate::outcome::Failure;
 use crate::terminal;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer};
+use ladder_analysis::Severity;
+use ladder_picture::scene::Finding;
 use ladder_simulator::scenario::ScenarioError;
 use ladder_workspace::{SettingsError, shown};
+use std::path::Path;
 
 /// What is where the name of a rule would.
 pub(crate) const NAME: &str = "bad-scenario";
+
+/// What is there in a file of this name.
+pub(crate) fn name_in(file: &str) -> &'static str {
+    if ladder_workspace::is_scene(Path::new(file)) {
+        Finding::NAME
+    } else {
+        NAME
+    }
+}
 
 /// The same in `ladder.toml`.
 const SETTING: &str = "bad-setting";
@@ -39,24 +51,34 @@ fn render_settings(error: &SettingsError, renderer: &Renderer) -> Option<String>
             message: error.message.clone(),
             help: None,
         };
-        render_as(SETTING, &source, &error, renderer)
+        render_as((SETTING, Severity::Error), &source, &error, renderer)
     });
     Some(shown.collect::<Vec<_>>().join("\n\n"))
 }
 
 /// An error with its excerpt, without a line end after it.
 pub(crate) fn render(source: &Source, error: &ScenarioError, renderer: &Renderer) -> String {
-    render_as(NAME, source, error, renderer)
+    render_as((name_in(&source.file), Severity::Error), source, error, renderer)
 }
 
-fn render_as(name: &str, source: &Source, error: &ScenarioError, renderer: &Renderer) -> String {
+/// The same of what may be less than an error.
+pub(crate) fn render_as(
+    (name, severity): (&str, Severity),
+    source: &Source,
+    error: &ScenarioError,
+    renderer: &Renderer,
+) -> String {
     let excerpt = super::full::Excerpt::of(source, source.lines(error.range));
-    let mut group = Group::with_title(Level::ERROR.primary_title(shown::line(&error.message)).id(name))
-        .element(
-            excerpt
-                .snippet(source)
-                .annotation(AnnotationKind::Primary.span(excerpt.span(error.range))),
-        );
+    let level = match severity {
+        Severity::Error => Level::ERROR,
+        Severity::Warning => Level::WARNING,
+        Severity::Info => Level::INFO,
+    };
+    let mut group = Group::with_title(level.primary_title(shown::line(&error.message)).id(name)).element(
+        excerpt
+            .snippet(source)
+            .annotation(AnnotationKind::Primary.span(excerpt.span(error.range))),
+    );
     if let Some(help) = &error.help {
         group = group.element(Level::HELP.message(shown::line(help)));
     }

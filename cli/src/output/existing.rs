@@ -2,7 +2,7 @@
 
 use super::made;
 use crate::outcome::Failure;
-use ladder_workspace::{SETTINGS_FILE, is_ladder_text, is_scenario, shown};
+use ladder_workspace::{SETTINGS_FILE, is_ladder_text, is_scenario, is_scene, shown};
 use std::ffi::OsStr;
 use std::path::Path;
 
@@ -48,7 +48,7 @@ pub(crate) fn may_write(file: &Path, existing: Existing) -> Result<(), Failure> 
                 "this is a program, and it stays as it is; name another file, or end with --force",
             );
         }
-        if is_scenario(name) || name.file_name() == Some(OsStr::new(SETTINGS_FILE)) {
+        if is_scenario(name) || is_scene(name) || name.file_name() == Some(OsStr::new(SETTINGS_FILE)) {
             return failure(
                 "this belongs to a program, and it stays as it is; name another file, or end with --force",
             );

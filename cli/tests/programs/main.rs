@@ -41,6 +41,7 @@ mod retain;
 mod scenario_formats;
 mod scenario_properties;
 mod scenarios;
+mod scenes;
 mod settings;
 mod several_files;
 mod sim;

@@ -15,6 +15,7 @@ import { renameMadeUp, showReferences } from './lenses.ts';
 import { askValue, pickTag } from './prompts.ts';
 import { forceVariable, releaseVariable, startDebugging, stepBackScan } from './debugger.ts';
 import { record } from './record.ts';
+import type { ScenePanels } from './scene/panels.ts';
 import type { Server } from './server.ts';
 import type { Simulation } from './simulation.ts';
 import { goToStop } from './tabStops.ts';
@@ -156,6 +157,7 @@ export interface Views {
     readonly trace: TraceView;
     readonly diagrams: DiagramEditors;
     readonly compare: ComparePanels;
+    readonly scenes: ScenePanels;
 }
 
 export function registerCommands(server: Server, simulation: Simulation, click: Click, tests: TestExplorer, views: Views): vscode.Disposable {
@@ -184,6 +186,7 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.simulation.forceOn': (tag) => forceTo(simulation, tag, true),
         'ladder.simulation.forceOff': (tag) => forceTo(simulation, tag, false),
         'ladder.openDiagram': (uri) => openDiagram(click, views.diagrams, uri),
+        'ladder.openScene': (uri) => views.scenes.open(uri),
         'ladder.compareWithHead': (given) => views.compare.open(given),
         'ladder.diagram.reveal': (context) => views.diagrams.reveal(context),
         'ladder.diagram.breakpoint': (context) => views.diagrams.toggleBreakpoint(context),

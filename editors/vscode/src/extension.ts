@@ -19,6 +19,7 @@ import { lensesFollow } from './lenses.ts';
 import { Fences } from './markdown/fences.ts';
 import { showLibraryBlocks } from './libraryBlocks.ts';
 import { showRulePages } from './rulePages.ts';
+import { ScenePanels } from './scene/panels.ts';
 import { Server } from './server.ts';
 import { Simulation } from './simulation.ts';
 import { showStatus } from './statusBar.ts';
@@ -59,6 +60,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         trace: new TraceView(simulation, context),
         diagrams: new DiagramEditors(context.extensionUri, server, simulation),
         compare: new ComparePanels(context.extensionUri, comparisons),
+        scenes: new ScenePanels(context.extensionUri, server, simulation),
     };
     context.subscriptions.push(
         server,
@@ -71,6 +73,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         views.trace,
         views.diagrams,
         views.compare,
+        views.scenes,
         marks,
         comparisons,
         registerCommands(server, simulation, click, tests, views),

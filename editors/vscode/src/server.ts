@@ -160,6 +160,7 @@ export class Server implements vscode.Disposable {
                     { language: 'ladder-click' },
                     { language: 'ladder-test' },
                     { pattern: '**/ladder.toml' },
+                    { pattern: '**/*.scene.svg' },
                     ...FOREIGN_FILES.map((pattern) => ({ pattern })),
                 ],
                 outputChannel: this.log,

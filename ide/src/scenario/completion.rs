@@ -47,11 +47,8 @@ pub fn completions(
         words = rest;
         from = last.range().start();
     }
-    let mut out = Proposals {
-        word: TextRange::new(from, offset),
-        ends_line: text[within..].trim().is_empty() || text[within..].trim_start().starts_with('#'),
-        items: Vec::new(),
-    };
+    let mut out = Proposals::new(TextRange::new(from, offset));
+    out.ends_line = text[within..].trim().is_empty() || text[within..].trim_start().starts_with('#');
     let scenario = scenarios
         .suite
         .scenarios
@@ -73,12 +70,7 @@ pub fn completions(
             &mut out,
         );
     }
-    let cut = out.items.len() > MOST;
-    out.items.truncate(MOST);
-    Completions {
-        items: out.items,
-        cut,
-    }
+    out.finish()
 }
 
 /// Everything but properties.
@@ -123,6 +115,25 @@ pub(super) struct Proposals {
 }
 
 impl Proposals {
+    /// None yet, for what is in the place of this word.
+    pub(super) fn new(word: TextRange) -> Proposals {
+        Proposals {
+            word,
+            ends_line: false,
+            items: Vec::new(),
+        }
+    }
+
+    /// As many of them as are proposed at once.
+    pub(super) fn finish(mut self) -> Completions {
+        let cut = self.items.len() > MOST;
+        self.items.truncate(MOST);
+        Completions {
+            items: self.items,
+            cut,
+        }
+    }
+
     pub(super) fn add(
         &mut self,
         kind: CompletionKind,

@@ -6,7 +6,7 @@ use ladder_simulator::scenario::{FORMS, Form, PROPERTY, TextLine};
 use ladder_syntax::{Name, TextRange, TextSize};
 
 /// What an operand of a property stands for.
-pub(super) const IN_PROPERTY: &str = "In a property: what it is after a scan.";
+pub(super) const IN_PROPERTY: &str = "What it is after a scan.";
 
 const ALWAYS: &str = "Violated in a scan after which the condition is FALSE.";
 const NEVER: &str = "Violated in a scan after which the condition is TRUE.";

@@ -17,6 +17,7 @@ mod outline;
 mod place;
 mod property_completion;
 pub(crate) mod row;
+mod scene;
 mod used;
 
 pub use completion::completions as scenario_completions;
@@ -25,6 +26,7 @@ pub use file::Scenarios;
 pub use hover::hover as scenario_hover;
 pub use navigate::{definition as scenario_definition, highlights as scenario_highlights};
 pub use outline::{ScenarioPart, outline as scenario_outline};
+pub use scene::{SceneAttribute, scene_completions, scene_hover};
 
 #[cfg(test)]
 mod tests;

@@ -112,7 +112,7 @@ fn continuation(label: &'static str, out: &mut Proposals) {
 }
 
 /// What can be written in an expression: a value, or what joins it to another.
-fn in_expression(
+pub(super) fn in_expression(
     scenarios: &Scenarios<'_>,
     before: &str,
     (form, written): (&str, &str),
@@ -120,7 +120,7 @@ fn in_expression(
     out: &mut Proposals,
 ) {
     if wants_value(before) {
-        return values(scenarios, written, trigger, out);
+        return values(scenarios, written, (trigger, form), out);
     }
     if trigger.is_some() {
         return;
@@ -157,7 +157,12 @@ fn wants_value(before: &str) -> bool {
     is_operator || FORMS.contains(&before.trim_start())
 }
 
-fn values(scenarios: &Scenarios<'_>, written: &str, trigger: Option<char>, out: &mut Proposals) {
+fn values(
+    scenarios: &Scenarios<'_>,
+    written: &str,
+    (trigger, form): (Option<char>, &str),
+    out: &mut Proposals,
+) {
     let Some(program) = scenarios.program else { return };
     if let Some(members) = Files::of(scenarios).and_then(|files| after_point(files, written)) {
         for it in members {
@@ -172,7 +177,8 @@ fn values(scenarios: &Scenarios<'_>, written: &str, trigger: Option<char>, out: 
         return;
     }
     if trigger.is_none() {
-        for name in PAST {
+        // A scene shows what is, and has no form.
+        for name in PAST.iter().filter(|_| !form.is_empty()) {
             let text = Snippet::default()
                 .text(name)
                 .text("(")

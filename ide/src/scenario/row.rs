@@ -11,7 +11,7 @@ use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::TagFacts;
 use ladder_analysis::program::SystemTag;
 use ladder_analysis::values::types::{Scalar, Type};
-use ladder_simulator::scenario::{Cell, Row, Suite};
+use ladder_simulator::scenario::{Cell, PlantLine, Row, Suite};
 use ladder_syntax::{Name, TextRange, TextSize};
 use std::ops::{Deref, Range};
 use std::sync::Arc;
@@ -43,6 +43,8 @@ pub(super) struct Files<'c> {
     program: &'c Context,
     /// A file that the workspace does not show, for it was asked about.
     own: &'c Context,
+    /// What runs beside the program, with the names that go before those of its tags.
+    plants: &'c [PlantLine],
     workspace: &'c dyn Workspace,
 }
 
@@ -52,6 +54,7 @@ impl<'c> Files<'c> {
         Some(Files {
             program,
             own: program,
+            plants: &scenarios.suite.plants,
             workspace: scenarios.workspace,
         })
     }
@@ -74,7 +77,9 @@ impl<'c> Files<'c> {
 
     /// The file whose tags have this before their names.
     fn with_stem(&self, stem: &Name, tag: &Name) -> Option<File<'c>> {
-        let is_it = |file: &Context| Name::new(stem_of(&file.name)) == *stem;
+        let plant = self.plants.iter().find(|plant| Name::new(&plant.name) == *stem);
+        let stem = plant.map_or_else(|| stem.clone(), |plant| Name::new(stem_of(&plant.file)));
+        let is_it = |file: &Context| Name::new(stem_of(&file.name)) == stem;
         if is_it(self.own) && !self.program.is_called(&self.own.name) {
             return Some(File::Known(self.own));
         }
@@ -366,6 +371,7 @@ pub(crate) fn each_name<'s>(
     let files = Files {
         program,
         own,
+        plants: &file.suite.plants,
         workspace,
     };
     for naming in namings(&file.suite) {

@@ -4,7 +4,7 @@ use ladder_documents::position::Range;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::{Contact, Label, Operand, is_false, is_zero, shortest};
+use super::{Contact, Label, Operand, SceneValues, is_false, is_zero, shortest};
 
 /// How a simulation is: the answer of every other command, and the parameters of
 /// `ladder/simulationState`.
@@ -65,6 +65,9 @@ pub struct State {
     /// For a client that says what it shows: where values are shown. All of them, whenever one is at another place.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub labels: Option<Vec<Label>>,
+    /// The scenes that are shown of it, those of which something has changed.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub scenes: Vec<SceneValues>,
     /// Every tag, in the order of first appearance; timers and counters as their members.
     pub tags: Vec<Tag>,
     /// Every wire, block and connector, and whether power flowed there in the last scan.

@@ -48,12 +48,18 @@ pub(super) fn describe(nodes: &mut [Node], binding: &Binding) {
 }
 
 /// What a binding lacks for those who do not see it.
-pub(super) fn lacks(binding: &Binding, has_text: bool, range: TextRange, findings: &mut Vec<Finding>) {
+pub(super) fn lacks(
+    binding: &Binding,
+    (has_text, is_named): (bool, bool),
+    range: TextRange,
+    findings: &mut Vec<Finding>,
+) {
     let paint = binding
         .all
         .iter()
         .find(|one| matches!(one.what, What::Paint { .. }));
-    let is_told = binding.alt.is_some()
+    let is_told = is_named
+        || binding.alt.is_some()
         || (binding.all.iter()).any(|one| matches!(one.what, What::Show(_) | What::Text(_)));
     if let Some(paint) = paint.filter(|_| !is_told) {
         findings.push(Finding::info(

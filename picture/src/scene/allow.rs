@@ -222,3 +222,20 @@ pub(super) fn plain(value: &str) -> Result<(), Refused> {
     }
     Ok(())
 }
+
+/// What is drawn by itself.
+const DRAWN: [&str; 11] = [
+    "g", "use", "path", "rect", "circle", "ellipse", "line", "polyline", "polygon", "text", "svg",
+];
+
+/// Whether a group can be around an element of this name in one of that.
+/// Whether a group can be put around an element of this name in one of that: it moves, hides and dims it, and leaves what the drawing says of it alone.
+pub(super) fn can_be_wrapped(name: &str, parent: Option<&str>) -> bool {
+    let takes_groups = |parent: &str| {
+        matches!(
+            parent,
+            "svg" | "g" | "defs" | "symbol" | "mask" | "pattern" | "marker"
+        )
+    };
+    DRAWN.contains(&name) && parent.is_some_and(takes_groups)
+}

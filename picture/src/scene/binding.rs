@@ -188,6 +188,12 @@ impl Binding {
         self.all.iter().any(is_act)
     }
 
+    /// Whether it has a state that can be told in words.
+    pub(super) fn tells(&self) -> bool {
+        let is_told = |one: &One| matches!(one.what, What::Paint { .. } | What::Text(_));
+        self.all.iter().any(is_told)
+    }
+
     /// Reads an attribute.
     pub(super) fn read(&mut self, name: &str, raw: Raw<'_>, findings: &mut Vec<Finding>) {
         let mut add = |name: &'static str, what: What| {

@@ -10,6 +10,14 @@ pub const THEME: [(&str, &str); 4] = [
     ("--ladder-alarm", "#c62828"),
 ];
 
+/// The same as they are written in a binding.
+pub const THEME_VALUES: [&str; 4] = [
+    "var(--ladder-on)",
+    "var(--ladder-off)",
+    "var(--ladder-warning)",
+    "var(--ladder-alarm)",
+];
+
 /// The names of CSS.
 #[rustfmt::skip]
 const NAMES: &str = " aliceblue antiquewhite aqua aquamarine azure beige bisque black blanchedalmond blue blueviolet brown \

@@ -13,24 +13,26 @@
 
 mod accessible;
 mod allow;
+mod bind;
 mod binding;
 mod bound;
 mod changes;
 mod colour;
 mod expansion;
 mod finding;
+mod part;
 mod read;
+mod refused;
 mod source;
 mod still;
 mod style;
-mod wrap;
 
 pub use binding::{ATTRIBUTES, Attribute};
 pub use bound::{Act, Bound, Row, Slot, Use};
 pub use changes::Changes;
-pub use colour::THEME;
+pub use colour::{THEME, THEME_VALUES};
 pub use finding::Finding;
-pub use read::{MOST_BYTES, MOST_DEPTH, MOST_ELEMENTS, read};
+pub use read::read;
 pub use source::program_named;
 pub use still::still;
 
@@ -38,8 +40,12 @@ use binding::Binding;
 use ladder_simulator::scenario::{PlantLine, Suite, Written};
 use ladder_syntax::{TextRange, TextSize};
 
-/// What the name of a scene's file ends in.
-pub const ENDING: &str = ".scene.svg";
+/// A scene has at most so many bytes.
+pub const MOST_BYTES: usize = 4 * 1024 * 1024;
+/// And so many elements.
+pub const MOST_ELEMENTS: usize = 20_000;
+/// Which are in so many others.
+pub const MOST_DEPTH: usize = 64;
 
 /// The namespace of the attributes that make a drawing a scene.
 pub const NAMESPACE: &str = "https://ladder.example/scene";
@@ -129,14 +135,14 @@ impl Scene {
     }
 }
 
-/// A scene of this file: without `l:program` it is about the program that has the same name.
-pub fn of_file(name: &str, text: &str) -> Scene {
+/// The scene of a file that is called so, without its ending: where it has no `l:program` it is about the program of that name.
+pub fn of_file(stem: &str, text: &str) -> Scene {
     let mut scene = read(text);
     if scene.program.is_none() {
-        let stem = name.rsplit(['/', '\\']).next().unwrap_or(name);
-        let stem = stem
-            .get(..stem.len().saturating_sub(ENDING.len()))
-            .unwrap_or(stem);
+        // While somebody types the text may not be XML for a moment.
+        scene.program = program_named(text).map(|name| (name, TextRange::default()));
+    }
+    if scene.program.is_none() {
         scene.program = Some((format!("{stem}.clad"), TextRange::default()));
     }
     scene

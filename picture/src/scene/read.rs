@@ -1,24 +1,19 @@
 //! The text of a scene becomes its elements, within bounds.
 
-use super::allow::{self, Refused};
+use super::allow::{self, Refused, can_be_wrapped};
 use super::binding::Binding;
 use super::expansion::{self, MOST_DRAWN};
 use super::finding::Finding;
+use super::refused::{not_xml, refused, too_many};
 use super::source::Raw;
 use super::style::{self, Rule};
-use super::wrap::can_be_wrapped;
-use super::{NAMESPACE, Node, NodeKind, Scene, accessible, text_range};
+use super::{
+    MOST_BYTES, MOST_DEPTH, MOST_ELEMENTS, NAMESPACE, Node, NodeKind, Scene, accessible, text_range,
+};
 use ladder_simulator::scenario::{PlantLine, plant_named};
 use ladder_syntax::TextRange;
-use roxmltree::{Attribute, Document, Error, Node as Xml, ParsingOptions};
+use roxmltree::{Attribute, Document, Node as Xml, ParsingOptions};
 use std::collections::HashSet;
-
-/// A scene has at most so many bytes.
-pub const MOST_BYTES: usize = 4 * 1024 * 1024;
-/// And so many elements.
-pub const MOST_ELEMENTS: usize = 20_000;
-/// Which are in so many others.
-pub const MOST_DEPTH: usize = 64;
 
 const SVG: &str = "http://www.w3.org/2000/svg";
 const XHTML: &str = "http://www.w3.org/1999/xhtml";
@@ -70,7 +65,7 @@ pub fn read(text: &str) -> Scene {
     };
     reader.styles(root);
     reader.of_root(root);
-    reader.element(root, None, 0);
+    reader.element(root, None, (0, false));
     let Reader {
         mut scene,
         is_too_deep,
@@ -93,62 +88,6 @@ pub fn read(text: &str) -> Scene {
     accessible::name(&mut scene, place_of(root));
     scene.findings.sort_by_key(|finding| finding.range.start());
     scene
-}
-
-fn refused(range: TextRange, message: String, help: &'static str) -> Scene {
-    Scene {
-        findings: vec![Finding::error(range, message, help)],
-        ..Scene::default()
-    }
-}
-
-fn too_many(range: TextRange) -> Scene {
-    refused(
-        range,
-        format!("the drawing has more than {MOST_ELEMENTS} elements"),
-        "simplify it: join paths, and use <symbol> for what is there many times",
-    )
-}
-
-fn not_xml(text: &str, error: &Error) -> Scene {
-    let position = error.pos();
-    let line_start: usize = text
-        .split_inclusive('\n')
-        .take(position.row.saturating_sub(1) as usize)
-        .map(str::len)
-        .sum();
-    let line = text
-        .get(line_start..)
-        .unwrap_or_default()
-        .lines()
-        .next()
-        .unwrap_or_default();
-    let column = line.char_indices().nth(position.col.saturating_sub(1) as usize);
-    let start = line_start + column.map_or(line.len(), |(at, _)| at);
-    let length = text[start..].chars().next().map_or(0, char::len_utf8);
-    let range = text_range(start..start + length);
-    match error {
-        Error::DtdDetected => refused(
-            range,
-            "the file has a document type (`<!DOCTYPE`)".to_owned(),
-            "take it out: a scene needs none",
-        ),
-        Error::NodesLimitReached => too_many(range),
-        Error::UnknownNamespace(prefix, _) if prefix == "l" => refused(
-            range,
-            "the prefix `l` is not declared".to_owned(),
-            "write xmlns:l=\"https://ladder.example/scene\" in the element `svg`",
-        ),
-        other => {
-            let told = other.to_string();
-            let told = told.rsplit_once(" at ").map_or(told.as_str(), |(told, _)| told);
-            refused(
-                range,
-                format!("this is not XML as it must be: {told}"),
-                "the file is read as XML: each element is closed, and each value in quotes",
-            )
-        }
-    }
 }
 
 fn is_svg(node: Xml<'_, '_>) -> bool {
@@ -220,8 +159,8 @@ impl<'t> Reader<'t> {
         Raw::new(self.text, attribute.range_value())
     }
 
-    /// Adds an element with all that is in it.
-    fn element(&mut self, xml: Xml<'_, 't>, parent: Option<usize>, depth: usize) {
+    /// Adds an element with all that is in it. `is_named`: one that it is in says what it is.
+    fn element(&mut self, xml: Xml<'_, 't>, parent: Option<usize>, (depth, is_named): (usize, bool)) {
         if depth >= MOST_DEPTH {
             self.is_too_deep = true;
             return;
@@ -248,7 +187,7 @@ impl<'t> Reader<'t> {
         let inner = self.add(outer.or(parent), name, attributes, None);
         for child in xml.children() {
             if child.is_element() {
-                self.element(child, Some(inner), depth + 1);
+                self.element(child, Some(inner), (depth + 1, is_named || binding.alt.is_some()));
             } else if let Some(text) = child.text().filter(|_| child.is_text() && holds_text(name)) {
                 self.scene.nodes.push(Node {
                     parent: Some(inner),
@@ -264,7 +203,12 @@ impl<'t> Reader<'t> {
             let has_text = xml
                 .descendants()
                 .any(|it| it.is_text() && it.text().is_some_and(|it| !it.trim().is_empty()));
-            accessible::lacks(&binding, has_text, place_of(xml), &mut self.scene.findings);
+            accessible::lacks(
+                &binding,
+                (has_text, is_named),
+                place_of(xml),
+                &mut self.scene.findings,
+            );
             self.scene.bindings.push(binding);
         }
     }

@@ -21,7 +21,7 @@ pub fn still(scene: &Scene, slots: &[Slot], values: &[String]) -> String {
             nodes[slot.node].set(name, value.clone());
         }
     }
-    let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- drawn by ladder -->");
     let mut open: Vec<(usize, &'static str)> = Vec::new();
     for (at, node) in nodes.iter().enumerate() {
         while let Some((parent, name)) = open.last().copied()

@@ -26,6 +26,7 @@ mod pull;
 mod rename;
 mod retained;
 mod scenario_files;
+mod scenes;
 mod semantic_tokens;
 mod several_files;
 mod shown;

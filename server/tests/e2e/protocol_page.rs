@@ -222,6 +222,11 @@ async fn the_page_shows_every_command_whole() {
                 is_whole::<DiagramOffered>(answer);
                 continue;
             }
+            "scene" => {
+                is_whole::<messages::SceneAsked>(argument);
+                is_whole::<messages::SceneShown>(answer);
+                continue;
+            }
             "fence" => {
                 is_whole::<Fence>(argument);
                 is_whole::<DrawnFence>(answer);

@@ -49,7 +49,7 @@ use crate::lsp::features::{
     diagram, diagram_edit, diagram_text, edit, fence, folding,
     formatting::{self, DocumentRangesFormattingParams},
     goto, hover, inlay_hint, library_block, links, notations, palette, preview, prove, references, rename,
-    rule_page, run_scenarios, semantic_tokens, signature, simulate, symbols,
+    rule_page, run_scenarios, scene, semantic_tokens, signature, simulate, symbols,
 };
 use crate::lsp::{
     capabilities,
@@ -366,6 +366,7 @@ impl LanguageServer for Backend {
             cross_reference::CROSS_REFERENCE => cross_reference::execute(&self.shared, params).await,
             diagram::DIAGRAM => diagram::execute(&self.shared, params).await,
             fence::FENCE => fence::execute(&self.shared, params).await,
+            scene::SCENE => scene::execute(&self.shared, params).await,
             diagram_text::DIAGRAM_TEXT => diagram_text::execute(&self.shared, params).await,
             declarations::DECLARATIONS => declarations::execute(&self.shared, params).await,
             palette::PALETTE => palette::execute(&self.shared, params).await,

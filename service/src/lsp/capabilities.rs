@@ -18,7 +18,7 @@ use tower_lsp::ls_types::{
 use crate::lsp::documents::{file_operations, pull, typed};
 use crate::lsp::features::{
     code_action::KINDS, comment, completion, cross_reference, declarations, diagram, diagram_edit,
-    diagram_text, edit, fence, library_block, notations, palette, preview, rule_page, run_scenarios,
+    diagram_text, edit, fence, library_block, notations, palette, preview, rule_page, run_scenarios, scene,
     semantic_tokens, signature,
 };
 use crate::lsp::session::agreed::Agreed;
@@ -99,6 +99,7 @@ pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {
                     declarations::DECLARATIONS,
                     palette::PALETTE,
                     fence::FENCE,
+                    scene::SCENE,
                     typed::CURSOR,
                     edit::EDIT,
                     comment::COMMENT,

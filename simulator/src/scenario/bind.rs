@@ -37,6 +37,11 @@ impl Case {
         self.steps.begin(self.steps.count())
     }
 
+    /// How many scans there are up to the end of a step, from 0.
+    pub fn scans_to(&self, step: usize) -> u64 {
+        self.steps.begin(step + 1)
+    }
+
     /// The step that a scan belongs to, from 0; the last one for those after it.
     pub fn step_at(&self, scan: u64) -> usize {
         self.steps.at(scan)

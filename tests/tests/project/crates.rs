@@ -32,7 +32,10 @@ const RULES: [(&str, &[&str]); 21] = [
     ("ide", &["simulator"]),
     ("workspace", &["simulator", "notations"]),
     ("host", &["workspace"]),
-    ("documents", &["simulator", "ide", "notations", "workspace"]),
+    (
+        "documents",
+        &["simulator", "picture", "ide", "notations", "workspace"],
+    ),
     (
         "live",
         &["simulator", "ide", "picture", "workspace", "host", "documents"],

@@ -5,7 +5,7 @@ use crate::error::{FileError, Problem};
 use crate::named::Named;
 use crate::root::is_program;
 use crate::root::{Root, SETTINGS_FILE};
-use crate::search::{Survey, is_scenario};
+use crate::search::{Survey, is_scenario, is_scene};
 use crate::settings::Files;
 use crate::stamp::Stamp;
 use crate::text;
@@ -190,6 +190,11 @@ impl Disk for MemoryDisk {
 
     fn scenarios(&self, folders: &[PathBuf]) -> Vec<PathBuf> {
         let found = folders.iter().flat_map(|folder| self.below(folder, is_scenario));
+        found.collect()
+    }
+
+    fn scenes(&self, folders: &[PathBuf]) -> Vec<PathBuf> {
+        let found = folders.iter().flat_map(|folder| self.below(folder, is_scene));
         found.collect()
     }
 

@@ -88,6 +88,9 @@ pub trait Disk: Debug + Send + Sync {
     /// The files of scenarios below these folders.
     fn scenarios(&self, folders: &[PathBuf]) -> Vec<PathBuf>;
 
+    /// The scenes below these folders.
+    fn scenes(&self, folders: &[PathBuf]) -> Vec<PathBuf>;
+
     /// What lies below a folder. See [`survey`](crate::survey).
     fn survey(&self, folder: &Path, most: usize, cancel: &Cancel) -> Survey;
 

@@ -90,6 +90,10 @@ impl Disk for SystemDisk {
         search::find_scenarios(folders).0
     }
 
+    fn scenes(&self, folders: &[PathBuf]) -> Vec<PathBuf> {
+        search::find_files(folders, &search::is_scene).0
+    }
+
     fn survey(&self, folder: &Path, most: usize, cancel: &Cancel) -> Survey {
         search::survey(folder, most, cancel)
     }

@@ -25,6 +25,22 @@ pub fn is_scenario(path: &Path) -> bool {
         .is_some_and(|extension| extension.eq_ignore_ascii_case(SCENARIO_EXTENSION))
 }
 
+/// What the name of a scene ends in: a drawing of the machine.
+const SCENE: &str = ".scene.svg";
+
+/// What the name of a scene has before its ending; none of another file.
+pub fn scene_stem(path: &Path) -> Option<&str> {
+    let name = path.file_name()?.to_str()?;
+    let at = name.len().checked_sub(SCENE.len())?;
+    let ending = name.get(at..)?;
+    ending.eq_ignore_ascii_case(SCENE).then(|| &name[..at])
+}
+
+/// Whether a file is a scene by its name.
+pub fn is_scene(path: &Path) -> bool {
+    scene_stem(path).is_some()
+}
+
 /// Which files of a folder are meant.
 #[derive(Clone, Copy)]
 enum Wanted<'w> {

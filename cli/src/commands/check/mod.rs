@@ -6,7 +6,7 @@ mod stdin;
 mod tally;
 mod watch;
 
-use super::test;
+use super::{render, test};
 use crate::findings::{Problem, Source, Workspaces};
 use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome, unreadable};
@@ -15,7 +15,7 @@ use annotate_snippets::Renderer;
 use clap::{Args, ValueEnum};
 use fix::Fixed;
 use ladder_analysis::{Applicability, Diagnostic};
-use ladder_workspace::FileError;
+use ladder_workspace::{FileError, is_scene};
 use rayon::prelude::*;
 use report::{Report, Target};
 use std::path::{Path, PathBuf};
@@ -227,11 +227,11 @@ fn exit_of(tally: &Tally, arguments: &Arguments) -> Outcome {
 /// This many files are checked at once: what is found in them is kept until their turn comes.
 const AT_ONCE: usize = 64;
 
-/// A program, or a file of scenarios, that was checked.
+/// A program, a file of scenarios, or a scene, that was checked.
 struct Checked {
     source: Source,
     findings: Vec<Diagnostic>,
-    /// What is wrong in a file of scenarios.
+    /// What is wrong in a file of scenarios, or a scene.
     problems: Vec<Problem>,
     /// What was fixed.
     fixed: Fixed,
@@ -264,6 +264,14 @@ fn check(source: Source, task: Option<fix::Task>, renderer: &Renderer) -> Checke
             fixed: Fixed::default(),
         };
     }
+    if is_scene(path) {
+        return Checked {
+            problems: render::scene::problems(path, &source, renderer),
+            source,
+            findings: Vec::new(),
+            fixed: Fixed::default(),
+        };
+    }
     if let Some(task) = task {
         return fix::fix(source, task);
     }
@@ -285,7 +293,7 @@ fn source(
     workspaces: &mut Workspaces,
 ) -> Result<Option<Source>, Failure> {
     let bytes = ladder_workspace::read_bytes(file)?;
-    if ladder_workspace::is_scenario(file) {
+    if ladder_workspace::is_scenario(file) || is_scene(file) {
         return Ok(Some(Source::of_bytes(file, bytes, Some(Form::Ladder))?));
     }
     let source = Source::of_bytes(file, bytes, arguments.form())?;

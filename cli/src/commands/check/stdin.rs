@@ -7,7 +7,7 @@ use crate::form::Form;
 use crate::outcome::{Failure, Outcome};
 use crate::stdin;
 use crate::terminal::Stdout;
-use ladder_workspace::{Workspace, is_scenario};
+use ladder_workspace::{Workspace, is_scenario, is_scene};
 use std::io::Write;
 use std::path::Path;
 use std::sync::Arc;
@@ -48,7 +48,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 fn source(given: Option<&Path>, bytes: Vec<u8>, arguments: &Arguments) -> Result<Source, Failure> {
     let name = stdin::name_or_default(given);
     let workspace = match given {
-        Some(name) if is_scenario(name) => return Ok(Source::of_bytes(name, bytes, Some(Form::Ladder))?),
+        Some(name) if is_scenario(name) || is_scene(name) => {
+            return Ok(Source::of_bytes(name, bytes, Some(Form::Ladder))?);
+        }
         Some(name) => Workspace::of(name)?,
         None => Workspace::without_programs(name)?,
     };

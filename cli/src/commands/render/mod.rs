@@ -4,6 +4,7 @@
 mod pdf;
 #[cfg(feature = "png")]
 mod raster;
+pub(crate) mod scene;
 pub(crate) mod text;
 #[cfg(feature = "pdf")]
 mod title_block;
@@ -39,6 +40,8 @@ Examples:
                                                    with those of ASCII alone
   ladder render motor.clad -o motor.svg --scans 3 --set start=1
                                                    with power, after 3 scans
+  ladder render tank.scene.svg --tags values.csv -o tank.svg
+                                                   the machine with these values
 
 Exit status: 0 fine, 1 the program has errors (it is drawn as far as it goes, but not run) or a fault stopped it,
 2 a file or an argument cannot be used.";
@@ -48,10 +51,12 @@ Exit status: 0 fine, 1 the program has errors (it is drawn as far as it goes, bu
 /// Networks are drawn with the symbols of IEC 61131-3. In SVG and PDF files text stays text: it can be searched and
 /// copied. A PDF has the declarations as a table and numbered networks, its pages break between networks, and a title
 /// block names the project and its version from ladder.toml, the file, and the day of its last change.
+///
+/// A scene (NAME.scene.svg) is drawn as it is with the values of its program: at the start, after --scans, or those of --tags.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// The program
+    /// The program, or a scene
     file: PathBuf,
 
     /// Write to this file instead of stdout; its name ends in .svg, .png, .pdf or .txt. A program, or a file that this command
@@ -94,6 +99,10 @@ pub(crate) struct Arguments {
     /// Run this many scans first, and show the power and the values after the last
     #[arg(long, value_name = "N", value_parser = number_of_scans, allow_negative_numbers = true)]
     scans: Option<u64>,
+
+    /// Of a scene: a table with the values of tags, a name and a value in each line
+    #[arg(long, value_name = "FILE")]
+    tags: Option<PathBuf>,
 
     #[command(flatten)]
     stimulus: Stimulus,
@@ -144,6 +153,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     check(arguments, format)?;
     if let Some(file) = target(arguments) {
         may_write(file, arguments.stimulus.existing())?;
+    }
+    if ladder_workspace::is_scene(&arguments.file) {
+        return scene::run(arguments, format);
     }
     let source = Source::read(&arguments.file, arguments.from.as_deref().map(form::named))?;
     let theme = match (arguments.theme, format) {
@@ -233,6 +245,11 @@ fn check(arguments: &Arguments, format: Format) -> Result<(), Failure> {
     if arguments.style.is_some() && format != Format::Text {
         return Err(Failure::new(
             "--style is about a drawing with characters; add --format text, or end the file's name in .txt",
+        ));
+    }
+    if arguments.tags.is_some() && !ladder_workspace::is_scene(&arguments.file) {
+        return Err(Failure::new(
+            "--tags is about a scene, a drawing of the machine: NAME.scene.svg; `ladder why` reads a table for a program",
         ));
     }
     if arguments.scans.is_none() && arguments.stimulus.is_given() {

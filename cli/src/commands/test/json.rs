@@ -103,6 +103,9 @@ struct Scenario<'a> {
     /// What is shown to people.
     #[serde(skip_serializing_if = "String::is_empty")]
     diagram: String,
+    /// The files with pictures of the machine.
+    #[serde(skip_serializing_if = "<[String]>::is_empty")]
+    pictures: &'a [String],
 }
 
 impl<'a> Scenario<'a> {
@@ -121,6 +124,7 @@ impl<'a> Scenario<'a> {
             outside: case.outside.as_deref(),
             faults: case.faults.iter().map(Fault::new).collect(),
             diagram: case.drawn(),
+            pictures: &case.pictures,
         }
     }
 }

@@ -7,6 +7,7 @@ mod junit;
 mod lcov;
 mod mutation;
 mod people;
+mod pictures;
 mod report;
 mod suite;
 mod watch;
@@ -20,6 +21,7 @@ use clap::{Args, ValueEnum};
 use coverage::Covered;
 use ladder_workspace::shown;
 use mutation::{Asked, Mutated, Target};
+use pictures::Pictures;
 use report::{FileReport, Tally};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -35,6 +37,7 @@ Examples:
   ladder test motor.ladder-test --filter stop  those with \"stop\" in their name
   ladder test . --format junit > report.xml    for a build server
   ladder test . --coverage                     and what was never exercised
+  ladder test . --pictures failed              and the machine where it failed
   ladder test . --watch                        again whenever a file changes
   ladder test motor.ladder-test --mutate       how much the scenarios notice
   ladder test motor.clad --generate            add scenarios for the rest
@@ -86,6 +89,10 @@ pub(crate) struct Arguments {
     /// Write what was exercised to this file, in the form of LCOV
     #[arg(long, value_name = "FILE")]
     coverage_output: Option<PathBuf>,
+
+    /// Draw the scenes of a program (NAME.scene.svg next to it) as they are in the step that fails, into this folder
+    #[arg(long, value_name = "FOLDER")]
+    pictures: Option<PathBuf>,
 
     /// Replace the file for --coverage-output or --output even if this command did not make it
     #[arg(long)]
@@ -186,6 +193,10 @@ fn run_files(arguments: &Arguments) -> Result<Round, Failure> {
     let wishes = Wishes {
         filter: arguments.filter.as_ref().map(|filter| filter.to_lowercase()),
         coverage: arguments.coverage || arguments.coverage_output.is_some(),
+        pictures: arguments.pictures.clone().map(|folder| Pictures {
+            folder,
+            existing: Existing::by(arguments.force),
+        }),
         width: terminal::width().saturating_sub(people::INDENT.len()),
         renderer: if colours {
             Renderer::styled()

@@ -68,6 +68,10 @@ impl People {
             let place = format!("{}:{}:{}", shown::line(&place.file), place.line, place.column);
             writeln!(out, "{INDENT}{}", self.paint(FAINT, &format!("at {place}")))?;
         }
+        for picture in &case.pictures {
+            let line = format!("picture: {}", shown::line(picture));
+            writeln!(out, "{INDENT}{}", self.paint(FAINT, &line))?;
+        }
         Ok(())
     }
 

@@ -57,6 +57,8 @@ pub(super) struct CaseReport {
     pub(super) faults: Vec<FaultReport>,
     /// The simulation was stopped in this step.
     pub(super) stopped: Option<usize>,
+    /// The files with pictures of the machine in the step that failed.
+    pub(super) pictures: Vec<String>,
 }
 
 impl CaseReport {

@@ -1,5 +1,6 @@
 //! One scenario file: its program is read, and its scenarios are run.
 
+use super::pictures::{self, Pictures};
 use super::report::{CaseReport, DifferenceReport, FaultReport, FileReport, ViolationReport};
 use crate::findings::{FileRange, Problem, Source, Workspaces};
 use crate::ready::{Ready, place_of};
@@ -19,6 +20,8 @@ pub(super) struct Wishes {
     pub(super) coverage: bool,
     /// How wide drawings may be.
     pub(super) width: usize,
+    /// Where pictures of what failed go, if they are asked for.
+    pub(super) pictures: Option<Pictures>,
     pub(super) renderer: Renderer,
     /// Those of the programs.
     pub(super) workspaces: Mutex<Workspaces>,
@@ -81,6 +84,7 @@ fn play(path: &Path, source: &Source, wishes: &Wishes, report: &mut FileReport) 
     })?;
     report.unread_parts = unread::names(simulation.program());
     let files = simulation.program().files.clone();
+    let mut scenes = None;
     let mut coverage = wishes.coverage.then(|| Coverage::of(&mut simulation));
     for case in &cases {
         if !wishes.wants(&case.name) {
@@ -149,6 +153,19 @@ fn play(path: &Path, source: &Source, wishes: &Wishes, report: &mut FileReport) 
                 })
                 .collect(),
             stopped: ran.stopped,
+            pictures: match &wishes.pictures {
+                Some(pictures) if !ran.passed() => {
+                    let scenes = scenes.get_or_insert_with(|| pictures::scenes_of(path, &suite));
+                    let number = report.cases.len() + 1;
+                    pictures.draw(
+                        (path, number),
+                        scenes,
+                        (case, &ran),
+                        (&mut watched, &mut simulation),
+                    )
+                }
+                _ => Vec::new(),
+            },
         });
     }
     if let Some(coverage) = &mut coverage {

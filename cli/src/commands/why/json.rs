@@ -1,6 +1,7 @@
 //! The answer for machines. The names of the members are documented; nothing may be renamed.
 
-use super::{Given, contradicts, missing};
+use super::{contradicts, missing};
+use crate::values::Given;
 use ladder_analysis::values::value::Value;
 use ladder_simulator::{Judged, Judgement, Point, Reason, Wording, value_text};
 use serde::Serialize;

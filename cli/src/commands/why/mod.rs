@@ -1,8 +1,6 @@
 //! `ladder why`: why a tag holds what it holds, from values that were taken from a controller, without a run.
 
-mod given;
 mod json;
-mod table;
 
 use crate::commands::render::text;
 use crate::findings::Source;
@@ -11,8 +9,8 @@ use crate::json::to_writer_pretty;
 use crate::outcome::{Failure, Outcome};
 use crate::run::program;
 use crate::terminal::Stdout;
+use crate::values::Given;
 use clap::{Args, ValueEnum};
-use given::Given;
 use ladder_analysis::program::{Location, Program};
 use ladder_simulator::{Judged, Moment, Options, Simulation, Wording};
 use ladder_workspace::{Member, shown};

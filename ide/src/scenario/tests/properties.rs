@@ -259,7 +259,7 @@ fn hover_says_what_a_form_demands_and_shows_the_tag() {
 
         ---
 
-        In a property: what it is after a scan.
+        What it is after a scan.
     "#]],
     );
     check(
@@ -268,7 +268,7 @@ fn hover_says_what_a_form_demands_and_shows_the_tag() {
         [SYS.SCAN]
         `SYS.SCAN` : DINT
 
-        In a property: what it is after a scan.
+        What it is after a scan.
     "#]],
     );
     check(

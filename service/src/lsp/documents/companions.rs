@@ -1,16 +1,17 @@
-//! Diagnostics of open texts that are not ladder text: settings files, scenarios, and programs of other systems.
+//! Diagnostics of open texts that are not ladder text: settings files, scenarios, scenes, and programs of other systems.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use ladder_analysis::{Analysis, Diagnostic as Finding, Severity};
+use ladder_analysis::{Analysis, Severity};
 use ladder_documents::{Kind, Revision, address};
 use ladder_host::Work;
 use ladder_notations::of_workspaces;
+use ladder_picture::scene::{self, Finding, Scene};
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, PlantLine, ScenarioError, Suite};
 use ladder_syntax::TextRange;
-use ladder_workspace::{FileError, Settings, errors_on_disk};
+use ladder_workspace::{FileError, Settings, errors_on_disk, is_scene, scene_stem};
 use tower_lsp::ls_types::Diagnostic;
 
 use super::{diagnostics, foreign, pull, settings_file};
@@ -37,10 +38,12 @@ pub(crate) fn refresh(shared: &Arc<Shared>, uri: &str) {
     }
 }
 
-/// Looks once more at the open scenarios: a program has changed.
+/// Looks once more at the open scenarios and scenes: a program has changed.
 pub(crate) fn refresh_scenarios(shared: &Arc<Shared>) {
     for companion in shared.companions.all() {
-        if companion.kind() == Kind::Scenarios && shared.companions.touch(&companion.uri) {
+        if matches!(companion.kind(), Kind::Scenarios | Kind::Scene)
+            && shared.companions.touch(&companion.uri)
+        {
             refresh(shared, &companion.uri);
         }
     }
@@ -111,6 +114,7 @@ pub(crate) fn diagnostics_of(shared: &Shared, revision: &Revision) -> Vec<Diagno
         Kind::Foreign(_) => foreign::diagnostics_of(shared.agreed(), revision),
         Kind::Settings => settings(shared, revision),
         Kind::Scenarios => scenarios(shared, revision),
+        Kind::Scene => scene(shared, revision),
         Kind::Program | Kind::Other => Vec::new(),
     }
 }
@@ -131,40 +135,103 @@ fn scenarios(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
     let suite = scenario::parse(&revision.text());
     let mut errors = suite.errors.clone();
     let mut found = Vec::new();
-    if let (Some((name, range)), Some(path)) = (&suite.program, address::path_of(&revision.uri)) {
-        let disk = &shared.world().disk;
-        let program = disk.locate(&disk.named_in(&path, name));
-        let program = program.map_err(|error| NotReady::Missing(error.to_string()));
-        match program.and_then(|program| compiled(shared, &program, (&path, &suite))) {
-            Ok(simulation) => {
-                errors.extend(scenario::bind(&suite, &simulation).1);
-                errors.extend(scenario::bind_properties(&suite, &simulation).1);
-                found.extend(proofs(shared, revision, &simulation));
-            }
-            Err(NotReady::Missing(message)) => {
-                let help = "a program is named as it is seen from the folder of the scenario file";
-                found.push(error_at(
-                    revision,
-                    *range,
-                    BAD_SCENARIO,
-                    format!("{message}\n{help}"),
-                ));
-            }
-            Err(NotReady::Plants(of_plants)) => errors.extend(of_plants),
-            // The program itself shows what is wrong with it.
-            Err(NotReady::Errors(message)) => {
-                let range = convert::range_in(revision, *range);
-                found.push(convert::diagnostic(range, Severity::Info, BAD_SCENARIO, message));
-            }
+    match simulated(shared, revision, &suite) {
+        Some(Ok(simulation)) => {
+            errors.extend(scenario::bind(&suite, &simulation).1);
+            errors.extend(scenario::bind_properties(&suite, &simulation).1);
+            found.extend(proofs(shared, revision, &simulation));
         }
+        Some(Err(not_ready)) => found.extend(why_not(revision, &suite, not_ready, BAD_SCENARIO)),
+        None => {}
     }
-    let told = |ScenarioError { range, message, help }| {
-        let help = help.map(|help| format!("\n{help}"));
-        error_at(revision, range, BAD_SCENARIO, message + &help.unwrap_or_default())
-    };
-    found.extend(errors.into_iter().map(told));
+    found.extend(
+        errors
+            .into_iter()
+            .map(|error| told(revision, error, BAD_SCENARIO)),
+    );
+    in_order(found)
+}
+
+/// The scene that a text is.
+pub(crate) fn scene_of(revision: &Revision, text: &str) -> Scene {
+    let path = address::path_of(&revision.uri).unwrap_or_default();
+    scene::of_file(scene_stem(&path).unwrap_or_default(), text)
+}
+
+fn scene(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
+    let scene = scene_of(revision, &revision.text());
+    let suite = scene.suite();
+    let mut findings = scene.findings.clone();
+    let mut found = Vec::new();
+    // One that cannot be read has no expressions to bind.
+    match simulated(shared, revision, &suite).filter(|_| !scene.nodes.is_empty()) {
+        Some(Ok(simulation)) => findings.extend(scene.bind(&simulation).1),
+        Some(Err(not_ready)) => found.extend(why_not(revision, &suite, not_ready, Finding::NAME)),
+        None => {}
+    }
+    found.extend(findings.into_iter().map(|finding| {
+        let range = convert::range_in(revision, finding.range);
+        let message = format!("{}\n{}", finding.message, finding.help);
+        convert::diagnostic(range, finding.severity, Finding::NAME, message)
+    }));
+    in_order(found)
+}
+
+fn in_order(mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
     found.sort_by_key(|it| (it.range.start.line, it.range.start.character));
     found
+}
+
+/// The program that a file names, ready to run. None: it names none, or lies in no folder.
+pub(crate) fn simulated(
+    shared: &Shared,
+    revision: &Revision,
+    suite: &Suite,
+) -> Option<Result<Simulation, NotReady>> {
+    let (name, _) = suite.program.as_ref()?;
+    let path = address::path_of(&revision.uri)?;
+    let disk = &shared.world().disk;
+    let program = disk.locate(&disk.named_in(&path, name));
+    let program = program.map_err(|error| NotReady::Missing(error.to_string()));
+    Some(program.and_then(|program| compiled(shared, &program, (&path, suite))))
+}
+
+/// Why the program that a file names does not run with it, where it names what is to blame.
+fn why_not(revision: &Revision, suite: &Suite, why: NotReady, rule: &str) -> Vec<Diagnostic> {
+    let range = suite
+        .program
+        .as_ref()
+        .map(|(_, range)| *range)
+        .unwrap_or_default();
+    match why {
+        NotReady::Missing(message) => {
+            let help = "a program is named as it is seen from the folder of the scenario file";
+            let help = if rule == BAD_SCENARIO {
+                help
+            } else {
+                "name the program in the element `svg`, as it is seen from the folder of this file: l:program=\"motor.clad\""
+            };
+            vec![error_at(revision, range, rule, format!("{message}\n{help}"))]
+        }
+        NotReady::Plants(of_plants) => {
+            let told = of_plants.into_iter().map(|error| told(revision, error, rule));
+            told.collect()
+        }
+        // The program itself shows what is wrong with it.
+        NotReady::Errors(message) => {
+            let range = convert::range_in(revision, range);
+            vec![convert::diagnostic(range, Severity::Info, rule, message)]
+        }
+    }
+}
+
+fn told(
+    revision: &Revision,
+    ScenarioError { range, message, help }: ScenarioError,
+    rule: &str,
+) -> Diagnostic {
+    let help = help.map(|help| format!("\n{help}"));
+    error_at(revision, range, rule, message + &help.unwrap_or_default())
 }
 
 /// What is known of properties that do not hold.
@@ -244,14 +311,22 @@ pub(crate) fn compiled_from(
         let missing = |error: FileError| NotReady::Plants(vec![plant_missing(plant, &error.to_string())]);
         Ok((located.map_err(missing)?, plant.name.clone()))
     });
-    let plants = plants.collect::<Result<Vec<_>, NotReady>>()?;
+    let mut plants = plants.collect::<Result<Vec<_>, NotReady>>()?;
+    let mut connections = suite.connections();
+    if plants.is_empty() && is_scene(file) {
+        // A scene shows what is simulated, and that runs with the plants of the settings.
+        let settings = shared.neighbours.simulate(path);
+        let of_settings = settings.plants_of(path).iter();
+        plants.extend(of_settings.map(|plant| (plant.file.path(), plant.name.clone())));
+        connections.clone_from(&settings.connects);
+    }
     let linked = if plants.is_empty() {
         let linked = shared.neighbours.link(path, analysis);
         linked.map(|linked| (linked, Vec::new()))
     } else {
         shared
             .neighbours
-            .link_beside(path, analysis, &plants, &suite.connections())
+            .link_beside(path, analysis, &plants, &connections)
     };
     let (linked, of_plants) = linked.map_err(|_| {
         NotReady::Errors(format!(
@@ -279,7 +354,7 @@ fn plant_missing(plant: &PlantLine, message: &str) -> ScenarioError {
     }
 }
 
-fn is_error(finding: &Finding) -> bool {
+fn is_error(finding: &ladder_analysis::Diagnostic) -> bool {
     finding.severity == Severity::Error
 }
 

@@ -10,7 +10,9 @@ use ladder_documents::Revision;
 use ladder_documents::address::{path_of, uri_of};
 use ladder_documents::membership::Membership;
 use ladder_format::Edit;
+use ladder_picture::scene;
 use ladder_simulator::scenario;
+use ladder_workspace::{is_scenario, is_scene};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
     CreateFilesParams, DeleteFilesParams, DocumentChangeOperation, DocumentChanges, FileOperationFilter,
@@ -94,9 +96,10 @@ fn scenarios_near(shared: &Shared, renames: &[(PathBuf, PathBuf)]) -> Vec<PathBu
         }
     }
     let mut found = shared.world().disk.scenarios(&outer);
+    found.extend(shared.world().disk.scenes(&outer));
     let open = shared.companions.all();
     let open = open.iter().filter_map(|it| path_of(&it.uri));
-    found.extend(open.filter(|path| ladder_workspace::is_scenario(path)));
+    found.extend(open.filter(|path| is_scenario(path) || is_scene(path)));
     found.sort();
     found.dedup();
     found
@@ -118,13 +121,18 @@ fn text_of(shared: &Shared, file: &Path) -> Option<Arc<Revision>> {
 
 /// The edit that lets a file of scenarios name its program as it is called afterwards, if that is another name.
 fn renamed_program(file: &Path, text: &str, renames: &[(PathBuf, PathBuf)]) -> Option<Edit> {
-    let (name, range) = scenario::parse(text).program?;
+    let (name, range) = if is_scene(file) {
+        // Without a place it is named by the scene's own name.
+        scene::read(text).program?
+    } else {
+        scenario::parse(text).program?
+    };
     let program = plain(&file.parent()?.join(&name));
     let now = relative(after(file, renames).parent()?, &after(&program, renames));
     if now == name {
         return None;
     }
-    let quoted = now.contains(char::is_whitespace) || text[range].starts_with('"');
+    let quoted = !is_scene(file) && (now.contains(char::is_whitespace) || text[range].starts_with('"'));
     let text = if quoted { format!("\"{now}\"") } else { now };
     Some(Edit { range, text })
 }

@@ -23,7 +23,7 @@ pub(crate) fn opened(shared: &Arc<Shared>, params: DidOpenTextDocumentParams) {
     let kind = Kind::of(uri, &document.language_id, &document.text);
     let store = match kind {
         Kind::Program => &shared.documents,
-        Kind::Foreign(_) | Kind::Settings | Kind::Scenarios | Kind::Other => &shared.companions,
+        Kind::Foreign(_) | Kind::Settings | Kind::Scenarios | Kind::Scene | Kind::Other => &shared.companions,
     };
     if shared.documents.get(uri).is_some() || shared.companions.get(uri).is_some() {
         shared.outbox.log(format!(

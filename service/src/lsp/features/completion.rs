@@ -4,8 +4,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 use ladder_analysis::context::Context;
-use ladder_documents::Revision;
+use ladder_documents::{Kind, Revision};
 use ladder_ide::{Completion, CompletionKind, Profile, Topic};
+use ladder_picture::scene::THEME_VALUES;
 use ladder_syntax::{TextRange, TextSize};
 use ladder_workspace::is_program;
 use serde_json::{Value, json};
@@ -16,7 +17,7 @@ use tower_lsp::ls_types::{
     InsertTextFormat, InsertTextMode, Position, Range, TextEdit,
 };
 
-use super::of_scenarios::{about_scenarios, scenarios_at};
+use super::of_scenarios::{about_scenarios, naming_at, scene_attributes};
 use crate::lsp::session::commands::CUT;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, markup, session::agreed::Agreed, session::shared::Shared};
@@ -45,7 +46,7 @@ pub(crate) async fn completion(
     let trigger = params.context.and_then(|context| context.trigger_character);
     let trigger = trigger.and_then(|trigger| trigger.chars().next());
     let agreed = shared.agreed();
-    if let Some(revision) = scenarios_at(shared, &place.text_document.uri) {
+    if let Some(revision) = naming_at(shared, &place.text_document.uri) {
         return in_scenarios(shared, revision, place.position, trigger).await;
     }
     let Some(revision) = shared.documents.get(place.text_document.uri.as_str()) else {
@@ -89,8 +90,13 @@ async fn in_scenarios(
     let agreed = shared.agreed();
     about_scenarios(shared, revision, move |asked| {
         let offset = asked.offset(position);
-        let programs = programs_next_to(&asked.revision);
-        let found = ladder_ide::scenario_completions(&asked.read(), offset, &programs, trigger);
+        let found = if asked.revision.kind() == Kind::Scene {
+            let asking = (THEME_VALUES.as_slice(), trigger);
+            ladder_ide::scene_completions(&asked.read(), offset, &scene_attributes(), asking)
+        } else {
+            let programs = programs_next_to(&asked.revision);
+            ladder_ide::scenario_completions(&asked.read(), offset, &programs, trigger)
+        };
         let mut proposed = Proposed::new(agreed, &asked.revision, offset);
         let items = found.items.into_iter().map(|item| {
             let documentation = match (&item.topic, &asked.program) {

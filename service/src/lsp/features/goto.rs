@@ -10,7 +10,7 @@ use tower_lsp::ls_types::{GotoDefinitionParams, GotoDefinitionResponse, Location
 
 use super::asked::{Asked, Places, about_place};
 use super::foreign_hover;
-use super::of_scenarios::{about_scenarios, scenarios_at};
+use super::of_scenarios::{about_scenarios, naming_at};
 use crate::lsp::session::{agreed::Links, shared::Shared};
 
 /// Which of the four is asked for.
@@ -24,7 +24,7 @@ pub(crate) async fn goto(
 ) -> Result<Option<GotoDefinitionResponse>> {
     let links = links(&shared.agreed().links);
     let place = params.text_document_position_params;
-    if let Some(revision) = scenarios_at(shared, &place.text_document.uri) {
+    if let Some(revision) = naming_at(shared, &place.text_document.uri) {
         // A row leads to the tag of the program, whichever of the four is asked for.
         return about_scenarios(shared, revision, move |scenarios| {
             let asked = scenarios.program.as_ref()?;

@@ -2,10 +2,12 @@
 
 use std::sync::Arc;
 
+use ladder_documents::Kind;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{Hover, HoverContents, HoverParams};
 
 use super::asked::about_place_first;
+use super::of_scenarios::scene_attributes;
 use super::{foreign_hover, of_scenarios, simulate};
 use crate::lsp::{convert, markup, session::shared::Shared};
 
@@ -15,10 +17,15 @@ pub(crate) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<O
     if let Some(revision) = foreign_hover::program_at(shared, &place.text_document.uri) {
         return foreign_hover::hover(shared, markdown, revision, place.position).await;
     }
-    if let Some(revision) = of_scenarios::scenarios_at(shared, &place.text_document.uri) {
+    if let Some(revision) = of_scenarios::naming_at(shared, &place.text_document.uri) {
         let position = place.position;
         return of_scenarios::about_scenarios(shared, revision, move |asked| {
-            let (hover, file) = ladder_ide::scenario_hover(&asked.read(), asked.offset(position))?;
+            let offset = asked.offset(position);
+            let (hover, file) = if asked.revision.kind() == Kind::Scene {
+                ladder_ide::scene_hover(&asked.read(), offset, &scene_attributes())?
+            } else {
+                ladder_ide::scenario_hover(&asked.read(), offset)?
+            };
             let file = asked.program.as_ref().zip(file);
             let text = match file.and_then(|(program, file)| program.elsewhere.text(&file)) {
                 Some(file) => markup::linked(hover.markdown, &file.uri),

@@ -35,6 +35,7 @@ pub(crate) mod rename;
 pub(crate) mod rule_page;
 pub(crate) mod run_scenarios;
 pub(crate) mod scenario_actions;
+pub(crate) mod scene;
 pub(crate) mod semantic_tokens;
 pub(crate) mod signature;
 pub(crate) mod simulate;

@@ -1,4 +1,4 @@
-//! What requests about a scenario file have in common: its text, and the program that it is about with the files next to
+//! What requests about a scenario file, or a scene, have in common: its text, and the program that it is about with the files next to
 //! that, open or not.
 
 use std::path::{Path, PathBuf};
@@ -8,8 +8,9 @@ use ladder_analysis::Cancel;
 use ladder_documents::membership::Membership;
 use ladder_documents::other_files::OtherFiles;
 use ladder_documents::{Kind, Revision, address};
-use ladder_ide::{Alone, Scenarios};
+use ladder_ide::{Alone, Scenarios, SceneAttribute};
 use ladder_notations::of_workspaces;
+use ladder_picture::scene;
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, Suite};
 use ladder_syntax::TextSize;
@@ -18,7 +19,7 @@ use tower_lsp::jsonrpc;
 use tower_lsp::ls_types::{Position, Uri};
 
 use super::asked::Asked;
-use crate::lsp::documents::companions::compiled_from;
+use crate::lsp::documents::companions::{compiled_from, scene_of};
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
 
@@ -58,7 +59,32 @@ pub(crate) fn scenarios_at(shared: &Shared, uri: &Uri) -> Option<Arc<Revision>> 
     (revision.kind() == Kind::Scenarios).then_some(revision)
 }
 
-/// Does a job about a scenario file; nothing for one that is too large.
+/// The open file of this address that names the tags of a program, if it is one: of scenarios, or a scene.
+pub(crate) fn naming_at(shared: &Shared, uri: &Uri) -> Option<Arc<Revision>> {
+    let revision = shared.companions.get(uri.as_str())?;
+    matches!(revision.kind(), Kind::Scenarios | Kind::Scene).then_some(revision)
+}
+
+/// What the text of such a file says.
+pub(crate) fn read(revision: &Revision, text: &str) -> Suite {
+    if revision.kind() == Kind::Scene {
+        scene_of(revision, text).suite()
+    } else {
+        scenario::parse(text)
+    }
+}
+
+/// The attributes of scenes, as features read them.
+pub(crate) fn scene_attributes() -> Vec<SceneAttribute> {
+    let attributes = scene::ATTRIBUTES.iter().map(|attribute| SceneAttribute {
+        name: attribute.name,
+        about: attribute.about,
+        takes_expression: attribute.takes_expression,
+    });
+    attributes.collect()
+}
+
+/// Does a job about such a file; nothing for one that is too large.
 pub(crate) async fn about_scenarios<T: Send + 'static>(
     shared: &Arc<Shared>,
     revision: Arc<Revision>,
@@ -71,7 +97,7 @@ pub(crate) async fn about_scenarios<T: Send + 'static>(
             return None;
         }
         let text = revision.text();
-        let suite = scenario::parse(&text);
+        let suite = read(&revision, &text);
         let program = program(&shared, &revision, &suite, cancel);
         job(&AskedScenarios {
             revision,

@@ -10,7 +10,7 @@ use tower_lsp::ls_types::{
 };
 
 use super::asked::{Asked, about_place};
-use super::of_scenarios::{about_scenarios, scenarios_at};
+use super::of_scenarios::{about_scenarios, naming_at};
 use crate::lsp::transport::answered::as_text;
 use crate::lsp::{convert, session::shared::Shared};
 
@@ -20,7 +20,7 @@ pub(crate) async fn references(
 ) -> Result<Option<Vec<Location>>> {
     let declarations = params.context.include_declaration;
     let place = params.text_document_position;
-    let found = match scenarios_at(shared, &place.text_document.uri) {
+    let found = match naming_at(shared, &place.text_document.uri) {
         Some(revision) => {
             about_scenarios(shared, revision, move |scenarios| {
                 let asked = scenarios.program.as_ref()?;
@@ -64,7 +64,7 @@ pub(crate) async fn highlight(
     params: DocumentHighlightParams,
 ) -> Result<Option<Vec<DocumentHighlight>>> {
     let place = params.text_document_position_params;
-    if let Some(revision) = scenarios_at(shared, &place.text_document.uri) {
+    if let Some(revision) = naming_at(shared, &place.text_document.uri) {
         return about_scenarios(shared, revision, move |scenarios| {
             let found = ladder_ide::scenario_highlights(&scenarios.read(), scenarios.offset(place.position));
             Some(shown(&scenarios.revision, found))

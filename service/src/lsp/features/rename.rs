@@ -10,7 +10,7 @@ use tower_lsp::ls_types::{
 };
 
 use super::asked::{Asked, Places, about_place};
-use super::of_scenarios::{about_scenarios, scenarios_at};
+use super::of_scenarios::{about_scenarios, naming_at};
 use crate::lsp::answers::REQUEST_FAILED;
 use crate::lsp::transport::answered::as_text;
 use crate::lsp::{convert, session::agreed::Agreed, session::shared::Shared};
@@ -22,7 +22,7 @@ pub(crate) async fn prepare(
     shared: &Arc<Shared>,
     place: TextDocumentPositionParams,
 ) -> Result<Option<PrepareRenameResponse>> {
-    let prepared = match scenarios_at(shared, &place.text_document.uri) {
+    let prepared = match naming_at(shared, &place.text_document.uri) {
         Some(revision) => {
             about_scenarios(shared, revision, move |scenarios| {
                 let found =
@@ -56,7 +56,7 @@ fn placeholder(revision: &Revision, found: Renamable) -> PrepareRenameResponse {
 pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result<Option<WorkspaceEdit>> {
     let agreed = shared.agreed();
     let (place, new) = (params.text_document_position, params.new_name);
-    let renamed = match scenarios_at(shared, &place.text_document.uri) {
+    let renamed = match naming_at(shared, &place.text_document.uri) {
         Some(revision) => {
             about_scenarios(shared, revision, move |scenarios| {
                 let asked = scenarios.program.as_ref()?;

@@ -388,6 +388,7 @@ mod tests {
             text: String::new(),
             scan: 0,
             time_ms: 0.0,
+            scenes: Vec::new(),
             tags: Vec::new(),
             power: Vec::new(),
             faults: Vec::new(),

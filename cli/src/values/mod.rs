@@ -1,6 +1,7 @@
 //! The values of a table, as those of a program's tags.
 
-use super::table::{self, Row};
+mod table;
+
 use crate::outcome::Failure;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
@@ -8,15 +9,16 @@ use ladder_simulator::{Point, Simulation, value_text};
 use ladder_workspace::shown;
 use std::collections::HashMap;
 use std::path::Path;
+use table::Row;
 
 /// What a table says of a program.
-pub(super) struct Given {
+pub(crate) struct Given {
     /// The tags that it has, with their values.
-    pub(super) values: Vec<(Point, Value)>,
+    pub(crate) values: Vec<(Point, Value)>,
     /// Names that the program does not have, with their lines.
-    pub(super) unknown: Vec<(u64, String)>,
+    pub(crate) unknown: Vec<(u64, String)>,
     /// Constants of the program that have another value in the table.
-    pub(super) constants: Vec<String>,
+    pub(crate) constants: Vec<String>,
 }
 
 impl Given {
@@ -24,7 +26,7 @@ impl Given {
     ///
     /// # Errors
     /// It cannot be read, a value is none of its tag's type, or a tag has two.
-    pub(super) fn read(file: &Path, simulation: &Simulation) -> Result<Given, Failure> {
+    pub(crate) fn read(file: &Path, simulation: &Simulation) -> Result<Given, Failure> {
         let text = ladder_workspace::read(file)?;
         let failed = |line: u64, message: &str| {
             let message = format!("{}: line {line}: {message}", shown::path(file));
