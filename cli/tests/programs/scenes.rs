@@ -126,7 +126,7 @@ fn what_is_wrong_is_checked_and_drawn_as_far_as_it_goes() {
     expect![[r#"
         exit status 1
         -- stdout
-        pump.scene.svg:4:31: error[bad-scene] there is no tag `plant` in this program
+        pump.scene.svg:4:31: error[bad-scene] plant has no tag `height`
         pump.scene.svg:5:3: warning[bad-scene] `script` is left out, with what is in it
         Checked 1 file: 1 error, 1 warning.
     "#]]
@@ -142,6 +142,30 @@ fn what_is_wrong_is_checked_and_drawn_as_far_as_it_goes() {
     let outside = folder.ladder(&["check", "--format", "concise", "pump.scene.svg"]);
     assert_eq!(outside.status, Some(2), "{outside}");
     assert!(outside.stdout.contains("leads out of the workspace"), "{outside}");
+}
+
+/// The sketch that scenes were designed with, and the machine that the playground begins with.
+#[test]
+fn the_scenes_of_the_project_hold_no_errors() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    for (machine, scene) in [
+        ("tests/corpus/plants/conveyor", "conveyor.scene.svg"),
+        ("playground/machines/water_tank", "water_tank.scene.svg"),
+    ] {
+        let folder = Folder::with(&[]);
+        for entry in std::fs::read_dir(root.join(machine)).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.file_name().unwrap().to_string_lossy();
+            folder.write(&name, &std::fs::read(&path).unwrap());
+        }
+        let check = folder.ladder(&["check", "--deny", "warnings", scene]);
+        assert_eq!(check.status, Some(0), "{check}");
+        let still = folder.ladder(&["render", scene, "--scans", "100"]);
+        assert_eq!(still.status, Some(0), "{still}");
+    }
+    let folder = root.join("playground/machines/water_tank");
+    let tests = Folder::with(&[]).ladder(&["test", &folder.display().to_string()]);
+    assert_eq!(tests.status, Some(0), "{tests}");
 }
 
 #[test]

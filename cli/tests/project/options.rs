@@ -55,6 +55,8 @@ fn the_guide_tells_of_every_option() {
         "--rm",
         "--save-dev",
         "--version",
+        // A colour of the theme, in a scene.
+        "--ladder-on",
     ]
     .map(str::to_owned);
     let wrong: Vec<&String> = described

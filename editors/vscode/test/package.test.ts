@@ -85,7 +85,7 @@ test('an untrusted workspace runs nothing', () => {
     assert.doesNotMatch(read('src/server.ts'), /command: '/);
 });
 
-test('the server gets programs, scenarios, ladder.toml and programs of other systems, and no other file in TOML', () => {
+test('the server gets programs, scenarios, scenes, ladder.toml and programs of other systems, and no other file in TOML', () => {
     const [, selector] = /documentSelector: (\[.*?\]),\n/s.exec(read('src/server.ts')) ?? [];
     const patterns = FOREIGN_FILES.map((pattern) => ({ pattern }));
     assert.deepEqual(new Function('FOREIGN_FILES', `return ${selector}`)(FOREIGN_FILES), [
@@ -93,6 +93,7 @@ test('the server gets programs, scenarios, ladder.toml and programs of other sys
         { language: 'ladder-click' },
         { language: 'ladder-test' },
         { pattern: '**/ladder.toml' },
+        { pattern: '**/*.scene.svg' },
         ...patterns,
     ]);
 });

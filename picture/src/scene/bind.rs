@@ -8,7 +8,7 @@ use super::part::{Does, Live, NOWHERE, Part};
 use super::source::Expression as Source;
 use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Scalar;
-use ladder_simulator::expression::{Expression, Scope};
+use ladder_simulator::expression::{Expression, Scope, names};
 use ladder_simulator::{Simulation, value_text};
 
 impl Scene {
@@ -191,6 +191,7 @@ impl Binder<'_> {
         let expression = match Expression::new(&text, scope) {
             Ok(expression) => expression,
             Err(problem) => {
+                let problem = self.in_plant(&source.text).unwrap_or(problem);
                 let help = "an expression is written as in [CALC], over the program's tags and those of its plant: plant.level";
                 self.findings.push(Finding::error(range, problem, help));
                 return None;
@@ -215,6 +216,19 @@ impl Binder<'_> {
         }
         self.findings.push(Finding::error(range, message, help));
         None
+    }
+
+    /// What a text names of a plant, if that does not have it.
+    fn in_plant(&self, text: &str) -> Option<String> {
+        let names = names(text).into_iter().map(|name| &text[name]);
+        let plants = &self.simulation.program().plants;
+        names
+            .filter(|name| self.simulation.resolve(name).is_err())
+            .find_map(|name| {
+                let (plant, tag) = name.split_once('.')?;
+                let plant = plants.iter().find(|it| it.name.eq_ignore_ascii_case(plant))?;
+                Some(format!("{} has no tag `{tag}`", plant.name))
+            })
     }
 
     /// A tag that a person gives a value.
