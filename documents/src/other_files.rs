@@ -206,8 +206,7 @@ impl OtherFiles {
         let place = self.own.place()?;
         let folder = place.neighbours.folder_of(&place.path);
         let disk = place.neighbours.disk();
-        let mut paths = disk.scenarios(std::slice::from_ref(&folder));
-        paths.extend(disk.scenes(&[folder]));
+        let mut paths = disk.companions(&[folder]);
         let open: Vec<_> = self
             .companions
             .all()

@@ -416,6 +416,45 @@ fn cut_texts_are_read() {
     }
 }
 
+/// Whatever is changed in a file, its picture is one that can be read, and nothing leads out of it.
+#[test]
+fn random_changes_make_no_broken_picture() {
+    let whole = drawing(
+        "<style>.a{fill:url(#g)}</style><linearGradient id=\"g\"><stop offset=\"1\"/></linearGradient>\
+         <g class=\"a\" l:show=\"level &gt;= 5\" l:fill=\"near: red; url(#g)\" style=\"stroke:#123\"><use href=\"#g\"/>\
+         <text l:text=\"name\" l:unit=\"ä\">ü<tspan>x</tspan></text></g>",
+    );
+    let signs: Vec<char> = "<>&\"'/=;:()#\\ \u{0}\u{7f}\u{2028}axl@{}".chars().collect();
+    let simulation = simulation();
+    let mut dice = 1u64;
+    let mut next = |most: usize| {
+        dice = dice
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (dice >> 33) as usize % most
+    };
+    for _ in 0..3000 {
+        let mut text: Vec<char> = whole.chars().collect();
+        for _ in 0..=next(3) {
+            let at = next(text.len());
+            text[at] = signs[next(signs.len())];
+        }
+        let text: String = text.into_iter().collect();
+        let scene = scene::read(&text);
+        if scene.nodes.is_empty() {
+            continue;
+        }
+        let (mut bound, _) = scene.bind(&simulation);
+        let values = bound.values(&simulation);
+        let picture = still(&scene, &bound.slots, &values);
+        let read = roxmltree::Document::parse(&picture);
+        assert!(read.is_ok(), "{text:?}: {read:?}\n{picture}");
+        for url in picture.split("url(").skip(1) {
+            assert!(url.starts_with("#scene-"), "{text:?}\n{picture}");
+        }
+    }
+}
+
 #[test]
 fn what_it_names_is_where_it_says() {
     let text = drawing(

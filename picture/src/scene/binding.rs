@@ -2,6 +2,7 @@
 
 use super::colour::is_colour;
 use super::finding::Finding;
+use super::names::own_names;
 use super::source::{Expression, Raw};
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
@@ -343,7 +344,7 @@ fn cases(raw: Raw<'_>, findings: &mut Vec<Finding>) -> Vec<Case> {
         }
         cases.push(Case {
             condition,
-            colour: value,
+            colour: own_names("fill", &value),
         });
     }
     cases

@@ -20,6 +20,7 @@ mod changes;
 mod colour;
 mod expansion;
 mod finding;
+mod names;
 mod part;
 mod read;
 mod refused;

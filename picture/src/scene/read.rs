@@ -4,6 +4,7 @@ use super::allow::{self, Refused, can_be_wrapped};
 use super::binding::Binding;
 use super::expansion::{self, MOST_DRAWN};
 use super::finding::Finding;
+use super::names::{one_line, own_names};
 use super::refused::{not_xml, refused, too_many};
 use super::source::Raw;
 use super::style::{self, Rule};
@@ -18,9 +19,6 @@ use std::collections::HashSet;
 const SVG: &str = "http://www.w3.org/2000/svg";
 const XHTML: &str = "http://www.w3.org/1999/xhtml";
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
-
-/// What the names of a scene's elements begin with, so that they are none of the page's.
-const OWN: &str = "scene-";
 
 /// Reads a scene. It never fails: where nothing can be shown there are findings and no elements.
 pub fn read(text: &str) -> Scene {
@@ -356,32 +354,4 @@ impl<'t> Reader<'t> {
 
 fn holds_text(name: &str) -> bool {
     matches!(name, "text" | "tspan" | "title" | "desc")
-}
-
-fn one_line(text: &str) -> String {
-    text.replace(['\n', '\r', '\t'], " ")
-}
-
-/// A value whose names of elements are those of the scene's own.
-fn own_names(attribute: &str, value: &str) -> String {
-    match attribute {
-        "id" => format!("{OWN}{}", value.trim()),
-        "href" => value.trim().replacen('#', &format!("#{OWN}"), 1),
-        "aria-labelledby" | "aria-describedby" => {
-            let names = value.split_whitespace().map(|name| format!("{OWN}{name}"));
-            names.collect::<Vec<_>>().join(" ")
-        }
-        _ if value.contains("url(") => {
-            let mut out = String::new();
-            let mut rest = value;
-            while let Some((before, after)) = rest.split_once("url(") {
-                let (name, after) = after.split_once(')').unwrap_or((after, ""));
-                let name = name.trim().trim_matches(['"', '\'']).trim_start_matches('#');
-                out.push_str(&format!("{before}url(#{OWN}{name})"));
-                rest = after;
-            }
-            out + rest
-        }
-        _ => one_line(value),
-    }
 }

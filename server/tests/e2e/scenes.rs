@@ -253,6 +253,22 @@ async fn a_scene_shows_what_is_simulated() {
     let last = values.iter().rfind(|it| it[0] == transform);
     assert_eq!(last.unwrap()[1], "translate(3 0)", "{values:?}");
 
+    // Another program has other tags: the scene is to be asked for again.
+    let change = json!({
+        "textDocument": {"uri": program, "version": 2},
+        "contentChanges": [{"text": PROGRAM.replace("[ ]( full )", "[/]( full )")}],
+    });
+    client.notify("textDocument/didChange", change).await;
+    let is_told = |state: &Value| state["scenes"][0]["again"] == true;
+    client.notification("ladder/simulationState", is_told).await;
+    let shown = execute(
+        &mut client,
+        "ladder.scene",
+        json!({"uri": uri, "session": session}),
+    )
+    .await;
+    assert_eq!(shown["values"][transform], "translate(3 0)");
+
     let outside = json!({"command": "ladder.scene", "arguments": [{"uri": program}]});
     let (_, message) = client
         .request("workspace/executeCommand", outside)

@@ -5,7 +5,7 @@ use crate::error::{FileError, Problem};
 use crate::named::Named;
 use crate::root::is_program;
 use crate::root::{Root, SETTINGS_FILE};
-use crate::search::{Survey, is_scenario, is_scene};
+use crate::search::{Survey, is_companion};
 use crate::settings::Files;
 use crate::stamp::Stamp;
 use crate::text;
@@ -188,13 +188,8 @@ impl Disk for MemoryDisk {
         files.is_in_library(program) || below.is_ok_and(|below| !is_hidden(below)) && files.contain(program)
     }
 
-    fn scenarios(&self, folders: &[PathBuf]) -> Vec<PathBuf> {
-        let found = folders.iter().flat_map(|folder| self.below(folder, is_scenario));
-        found.collect()
-    }
-
-    fn scenes(&self, folders: &[PathBuf]) -> Vec<PathBuf> {
-        let found = folders.iter().flat_map(|folder| self.below(folder, is_scene));
+    fn companions(&self, folders: &[PathBuf]) -> Vec<PathBuf> {
+        let found = folders.iter().flat_map(|folder| self.below(folder, is_companion));
         found.collect()
     }
 

@@ -85,11 +85,8 @@ pub trait Disk: Debug + Send + Sync {
     /// Whether a program is one of the workspace. See [`Root::holds`].
     fn holds(&self, root: &Root, program: &Path, files: &Files) -> bool;
 
-    /// The files of scenarios below these folders.
-    fn scenarios(&self, folders: &[PathBuf]) -> Vec<PathBuf>;
-
-    /// The scenes below these folders.
-    fn scenes(&self, folders: &[PathBuf]) -> Vec<PathBuf>;
+    /// The files of scenarios and the scenes below these folders: what names the tags of a program next to it.
+    fn companions(&self, folders: &[PathBuf]) -> Vec<PathBuf>;
 
     /// What lies below a folder. See [`survey`](crate::survey).
     fn survey(&self, folder: &Path, most: usize, cancel: &Cancel) -> Survey;

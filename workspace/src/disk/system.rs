@@ -86,12 +86,8 @@ impl Disk for SystemDisk {
         root.holds(program, files)
     }
 
-    fn scenarios(&self, folders: &[PathBuf]) -> Vec<PathBuf> {
-        search::find_scenarios(folders).0
-    }
-
-    fn scenes(&self, folders: &[PathBuf]) -> Vec<PathBuf> {
-        search::find_files(folders, &search::is_scene).0
+    fn companions(&self, folders: &[PathBuf]) -> Vec<PathBuf> {
+        search::find_files(folders, &search::is_companion).0
     }
 
     fn survey(&self, folder: &Path, most: usize, cancel: &Cancel) -> Survey {

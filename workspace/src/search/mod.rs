@@ -41,6 +41,11 @@ pub fn is_scene(path: &Path) -> bool {
     scene_stem(path).is_some()
 }
 
+/// Whether a file names the tags of a program next to it: scenarios do, and scenes.
+pub(crate) fn is_companion(path: &Path) -> bool {
+    is_scenario(path) || is_scene(path)
+}
+
 /// Which files of a folder are meant.
 #[derive(Clone, Copy)]
 enum Wanted<'w> {

@@ -95,8 +95,7 @@ fn scenarios_near(shared: &Shared, renames: &[(PathBuf, PathBuf)]) -> Vec<PathBu
             outer.push(root);
         }
     }
-    let mut found = shared.world().disk.scenarios(&outer);
-    found.extend(shared.world().disk.scenes(&outer));
+    let mut found = shared.world().disk.companions(&outer);
     let open = shared.companions.all();
     let open = open.iter().filter_map(|it| path_of(&it.uri));
     found.extend(open.filter(|path| is_scenario(path) || is_scene(path)));
