@@ -81,6 +81,7 @@ scene('only what has changed is touched, at most once in a frame', files('<rect 
     await start();
     // At rest, and as it runs.
     await until('the scene', () => host.messages.filter(({ kind, shown }) => kind === 'scene' && shown.slots.length === 102).length === 2);
+    await page.evaluate(() => new Promise((done) => setTimeout(done, 100)));
     await page.evaluate(() => {
         window.touched = [];
         new MutationObserver((changes) => window.touched.push(...changes.map(({ attributeName }) => attributeName))).observe(document.querySelector('svg'), { attributes: true, subtree: true });
