@@ -4,7 +4,7 @@
 use crate::exporting::exports;
 use crate::other_files::exports::Exports;
 use crate::other_files::others::{Exported, Others};
-pub use ladder_library::{SOURCES, Source};
+pub use ladder_library::{SOURCES, Source, Use};
 use ladder_syntax::parse;
 use std::sync::{Arc, OnceLock};
 

@@ -1,7 +1,7 @@
 //! The library: user-defined blocks that every workspace sees (LANGUAGE §5.7), written in the language itself.
 //!
-//! A block is one file here, `NAME.clad`; the comments in it are its documentation. A program of the same name in `scenarios/`
-//! uses it, and scenarios show and test what it does. This crate holds the texts and nothing else. `ladder-analysis` reads them when a program names a block that its workspace does not define, so that a program
+//! A block is one file here, `NAME.clad`, or `plants/NAME.clad` if it is a machine that plants are made of; the comments in it are its
+//! documentation. A program of the same name in `scenarios/` uses it, and scenarios show and test what it does. This crate holds the texts and nothing else. `ladder-analysis` reads them when a program names a block that its workspace does not define, so that a program
 //! without one pays nothing.
 
 #![forbid(unsafe_code)]
@@ -11,12 +11,23 @@
 pub struct Source {
     /// Its name, with the `$`.
     pub name: &'static str,
+    /// Whether it is for programs or for plants.
+    pub is_for: Use,
     /// The text of its file: the comment that describes it, and its definition.
     pub text: &'static str,
     /// A program that uses it.
     pub example: &'static str,
     /// The scenarios of that program, the first of which shows what the block is for.
     pub scenarios: &'static str,
+}
+
+/// What a block is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Use {
+    /// Programs of controllers.
+    Programs,
+    /// Plants: models of machines that run beside a program.
+    Plants,
 }
 
 impl Source {
@@ -51,18 +62,20 @@ impl Source {
 }
 
 macro_rules! sources {
-    ($($name:literal),* $(,)?) => {
-        &[$(Source {
+    ($($use:ident in $folder:literal: $($name:literal),*;)*) => {
+        &[$($(Source {
             name: concat!("$", $name),
-            text: include_str!(concat!("../", $name, ".clad")),
+            is_for: Use::$use,
+            text: include_str!(concat!("../", $folder, $name, ".clad")),
             example: include_str!(concat!("../scenarios/", $name, ".clad")),
             scenarios: include_str!(concat!("../scenarios/", $name, ".ladder-test")),
-        }),*]
+        },)*)*]
     };
 }
 
-/// All blocks, by their names.
-pub const SOURCES: &[Source] = sources![
+/// All blocks: those for each use by their names.
+pub const SOURCES: &[Source] = sources! {
+    Programs in "":
     "Alarm",
     "Alternate",
     "Average",
@@ -78,5 +91,14 @@ pub const SOURCES: &[Source] = sources![
     "Scale",
     "Step",
     "Toggle",
-    "Total",
-];
+    "Total";
+    Plants in "plants/":
+    "Amount",
+    "Belt",
+    "Cylinder",
+    "Heater",
+    "Motor",
+    "Noise",
+    "Tank",
+    "Valve";
+};

@@ -51,7 +51,9 @@ pub(crate) fn build(simulation: &Simulation, watched: &Watched, times: Times, en
     watched.assumptions.iter().for_each(|assumption| {
         let _: Result<(), ()> = see(assumption);
     });
-    follow(&mut World::until(end), simulation, &seen, times, |builder| {
+    let mut world = World::until(end);
+    world.ranges = ranges(simulation, &seen, times, end);
+    follow(&mut world, simulation, &seen, times, |builder| {
         builder.properties(watched)
     })
 }
@@ -121,6 +123,19 @@ pub(crate) fn follow_into(
 
 /// More numbers of a program are not tried as inputs.
 const MOST_NUMBERS: usize = 200;
+
+/// What the words of a program can hold before any scan.
+fn ranges(
+    simulation: &Simulation,
+    seen: &[PointSlot],
+    times: Times,
+    end: &End,
+) -> FxHashMap<u32, (i128, i128)> {
+    let mut world = World::until(end);
+    follow(&mut world, simulation, seen, times, |builder| {
+        builder.memory.ranges()
+    })
+}
 
 /// Follows a scan, and then what else is to be done with it.
 fn follow<T>(

@@ -1,16 +1,34 @@
 //! Whole numbers as bits of a graph: two's complement, the last bit the sign, and no more bits than are needed.
 //!
 //! A word of the simulator holds the value of a 64-bit number whatever the type of its tag; here it has as many bits as its
-//! values take, and whatever holds for it holds for the value.
+//! values take, and whatever holds for it holds for the value. Between which ends they lie is known of each, so that what a
+//! program keeps within limits takes few bits, and so does what is computed from it.
 
 use crate::graph::{Graph, Lit};
 use ladder_simulator::compiled::Width;
 
 /// A number.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub(crate) struct Number {
     /// From the lowest on; never empty.
     bits: Vec<Lit>,
+    ends: Ends,
+}
+
+/// The least and the greatest value that a number can have, as far as is known. None: it has more bits than these.
+pub(crate) type Ends = Option<(i128, i128)>;
+
+/// The ends of what is computed from numbers, if that is defined for both.
+fn ends_of(a: &Number, b: &Number, of: impl Fn(i128, i128) -> Option<i128>) -> Ends {
+    let ((a, b), (c, d)) = (a.ends?, b.ends?);
+    let corners = [of(a, c)?, of(a, d)?, of(b, c)?, of(b, d)?];
+    Some((*corners.iter().min()?, *corners.iter().max()?))
+}
+
+/// How many bits the numbers between two ends take, the sign included.
+pub(crate) fn room((least, most): (i128, i128)) -> usize {
+    let of = |end: i128| 129 - (if end < 0 { !end } else { end }).leading_zeros() as usize;
+    of(least).max(of(most))
 }
 
 /// Words of the simulator have this many bits.
@@ -27,7 +45,51 @@ impl Number {
         {
             bits.pop();
         }
-        Number { bits }
+        let room = bits.len() - 1;
+        let ends = (room < 127).then(|| {
+            let end = 1i128 << room;
+            match bits[room].known() {
+                Some(false) => (0, end - 1),
+                Some(true) => (-end, -1),
+                None => (-end, end - 1),
+            }
+        });
+        Number { bits, ends }
+    }
+
+    /// The same, of which it is known that it lies between these ends.
+    pub(crate) fn within(mut self, ends: Ends) -> Number {
+        let Some((least, most)) = ends else { return self };
+        let (least, most) = match self.ends {
+            Some((a, b)) => (least.max(a), most.min(b)),
+            None => (least, most),
+        };
+        if least > most {
+            return self;
+        }
+        self.bits.truncate(room((least, most)));
+        if let Some(sign) = self.bits.last_mut() {
+            match (least >= 0, most < 0) {
+                (true, _) => *sign = Lit::FALSE,
+                (_, true) => *sign = Lit::TRUE,
+                _ => {}
+            }
+        }
+        let ends = Some((least, most));
+        Number {
+            ends,
+            ..Number::of_bits(self.bits)
+        }
+    }
+
+    /// The least and the greatest value that it can have. None: it has more bits than these.
+    pub(crate) fn ends(&self) -> Ends {
+        self.ends
+    }
+
+    /// Whether it surely lies between these ends.
+    fn fits(&self, least: i128, most: i128) -> bool {
+        self.ends.is_some_and(|ends| least <= ends.0 && ends.1 <= most)
     }
 
     /// Of these bits and never negative.
@@ -39,7 +101,8 @@ impl Number {
     /// One that is known.
     pub(crate) fn constant(value: i64) -> Number {
         let bits = (0..WORD).map(|bit| Lit::constant(value >> bit & 1 != 0));
-        Number::of_bits(bits.collect())
+        let value = i128::from(value);
+        Number::of_bits(bits.collect()).within(Some((value, value)))
     }
 
     /// 0 or 1.
@@ -55,6 +118,12 @@ impl Number {
             value = value & !(1 << n.min(63)) | bit << n.min(63);
         }
         Some(value)
+    }
+
+    /// Whether it is surely less than another.
+    fn is_below(&self, other: &Number) -> bool {
+        let ends = self.ends.zip(other.ends);
+        ends.is_some_and(|((_, most), (least, _))| most < least)
     }
 
     /// How many bits it has, the sign included.
@@ -82,6 +151,14 @@ impl Number {
     pub(crate) fn wrapped(&self, width: Width) -> Number {
         let bits = width.bits() as usize;
         let is_unsigned = matches!(width, Width::U8 | Width::U16 | Width::U32);
+        let (least, most) = if is_unsigned {
+            (0, (1 << bits) - 1)
+        } else {
+            (-1 << (bits - 1), (1 << (bits - 1)) - 1)
+        };
+        if self.fits(least, most) {
+            return self.clone();
+        }
         let low = self.low(bits);
         if is_unsigned {
             Number::unsigned(low)
@@ -94,7 +171,7 @@ impl Number {
     #[must_use]
     pub(crate) fn seen_as(&self, width: Width) -> Number {
         match width {
-            Width::U64 => Number::unsigned(self.low(WORD)),
+            Width::U64 if !self.fits(0, i128::from(u64::MAX)) => Number::unsigned(self.low(WORD)),
             _ => self.clone(),
         }
     }
@@ -102,7 +179,7 @@ impl Number {
     /// The word that holds it.
     #[must_use]
     pub(crate) fn as_word(&self) -> Number {
-        Number::of_bits(self.low(WORD))
+        self.wrapped(Width::I64)
     }
 }
 
@@ -121,15 +198,17 @@ impl Graph {
 
     /// a + b
     pub(crate) fn add(&mut self, a: &Number, b: &Number) -> Number {
-        let len = a.len().max(b.len()) + 1;
-        Number::of_bits(self.sum(&a.low(len), &b.low(len), Lit::FALSE))
+        let ends = ends_of(a, b, i128::checked_add);
+        let len = ends.map_or(a.len().max(b.len()) + 1, room);
+        Number::of_bits(self.sum(&a.low(len), &b.low(len), Lit::FALSE)).within(ends)
     }
 
     /// a - b
     pub(crate) fn sub(&mut self, a: &Number, b: &Number) -> Number {
-        let len = a.len().max(b.len()) + 1;
+        let ends = ends_of(a, b, i128::checked_sub);
+        let len = ends.map_or(a.len().max(b.len()) + 1, room);
         let b: Vec<Lit> = b.low(len).into_iter().map(|bit| !bit).collect();
-        Number::of_bits(self.sum(&a.low(len), &b, Lit::TRUE))
+        Number::of_bits(self.sum(&a.low(len), &b, Lit::TRUE)).within(ends)
     }
 
     /// a × b, its lowest bits right.
@@ -139,7 +218,8 @@ impl Graph {
         } else {
             (a, b)
         };
-        let len = most.min(a.len() + b.len());
+        let ends = ends_of(a, b, i128::checked_mul).filter(|ends| room(*ends) <= most);
+        let len = ends.map_or(most.min(a.len() + b.len()), room);
         let shifted = |by: usize| -> Vec<Lit> {
             let zeros = std::iter::repeat_n(Lit::FALSE, by.min(len));
             zeros.chain(a.low(len - by.min(len))).collect()
@@ -165,13 +245,17 @@ impl Graph {
                 self.sum(&total, &row, Lit::FALSE)
             };
         }
-        Number::of_bits(total)
+        Number::of_bits(total).within(ends)
     }
 
     /// The absolute value.
     pub(crate) fn abs(&mut self, a: &Number) -> Number {
         let negative = self.sub(&Number::constant(0), a);
-        self.choose_number(a.sign(), &negative, a)
+        let ends = a.ends.and_then(|(least, most)| {
+            let far = least.checked_neg()?.max(most);
+            Some((least.max(most.checked_neg()?).max(0), far))
+        });
+        self.choose_number(a.sign(), &negative, a).within(ends)
     }
 
     /// a divided by b, cut towards 0, and the rest. Where b is 0 both are something.
@@ -201,9 +285,19 @@ impl Graph {
         let zero = Number::constant(0);
         let differ = self.xor(a.sign(), b.sign());
         let (minus_quotient, minus_rest) = (self.sub(&zero, &quotient), self.sub(&zero, &rest));
+        // Of a divisor that can be 0 nothing is known.
+        let divisor = b.known().filter(|b| *b != 0).map(i128::from);
+        let ends = a.ends.zip(divisor).and_then(|((least, most), divisor)| {
+            let (one, other) = (least.checked_div(divisor)?, most.checked_div(divisor)?);
+            let far = divisor.checked_abs()? - 1;
+            let rest = (least.max(-far).min(0), most.min(far).max(0));
+            Some(((one.min(other), one.max(other)), rest))
+        });
+        let (of_quotient, of_rest) = ends.unzip();
         (
-            self.choose_number(differ, &minus_quotient, &quotient),
-            self.choose_number(a.sign(), &minus_rest, &rest),
+            self.choose_number(differ, &minus_quotient, &quotient)
+                .within(of_quotient),
+            self.choose_number(a.sign(), &minus_rest, &rest).within(of_rest),
         )
     }
 
@@ -231,6 +325,9 @@ impl Graph {
 
     /// a = b
     pub(crate) fn equal(&mut self, a: &Number, b: &Number) -> Lit {
+        if a.is_below(b) || b.is_below(a) {
+            return Lit::FALSE;
+        }
         let len = a.len().max(b.len());
         let mut equal = Lit::TRUE;
         for n in 0..len {
@@ -242,6 +339,14 @@ impl Graph {
 
     /// a < b
     pub(crate) fn less(&mut self, a: &Number, b: &Number) -> Lit {
+        if a.is_below(b) {
+            return Lit::TRUE;
+        }
+        if let (Some((least, _)), Some((_, most))) = (a.ends, b.ends)
+            && least >= most
+        {
+            return Lit::FALSE;
+        }
         let len = a.len().max(b.len());
         let mut less = Lit::FALSE;
         for n in 0..len {
@@ -261,21 +366,29 @@ impl Graph {
 
     /// The one where `which` is high, else the other.
     pub(crate) fn choose_number(&mut self, which: Lit, high: &Number, low: &Number) -> Number {
+        match which.known() {
+            Some(true) => return high.clone(),
+            Some(false) => return low.clone(),
+            None => {}
+        }
         let len = high.len().max(low.len());
         let bits = (0..len).map(|n| self.choose(which, high.bit(n), low.bit(n)));
-        Number::of_bits(bits.collect())
+        let ends = high.ends.zip(low.ends).map(|(a, b)| (a.0.min(b.0), a.1.max(b.1)));
+        Number::of_bits(bits.collect()).within(ends)
     }
 
     /// The smaller.
     pub(crate) fn min(&mut self, a: &Number, b: &Number) -> Number {
         let less = self.less(b, a);
-        self.choose_number(less, b, a)
+        let ends = a.ends.zip(b.ends).map(|(a, b)| (a.0.min(b.0), a.1.min(b.1)));
+        self.choose_number(less, b, a).within(ends)
     }
 
     /// The larger.
     pub(crate) fn max(&mut self, a: &Number, b: &Number) -> Number {
         let less = self.less(a, b);
-        self.choose_number(less, b, a)
+        let ends = a.ends.zip(b.ends).map(|(a, b)| (a.0.max(b.0), a.1.max(b.1)));
+        self.choose_number(less, b, a).within(ends)
     }
 }
 
@@ -337,5 +450,35 @@ mod tests {
         assert_eq!(Number::constant(70_000).wrapped(Width::I16).known(), Some(4464));
         assert_eq!(Number::constant(-1).wrapped(Width::U16).known(), Some(65_535));
         assert_eq!(Number::constant(-1).seen_as(Width::U64).len(), 65);
+    }
+
+    #[test]
+    fn what_is_kept_within_limits_takes_few_bits() {
+        let mut graph = Graph::default();
+        let any = |graph: &mut Graph| Number::of_bits((0..32).map(|_| graph.leaf()).collect());
+        let limited = |graph: &mut Graph, least: i64, most: i64| {
+            let number = any(graph);
+            let number = graph.max(&number, &Number::constant(least));
+            graph.min(&number, &Number::constant(most))
+        };
+        let volume = limited(&mut graph, 0, 100_000);
+        assert_eq!((volume.len(), volume.sign()), (18, Lit::FALSE));
+        let scaled = graph.mul(&volume, &Number::constant(27_648), 64);
+        let (raw, rest) = graph.div(&scaled, &Number::constant(100_000));
+        assert_eq!((raw.len(), rest.len()), (16, 18));
+        assert_eq!(graph.less(&Number::constant(27_648), &raw), Lit::FALSE);
+        assert_eq!(raw.wrapped(Width::I16).ends, Some((0, 27_648)));
+        let below = limited(&mut graph, -999, -1);
+        assert_eq!((below.len(), below.sign()), (11, Lit::TRUE));
+        let sum = graph.add(&below, &volume);
+        assert_eq!((sum.ends, sum.len()), (Some((-999, 99_999)), 18));
+        let away = graph.abs(&below);
+        assert_eq!(away.ends, Some((1, 999)));
+        // What may divide by 0, and what no longer fits a product, may be anything.
+        let divisor = any(&mut graph);
+        assert!(graph.div(&volume, &divisor).0.len() >= 18);
+        let (a, b) = (any(&mut graph), any(&mut graph));
+        assert_eq!(graph.mul(&a, &b, 16).len(), 16);
+        assert_eq!(graph.mul(&a, &b, 128).len(), 64);
     }
 }

@@ -3,6 +3,7 @@
 use crate::harness::Folder;
 use crate::scenarios::without_times;
 use expect_test::{Expect, expect};
+use std::path::Path;
 
 const MOTOR: &str = "\
 VAR warmup : TON; END_VAR
@@ -498,9 +499,31 @@ fn every_example_has_properties_and_all_are_proved() {
     let total = proved.lines().rfind(|line| line.contains(" properties in "));
     let total = total.unwrap_or_default();
     assert!(
-        total.contains("in 10 files") && !total.contains("possible"),
+        total.contains("in 14 files") && !total.contains("possible"),
         "{total}"
     );
+}
+
+/// What the examples with plants are for: each has something that holds because the machine is as it is.
+#[test]
+fn without_its_plant_a_property_of_each_of_these_examples_is_violated() {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
+    for (program, property) in [
+        ("conveyor", "when not was(belt): not rises(beam)"),
+        ("garage_door", "never is_open and is_closed"),
+        ("mixer", "when step = IDLE: not lower"),
+        ("tank", "never high_alarm"),
+    ] {
+        let beside = std::fs::read_to_string(examples.join(format!("{program}_plant.ladder-test"))).unwrap();
+        assert!(beside.contains(property), "{program}");
+        let file = format!("{program}.clad");
+        let text = std::fs::read_to_string(examples.join(&file)).unwrap();
+        let alone = format!("program {file}\ninterval 1s\n{property}\n");
+        let folder = Folder::with(&[(&file, &text), ("alone.ladder-test", &alone)]);
+        let answer = folder.ladder(&["prove", "alone.ladder-test"]).to_string();
+        assert!(answer.starts_with("exit status 1"), "{program}: {answer}");
+        assert!(answer.contains("  violated  "), "{program}: {answer}");
+    }
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! The programs in `examples/` hold no errors, are in the canonical layout, and do what their traces say.
 //!
 //! Beside `NAME.clad` are `NAME.in.csv`, what the plant does; `NAME.args`, how it is run; and `NAME.expected.csv`,
-//! what comes of it. `UPDATE_EXPECT=1 cargo test -p ladder-cli` writes the last; read it before you believe it.
+//! what comes of it. `UPDATE_EXPECT=1 cargo test -p ladder-cli` writes the last; read it before you believe it. A model of
+//! the machine, `NAME_plant.clad`, has no trace: it runs beside its program in the scenarios of `NAME_plant.ladder-test`.
 
 use expect_test::expect_file;
 use ladder_analysis::analyze;
@@ -43,6 +44,9 @@ fn they_stand_in_the_canonical_layout() {
 #[test]
 fn they_run_as_their_traces_say() {
     for example in examples() {
+        if example.to_string_lossy().ends_with("_plant.clad") {
+            continue;
+        }
         let trace = run(&example);
         expect_file![example.with_extension("expected.csv")].assert_eq(&trace);
     }

@@ -4,7 +4,7 @@ use super::cells::{Cells, InputTag};
 use super::slots::Reach;
 use super::world::World;
 use crate::graph::Lit;
-use crate::number::Number;
+use crate::number::{Number, room};
 use ladder_analysis::values::types::Scalar;
 use ladder_simulator::compiled::{Bit, Memory as Banks, TextSlot, Width, Word, timer};
 use rustc_hash::FxHashMap;
@@ -132,10 +132,26 @@ impl<'c> Memory<'c> {
     }
 
     fn remember_word(&mut self, world: &mut World, at: u32, width: Width, initial: i64) -> Number {
-        let (leaves, numbers) = world.remember_cell(Kept::Word(at), width.bits() as usize, initial);
+        let ends = world.ranges.get(&at).copied();
+        let bits = ends.map_or(width.bits() as usize, room);
+        let (leaves, numbers) = world.remember_cell(Kept::Word(at), bits, initial);
         world.numbers.push(numbers.clone());
         self.remembered.push(Remembered::Word(at, numbers));
-        Number::of_bits(leaves).wrapped(width)
+        Number::of_bits(leaves).wrapped(width).within(ends)
+    }
+
+    /// What words that are remembered can hold before the next scan, whatever they held before this one: what they begin with, and
+    /// what it leaves.
+    pub(crate) fn ranges(&self) -> FxHashMap<u32, (i128, i128)> {
+        let of = |remembered: &Remembered| {
+            let Remembered::Word(at, _) = remembered else {
+                return None;
+            };
+            let initial = i128::from(self.initial.words.get(*at as usize).copied().unwrap_or(0));
+            let (least, most) = self.words[at].ends()?;
+            Some((*at, (least.min(initial), most.max(initial))))
+        };
+        self.remembered.iter().filter_map(of).collect()
     }
 
     /// The word of a timer's ET whose presets are at most this: no longer than it takes.

@@ -88,6 +88,8 @@ pub(crate) struct World {
     pub(crate) clock: Option<Number>,
     /// What goes in by its name: of two programs or networks that are compared the same for both.
     pub(crate) shared: FxHashMap<(String, Scalar), Number>,
+    /// What words that are remembered can hold before any scan, by their first: the least and the greatest value.
+    pub(crate) ranges: FxHashMap<u32, (i128, i128)>,
     /// Numbers that the program holds at the start: those that values are compared with are among them.
     pub(crate) constants: Vec<i64>,
     /// What the program that is followed may share with another one.

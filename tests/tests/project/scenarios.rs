@@ -56,6 +56,8 @@ fn every_example_has_scenarios() {
     let mut tested: BTreeSet<PathBuf> = BTreeSet::new();
     for mut example in scenario_files(&folder) {
         if !example.passed(&mut problems).is_empty() {
+            let plants = example.suite.plants.iter();
+            tested.extend(plants.map(|plant| example.file.with_file_name(&plant.file)));
             tested.insert(example.program);
         }
     }

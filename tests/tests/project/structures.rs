@@ -131,6 +131,10 @@ fn scenarios_hold_after_every_change() {
         for file in project::files(&project::root().join(folder), "ladder-test") {
             let scenarios = project::read(&file);
             let suite = scenario::parse(&scenarios);
+            if !suite.plants.is_empty() {
+                // A plant finds the program's tags by their names, and these change.
+                continue;
+            }
             let (name, _) = suite.program.expect("a program is named");
             let pair = Pair {
                 program: project::read(&file.with_file_name(name)),

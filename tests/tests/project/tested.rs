@@ -1,10 +1,10 @@
 //! Scenarios with the program that they are about.
 
-use ladder_analysis::{analyze, link};
+use ladder_analysis::{PlantFile, analyze, link_with_plants};
 use ladder_simulator::scenario::{self, Suite};
 use ladder_simulator::{Options, Simulation};
 use ladder_tests::project;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// A scenario file with its program.
@@ -16,7 +16,7 @@ pub(crate) struct Tested {
 }
 
 impl Tested {
-    /// A file, with the program next to it that it names.
+    /// A file, with the program and the plants next to it that it names.
     pub(crate) fn read(file: PathBuf) -> Tested {
         let suite = scenario::parse(&project::read(&file));
         let (name, _) = suite.program.clone().expect("a program is named");
@@ -27,12 +27,24 @@ impl Tested {
 
     /// Scenarios with the text of a program.
     pub(crate) fn of(file: PathBuf, suite: Suite, program: PathBuf, text: &str) -> Tested {
-        let analysis = Arc::new(analyze(
-            &Arc::new(ladder_syntax::parse(text)),
-            &program.display().to_string(),
-        ));
-        let runs = link(&analysis, &|_| None)
+        let read = |path: &Path, text: &str| {
+            let parse = Arc::new(ladder_syntax::parse(text));
+            Arc::new(analyze(&parse, &path.display().to_string()))
+        };
+        let analysis = read(&program, text);
+        let plants: Vec<PlantFile> = (suite.plants.iter())
+            .map(|plant| {
+                let path = file.with_file_name(&plant.file);
+                PlantFile {
+                    analysis: read(&path, &project::read(&path)),
+                    name: plant.name.clone(),
+                }
+            })
+            .collect();
+        let connects = suite.connections();
+        let (linked, errors) = link_with_plants(&analysis, &[], (&plants, &connects), &|_| None)
             .unwrap_or_else(|_| panic!("{}: {:#?}", program.display(), analysis.diagnostics()));
+        assert!(errors.is_empty(), "{}: {errors:#?}", file.display());
         let options = Options {
             interval: suite
                 .interval
@@ -40,7 +52,7 @@ impl Tested {
             ..Options::default()
         };
         Tested {
-            simulation: Simulation::new(runs, options).expect("it compiles"),
+            simulation: Simulation::new(linked.program, options).expect("it compiles"),
             file,
             suite,
             program,

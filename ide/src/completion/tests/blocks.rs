@@ -17,12 +17,12 @@ fn what_is_used_more_comes_first() {
             [$RunTime]     An hour meter
             [$Toggle]      A switch made of a push button
             [$Total]       An amount from a rate
+            [$Tank]        A tank
             [NOT]          Inverter
             [RTO]          Retentive on-delay timer
             [RTOF]         Retentive off-delay timer
             [CTU]          Up counter
-            [CTD]          Down counter
-            ... 37 in all
+            ... 42 in all
         "#]],
     );
     check(
@@ -35,14 +35,14 @@ fn what_is_used_more_comes_first() {
             [COS]          Cosine
             [CALC]         Calculate
             [CONCAT]       Join strings
+            [$Cylinder]    A pneumatic cylinder with a switch at each end
             [TRUNC]        Truncate
             [ACOS]         Arc cosine
             [REPLACE]      Replace in a string
             [PACK]         Pack a range
             [UNPACK]       Unpack into a range
             [SEARCH]       Search a range
-            [ADC]          Read analog input
-            ... 18 in all
+            ... 19 in all
         "#]],
     );
 }
@@ -66,7 +66,7 @@ fn mnemonics_by_the_brackets() {
             [RTOF]         Retentive off-delay timer
             [CTU]          Up counter
             [CTD]          Down counter
-            ... 102 in all
+            ... 110 in all
         "#]],
     );
     check(
@@ -108,6 +108,7 @@ fn mnemonics_by_the_brackets() {
             [$Total]       An amount from a rate
             [RTOF]         Retentive off-delay timer
             [$FirstOut]    Which condition came first
+            [$Motor]       A motor with its overload relay
         "#]],
     );
     check(
@@ -120,6 +121,7 @@ fn mnemonics_by_the_brackets() {
             [$Total]       An amount from a rate
             [RTOF]         Retentive off-delay timer
             [$FirstOut]    Which condition came first
+            [$Motor]       A motor with its overload relay
         "#]],
     );
     check(
@@ -330,7 +332,7 @@ fn an_empty_rung() {
             (P)            Rising-edge coil
             (N)            Falling-edge coil
             (M)            Retentive coil
-            ... 121 in all
+            ... 128 in all
         "#]],
     );
     accept(
@@ -375,6 +377,7 @@ fn user_defined_blocks() {
         expect![[r#"
             [$Hold]        User-defined block
             [$Hysteresis]  A switch with two thresholds
+            [$Heater]      Something that is heated
         "#]],
     );
     check(
@@ -463,7 +466,7 @@ fn user_defined_blocks() {
             [$RunTime]     An hour meter
             [$Scale]       A value on another scale, kept within its limits
             [$Step]        One step of a chain
-            ... 16 in all
+            ... 24 in all
         "#]],
     );
 }

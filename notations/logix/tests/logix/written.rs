@@ -277,6 +277,41 @@ fn blocks_of_the_library_are_add_on_instructions() {
             4:5 tag per: Approximated("there a time is a DINT in milliseconds")
             10:42 [$Interval]: Approximated("there a time is a DINT in milliseconds")
             10:42 [$Total]: Approximated("there a time is a DINT in milliseconds")
+        $Amount: true
+            8:24 [$Amount]: Approximated("the block counts scans and time only while it runs")
+            8:24 [$Amount]: Approximated("there a time is a DINT in milliseconds")
+            8:24 [$Amount]: Approximated("what is too large for its type is cut there, and no fault")
+        $Belt: true
+            11:22 [$Amount]: Approximated("the block counts scans and time only while it runs")
+            11:22 [$Amount]: Approximated("there a time is a DINT in milliseconds")
+            11:22 [$Amount]: Approximated("what is too large for its type is cut there, and no fault")
+        $Cylinder: true
+            4:5 tag travel: Approximated("there a time is a DINT in milliseconds")
+            11:27 [$Cylinder]: Approximated("the block counts scans and time only while it runs")
+            11:27 [$Cylinder]: Approximated("there a time is a DINT in milliseconds")
+            11:27 [$Cylinder]: Approximated("what is too large for its type is cut there, and no fault")
+        $Heater: true
+            4:5 tag lag: Approximated("there a time is a DINT in milliseconds")
+            10:25 [$Heater]: Approximated("the block counts scans and time only while it runs")
+            10:25 [$Heater]: Approximated("there a time is a DINT in milliseconds")
+            10:25 [$Heater]: Approximated("what is too large for its type is cut there, and no fault")
+        $Motor: true
+            5:5 tag run_up: Approximated("there a time is a DINT in milliseconds")
+            11:24 [$Motor]: Approximated("the block counts scans and time only while it runs")
+            11:24 [$Motor]: Approximated("there a time is a DINT in milliseconds")
+            11:24 [$Motor]: Approximated("what is too large for its type is cut there, and no fault")
+        $Noise: true
+            8:55 [$Noise]: Approximated("what is too large for its type is cut there, and no fault")
+        $Tank: true
+            10:36 [$Amount]: Approximated("the block counts scans and time only while it runs")
+            10:36 [$Amount]: Approximated("there a time is a DINT in milliseconds")
+            10:36 [$Amount]: Approximated("what is too large for its type is cut there, and no fault")
+            10:36 [$Tank]: Approximated("what is too large for its type is cut there, and no fault")
+        $Valve: true
+            4:5 tag travel: Approximated("there a time is a DINT in milliseconds")
+            10:21 [$Valve]: Approximated("the block counts scans and time only while it runs")
+            10:21 [$Valve]: Approximated("there a time is a DINT in milliseconds")
+            10:21 [$Valve]: Approximated("what is too large for its type is cut there, and no fault")
     "#]]
     .assert_eq(&out);
 }

@@ -75,8 +75,8 @@ fn what_is_written_and_read_again_does_what_the_scenarios_say() {
     }
     assert!(problems.is_empty(), "{}", problems.join("\n"));
     expect![[r#"
-        l5x: $Alarm $Alternate $Average $Blink $Debounce $Drum $FirstOut $Hysteresis $Interval $PID $Ramp $RunTime $Scale $Step $Toggle $Total
-        simatic: $Alarm $Alternate $Average $Blink $Debounce $Drum $FirstOut $Hysteresis $Interval $PID $Ramp $RunTime $Scale $Step $Toggle $Total
+        l5x: $Alarm $Alternate $Average $Blink $Debounce $Drum $FirstOut $Hysteresis $Interval $PID $Ramp $RunTime $Scale $Step $Toggle $Total $Amount $Belt $Cylinder $Heater $Motor $Noise $Tank $Valve
+        simatic: $Alarm $Alternate $Average $Blink $Debounce $Drum $FirstOut $Hysteresis $Interval $PID $Ramp $RunTime $Scale $Step $Toggle $Total $Amount $Belt $Cylinder $Heater $Motor $Noise $Tank $Valve
     "#]]
     .assert_eq(&out);
 }

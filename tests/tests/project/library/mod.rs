@@ -7,7 +7,7 @@ mod use_of_blocks;
 
 use crate::tested::Tested;
 use expect_test::expect_file;
-use ladder_analysis::library::SOURCES;
+use ladder_analysis::library::{SOURCES, Use};
 use ladder_analysis::{analyze, written::user_block::Parameter};
 use ladder_format::{Options, format_text};
 use ladder_simulator::coverage::Coverage;
@@ -27,10 +27,14 @@ fn every_file_is_a_block() {
         here.map(|file| file.file_stem().expect("a name").to_string_lossy().into_owned())
             .collect()
     };
-    let blocks: Vec<&str> = SOURCES.iter().map(|source| &source.name[1..]).collect();
-    assert_eq!(stems(&folder, "clad"), blocks);
-    assert_eq!(stems(&folder.join("scenarios"), "clad"), blocks);
-    assert_eq!(stems(&folder.join("scenarios"), "ladder-test"), blocks);
+    let of = |wanted: Use| SOURCES.iter().filter(move |source| source.is_for == wanted);
+    let names = |wanted: Use| of(wanted).map(|source| &source.name[1..]).collect::<Vec<_>>();
+    assert_eq!(stems(&folder, "clad"), names(Use::Programs));
+    assert_eq!(stems(&folder.join("plants"), "clad"), names(Use::Plants));
+    let mut all = [names(Use::Programs), names(Use::Plants)].concat();
+    all.sort_unstable();
+    assert_eq!(stems(&folder.join("scenarios"), "clad"), all);
+    assert_eq!(stems(&folder.join("scenarios"), "ladder-test"), all);
 }
 
 #[test]

@@ -5,7 +5,7 @@
 use crate::tested::Tested;
 use expect_test::expect_file;
 use ladder_analysis::analyze;
-use ladder_analysis::library::{SOURCES, Source};
+use ladder_analysis::library::{SOURCES, Source, Use};
 use ladder_picture::{Options, Theme, picture, svg};
 use ladder_simulator::scenario::{self, Scenario};
 use ladder_simulator::trace::{Format, Trace};
@@ -18,9 +18,14 @@ const INTRODUCTION: &str = "\
 These blocks are there in every program. They are written in the language itself, as [blocks of your own](blocks.md) are, and are read
 only where they are used: a program without them pays nothing. A block of the same name in your workspace takes precedence. Blocks of your own for many programs are in [a folder that `ladder.toml` names](../guide/settings.md#a-library-of-your-own).
 
-Analog values are LREAL: an INT, a DINT or a REAL can be given, and `[TYP]` makes one of a result. Times are those from one run of the
+Analog values of the first ones are LREAL: an INT, a DINT or a REAL can be given, and `[TYP]` makes one of a result. Times of theirs are those from one run of the
 block to the next, whatever the scan interval is, and in every [profile](profiles.md) of the program a block does the same. No wrong value is a fault: each block says what it does instead. Only a result that is too large for LREAL is one, as in
 any instruction. State belongs to each place where the block is.
+";
+
+const OF_PLANTS: &str = "\
+These are parts of machines, for [plants](../guide/plants.md) of a few lines. They count in whole numbers (millimetres, millilitres, thousandths of a degree), so that they can be
+used [in proofs](../guide/proving-with-plants.md), and in whole milliseconds: a scan interval of less does not move them. Time passes for them in each scan, so they belong where every scan comes by.
 ";
 
 #[test]
@@ -39,8 +44,21 @@ fn the_page_is_up_to_date() {
 }
 
 fn text() -> String {
-    let mut out = format!("# The library\n\n{INTRODUCTION}\n| block | |\n| --- | --- |\n");
+    let mut out = format!("# The library\n\n{INTRODUCTION}\n");
+    list(&mut out, Use::Programs);
+    let _ = writeln!(out, "\n{OF_PLANTS}");
+    list(&mut out, Use::Plants);
     for source in SOURCES {
+        out.push('\n');
+        section(&mut out, source);
+    }
+    out
+}
+
+/// The blocks for one use as a table.
+fn list(out: &mut String, wanted: Use) {
+    out.push_str("| block | |\n| --- | --- |\n");
+    for source in SOURCES.iter().filter(|source| source.is_for == wanted) {
         let _ = writeln!(
             out,
             "| [`{}`](#{}) | {} |",
@@ -49,11 +67,6 @@ fn text() -> String {
             source.summary()
         );
     }
-    for source in SOURCES {
-        out.push('\n');
-        section(&mut out, source);
-    }
-    out
 }
 
 fn section(out: &mut String, source: &'static Source) {

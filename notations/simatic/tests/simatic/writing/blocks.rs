@@ -346,6 +346,21 @@ fn blocks_of_the_library_are_function_blocks() {
         $Step: true
         $Toggle: true
         $Total: true
+        $Amount: true
+            8:24 [$Amount]: Approximated("the block counts scans and time only while it runs")
+        $Belt: true
+            11:22 [$Amount]: Approximated("the block counts scans and time only while it runs")
+        $Cylinder: true
+            11:27 [$Cylinder]: Approximated("the block counts scans and time only while it runs")
+        $Heater: true
+            10:25 [$Heater]: Approximated("the block counts scans and time only while it runs")
+        $Motor: true
+            11:24 [$Motor]: Approximated("the block counts scans and time only while it runs")
+        $Noise: true
+        $Tank: true
+            10:36 [$Amount]: Approximated("the block counts scans and time only while it runs")
+        $Valve: true
+            10:21 [$Valve]: Approximated("the block counts scans and time only while it runs")
     "#]]
     .assert_eq(&out);
 }
