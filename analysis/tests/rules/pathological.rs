@@ -12,7 +12,7 @@ fn findings(text: &str) -> usize {
     analyze(&Arc::new(parse(text)), "test.clad").diagnostics().len()
 }
 
-const MANY: usize = 4_000;
+const MANY: usize = 2_000;
 
 #[test]
 fn a_finding_names_a_bounded_number_of_places() {

@@ -41,7 +41,7 @@ const EDITS: usize = 4;
 
 fn programs() -> u64 {
     let asked = std::env::var("GENERATED_PROGRAMS").ok();
-    asked.and_then(|asked| asked.parse().ok()).unwrap_or(200)
+    asked.and_then(|asked| asked.parse().ok()).unwrap_or(60)
 }
 
 /// Asks a judge all about a program: what it says that runs contradict.

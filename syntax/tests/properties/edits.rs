@@ -32,7 +32,7 @@ fn edit(old: &str, new: &str, more: usize) -> (TextRange, TextSize) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1500))]
+    #![proptest_config(ProptestConfig::with_cases(600))]
 
     #[test]
     fn edits_of_programs(

@@ -19,7 +19,7 @@ fn line() -> impl Strategy<Value = String> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(3000))]
+    #![proptest_config(ProptestConfig::with_cases(1000))]
 
     /// Whatever a line of a drawing is replaced by, the other lines keep their nodes and their errors.
     #[test]

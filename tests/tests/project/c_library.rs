@@ -317,7 +317,7 @@ fn generated_programs_do_the_same_in_c() {
     let count = std::env::var("LADDER_C_PROGRAMS")
         .ok()
         .and_then(|count| count.parse().ok())
-        .unwrap_or(24);
+        .unwrap_or(10);
     let folder = tempfile::tempdir().unwrap();
     let (mut checked, mut wrong) = (0, Vec::new());
     let profiles = ["iec", "iec", "ldmicro", "iot", "logix"];

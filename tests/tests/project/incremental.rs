@@ -313,7 +313,7 @@ fn settings(dice: &mut Dice) -> RuleSettings {
 
 #[test]
 fn random_edits_of_several_files() {
-    for seed in 0..asked(60) {
+    for seed in 0..asked(20) {
         let mut dice = Dice::new(seed);
         let generated = dice.of(&[Mode::Sensible, Mode::Wild, Mode::Typed]);
         let main = match dice.below(3) {

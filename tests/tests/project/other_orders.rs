@@ -102,7 +102,7 @@ fn reordered(text: &str, dice: &mut Dice) -> Option<String> {
 #[test]
 fn what_is_called_the_same_in_another_order_never_differs_in_a_run() {
     let (mut same, mut other) = (0, 0);
-    for seed in 0..60 {
+    for seed in 0..20 {
         for mode in [Mode::Boolean, Mode::Sensible, Mode::Wild, Mode::Typed] {
             let mut dice = Dice::new(seed);
             let old = program(seed, mode);
@@ -127,5 +127,5 @@ fn what_is_called_the_same_in_another_order_never_differs_in_a_run() {
         }
     }
     println!("{same} the same, {other} other");
-    assert!(same >= 10 && other >= 20, "{same} the same, {other} other");
+    assert!(same >= 10 && other >= 8, "{same} the same, {other} other");
 }

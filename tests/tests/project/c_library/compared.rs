@@ -25,14 +25,16 @@ pub(super) fn compiler() -> Option<String> {
         .or_else(|| compilers().into_iter().next())
 }
 
-/// All that are found.
+/// All that are found. `cc` is another name of one of the others on most machines, and only counts where they are missing.
 pub(super) fn compilers() -> Vec<String> {
-    let works = |name: &String| Command::new(name).arg("--version").output().is_ok();
-    ["gcc", "cc", "clang"]
-        .map(str::to_owned)
-        .into_iter()
-        .filter(works)
-        .collect()
+    let works = |name: &&str| Command::new(name).arg("--version").output().is_ok();
+    let found: Vec<&str> = ["gcc", "clang"].into_iter().filter(works).collect();
+    let found = if found.is_empty() {
+        Some("cc").into_iter().filter(works).collect()
+    } else {
+        found
+    };
+    found.into_iter().map(str::to_owned).collect()
 }
 
 /// What compilers say of a library under any of the options that people use; nothing if all is well.

@@ -15,13 +15,13 @@ use std::sync::Arc;
 #[test]
 fn plcopen() {
     let (same, through_tags) = come_back(&PLCOPEN, &["[NOT]", "[TON]( t1, T#"]);
-    assert!(same > 10 && through_tags > 10, "{same} {through_tags}");
+    assert!(same > 5 && through_tags > 5, "{same} {through_tags}");
 }
 
 #[test]
 fn what_is_written_along_comes_back() {
     let (same, _) = come_back(&PLCOPEN_ALONG, &["[RTO]( t1", "[RTOF]( t1", "[CTC]( c1"]);
-    assert!(same > 10, "{same}");
+    assert!(same > 5, "{same}");
 }
 
 #[test]
@@ -31,21 +31,21 @@ fn twincat() {
         ..PLCOPEN
     };
     let (same, through_tags) = come_back(&says, &["[NOT]", "[TON]( t1, T#", "(P)"]);
-    assert!(same > 10 && through_tags > 10, "{same} {through_tags}");
+    assert!(same > 5 && through_tags > 5, "{same} {through_tags}");
     let says = Says {
         notation: "twincat",
         ..PLCOPEN_ALONG
     };
     let (same, _) = come_back(&says, &["[RTO]( t1", "[RTOF]( t1", "[CTC]( c1", "(P)"]);
-    assert!(same > 10, "{same}");
+    assert!(same > 5, "{same}");
 }
 
-/// Of 200 programs, how many are drawn as they were, and how many have tags for powers. All do the same, and have the same blocks with
+/// Of 100 programs, how many are drawn as they were, and how many have tags for powers. All do the same, and have the same blocks with
 /// state. Those with one of these words may be drawn otherwise.
 fn come_back(says: &Says, otherwise: &[&str]) -> (usize, usize) {
     let notation: &dyn Notation = by_name(says.notation).expect("the notation is registered");
     let (mut same, mut through_tags) = (0, 0);
-    for seed in 0..200 {
+    for seed in 0..100 {
         let text = says.program(&mut Dice::new(seed));
         let analysis = analyze(&Arc::new(parse(&text)), "test.clad");
         let writing = notation

@@ -51,7 +51,7 @@ fn one_contact_changes_one_rung() {
                 .match_indices("--[ ]( ")
                 .map(move |(at, _)| (number, at + 2))
         });
-        for (number, at) in places.take(12) {
+        for (number, at) in places.take(4) {
             let mut files = files.clone();
             // What never runs is the order of the tasks.
             if files[number].1[at..].starts_with("[ ]( SYS.OFF )") {
