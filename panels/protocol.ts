@@ -331,6 +331,8 @@ export interface DrawableRow {
     readonly title: string;
     /** What it is called elsewhere: `XIC`. */
     readonly elsewhere?: readonly string[];
+    /** What it is called in the United States, where that is another name. */
+    readonly us?: string;
     /** What its parentheses hold until a person writes something else. Missing: it has none. */
     readonly operands?: string;
 }

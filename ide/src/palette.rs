@@ -6,7 +6,9 @@ use ladder_analysis::context::Context;
 use ladder_analysis::library;
 use ladder_analysis::written::user_block::UserBlockFacts;
 use ladder_format::names::Names;
-use ladder_instructions::{Accepts, Group, Instruction, Op, Purpose, TABLE, names_elsewhere, purpose};
+use ladder_instructions::{
+    Accepts, Group, Instruction, Op, Purpose, TABLE, name_in_us, names_elsewhere, purpose,
+};
 use ladder_syntax::Name;
 use rustc_hash::FxHashSet;
 
@@ -21,6 +23,8 @@ pub struct PaletteRow {
     pub title: String,
     /// What it is called elsewhere: `XIC`.
     pub elsewhere: Vec<&'static str>,
+    /// What it is called in the United States, where that is another name.
+    pub us: Option<&'static str>,
     /// What its parentheses hold until a person writes something else; empty for one tag that is to be named. None: it has none.
     pub operands: Option<String>,
 }
@@ -121,6 +125,7 @@ fn instruction(taken: &FxHashSet<Name>, row: &Instruction) -> PaletteRow {
         block: row.block(),
         title: row.title.to_owned(),
         elsewhere: names_elsewhere(row).collect(),
+        us: name_in_us(row),
         operands,
     }
 }
@@ -172,6 +177,7 @@ fn user_block(taken: &FxHashSet<Name>, block: &UserBlockFacts, file: Option<&str
             (None, None) => "Block of this program".to_owned(),
         },
         elsewhere: Vec::new(),
+        us: None,
         operands: Some(operands.join(", ")),
     }
 }

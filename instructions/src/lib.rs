@@ -38,7 +38,7 @@ mod spelling;
 mod table;
 
 pub use instruction::{Acts, Group, Instruction, Role, Shape};
-pub use likeness::names_elsewhere;
+pub use likeness::{name_in_us, names_elsewhere};
 pub use lookup::{by_op, closest, in_other_shape, known_elsewhere, lookup, slip_of};
 pub use op::Op;
 pub use operand::{Accepts, Direction, Operand, Presence, StateType, TypeClass};

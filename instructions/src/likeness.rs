@@ -6,45 +6,49 @@ use crate::op::Op;
 use crate::spelling::Spelling;
 use crate::table::TABLE;
 
-/// Names that other controllers and other notations give to an instruction, none of which is accepted here:
+/// What Logix calls an instruction that has another name here: the names that people learn in the United States.
+const LOGIX: &[(&str, Op)] = &[
+    ("COP", Op::Bmov),
+    ("CPT", Op::Calc),
+    ("FLL", Op::Fill),
+    ("JSR", Op::Call),
+    ("ONS", Op::OneShotRising),
+    ("OTE", Op::Coil),
+    ("OTL", Op::SetCoil),
+    ("OTU", Op::ResetCoil),
+    ("SBR", Op::Fun),
+    ("SQR", Op::Sqrt),
+    ("XIC", Op::Contact),
+    ("XIO", Op::NegatedContact),
+    ("XPY", Op::Exp),
+];
+
+/// Names that further controllers and other notations have for an instruction. As those of Logix they are not accepted here:
 /// they only make a better answer than the nearest spelling.
 const KNOWN_ELSEWHERE: &[(&str, Op)] = &[
-    ("COP", Op::Bmov),
     ("COPY", Op::Bmov),
-    ("CPT", Op::Calc),
     ("CPY", Op::Bmov),
-    ("FLL", Op::Fill),
     ("GOSUB", Op::Call),
     ("GOTO", Op::Jmp),
     ("INV", Op::Inverter),
-    ("JSR", Op::Call),
     ("JUMP", Op::Jmp),
     ("L", Op::SetCoil),
     ("LABEL", Op::Lbl),
     ("LIM", Op::Ge),
     ("NC", Op::NegatedContact),
     ("NO", Op::Contact),
-    ("ONS", Op::OneShotRising),
-    ("OTE", Op::Coil),
-    ("OTL", Op::SetCoil),
-    ("OTU", Op::ResetCoil),
     ("OUT", Op::Coil),
     ("POW", Op::Exp),
     ("RESET", Op::ResetCoil),
     ("RETURN", Op::Ret),
     ("RST", Op::ResetCoil),
     ("RTON", Op::Rto),
-    ("SBR", Op::Fun),
     ("SET", Op::SetCoil),
-    ("SQR", Op::Sqrt),
     ("SUBR", Op::Fun),
     ("TMR", Op::Ton),
     ("TND", Op::Ret),
     ("TONR", Op::Rto),
     ("U", Op::ResetCoil),
-    ("XIC", Op::Contact),
-    ("XIO", Op::NegatedContact),
-    ("XPY", Op::Exp),
 ];
 
 /// Names of instructions elsewhere that the table has nothing like: they are no slips of what they resemble.
@@ -56,19 +60,24 @@ const UNLIKE_ANY: &[&str] = &[
 /// The row that goes by this name elsewhere.
 pub(crate) fn known_elsewhere(spelling: Option<Spelling>) -> Option<&'static Instruction> {
     let spelling = spelling?;
-    KNOWN_ELSEWHERE
-        .iter()
+    known()
         .find(|(name, _)| Spelling::read(name) == Some(spelling))
         .map(|(_, op)| by_op(*op))
 }
 
-/// The names that an instruction goes by elsewhere.
+fn known() -> impl Iterator<Item = &'static (&'static str, Op)> {
+    LOGIX.iter().chain(KNOWN_ELSEWHERE)
+}
+
+/// The names that an instruction goes by elsewhere, that of Logix first.
 pub fn names_elsewhere(row: &Instruction) -> impl Iterator<Item = &'static str> {
     let op = row.op;
-    KNOWN_ELSEWHERE
-        .iter()
-        .filter(move |(_, of)| *of == op)
-        .map(|(name, _)| *name)
+    known().filter(move |(_, of)| *of == op).map(|(name, _)| *name)
+}
+
+/// What an instruction is called in the United States, where that is another name: `XIC`.
+pub fn name_in_us(row: &Instruction) -> Option<&'static str> {
+    LOGIX.iter().find(|(_, of)| *of == row.op).map(|(name, _)| *name)
 }
 
 /// See [`closest`](crate::closest).

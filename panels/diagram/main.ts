@@ -236,6 +236,7 @@ function receive(message: ToPage): void {
             document.title = message.name;
             view.setAttribute('aria-label', `Ladder diagram of ${message.name}`);
             empty.textContent = '';
+            palette.named(message.names ?? 'iec');
             page.open(message.version, message.lineCount, message.line);
             declarations.open();
             break;

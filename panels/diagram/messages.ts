@@ -73,8 +73,11 @@ export interface Finding {
     readonly message: string;
 }
 
+/** Whose names of instructions come first where they are chosen: "Open contact" or "XIC". */
+export type Names = 'iec' | 'us';
+
 export type ToPage =
-    | { readonly type: 'open'; readonly name: string; readonly version: number; readonly lineCount: number; readonly line: number }
+    | { readonly type: 'open'; readonly name: string; readonly version: number; readonly lineCount: number; readonly line: number; readonly names?: Names }
     | { readonly type: 'edited'; readonly version: number; readonly lineCount: number; readonly changes: readonly LineChange[] }
     | { readonly type: 'drawn'; readonly drawn: Drawn }
     /** There is no drawing: why, for people. */

@@ -47,7 +47,7 @@ function offsetOf(text, { line, character }) {
 }
 
 /** A diagram of a text, as an editor shows it. */
-export async function openDiagram(browser, text, { theme = 'light', width = 1000, height = 700, context = {} } = {}) {
+export async function openDiagram(browser, text, { theme = 'light', width = 1000, height = 700, context = {}, names } = {}) {
     const opened = await browser.newContext({ viewport: { width, height }, reducedMotion: 'reduce', ...context });
     const page = await opened.newPage();
     const host = { text, version: 1, past: [], future: [], edits: 0, findings: [], errors: [] };
@@ -109,7 +109,7 @@ export async function openDiagram(browser, text, { theme = 'light', width = 1000
     const side = {
         send,
         begin: async () => {
-            await send({ type: 'open', name: 'drawn.clad', version: host.version, lineCount: host.text.split('\n').length, line: 0 });
+            await send({ type: 'open', name: 'drawn.clad', version: host.version, lineCount: host.text.split('\n').length, line: 0, names });
             await report();
         },
         version: () => host.version,

@@ -69,6 +69,18 @@ test('a garage door', async () => {
 `);
 });
 
+test('whoever knows XIC finds it first', async () => {
+    for (const [names, first, otherwise] of [['iec', 'Open contact', /^XIC, /], ['us', 'XIC', /^Open contact, /]]) {
+        const { page } = await open('', { names });
+        await page.getByRole('button', { name: first, exact: true }).waitFor();
+        await page.locator('.palette input').fill('xic');
+        const row = page.locator('.palette .row').first();
+        await row.waitFor();
+        assert.equal(await row.locator('span').first().textContent(), first);
+        assert.match(await row.locator('.elsewhere').textContent(), otherwise);
+    }
+});
+
 test('two pumps that take turns, with a block of the library', async () => {
     const { press, write, focusOn, page, host } = await open('');
     await page.locator('.view').focus();

@@ -1,10 +1,11 @@
 // What can be drawn, above the diagram: what is used most as buttons, all else by a search.
 import type { DrawableRow } from '../../protocol.ts';
+import type { Names } from '../messages.ts';
 import type { Ask } from './asker.ts';
 
-export const CONTACT: DrawableRow = { section: '', block: '[ ]', title: 'Open contact', operands: '' };
-export const CLOSED_CONTACT: DrawableRow = { section: '', block: '[/]', title: 'Closed contact', operands: '' };
-export const COIL: DrawableRow = { section: '', block: '( )', title: 'Coil', operands: '' };
+export const CONTACT: DrawableRow = { section: '', block: '[ ]', title: 'Open contact', us: 'XIC', operands: '' };
+export const CLOSED_CONTACT: DrawableRow = { section: '', block: '[/]', title: 'Closed contact', us: 'XIO', operands: '' };
+export const COIL: DrawableRow = { section: '', block: '( )', title: 'Coil', us: 'OTE', operands: '' };
 
 /** Always there, in this order. */
 const FAVOURITES: readonly DrawableRow[] = [CONTACT, CLOSED_CONTACT, COIL];
@@ -32,6 +33,7 @@ export class Palette {
     #shown: readonly DrawableRow[] = [];
     #chosen = -1;
     #asked = 0;
+    #names: Names = 'iec';
 
     constructor(ask: Ask, takes: Takes) {
         this.#ask = ask;
@@ -66,6 +68,18 @@ export class Palette {
         this.#showButtons();
     }
 
+    /** Whose names come first, from now on. */
+    named(names: Names): void {
+        this.#names = names;
+        this.#showButtons();
+    }
+
+    /** What a row is called, and what else. */
+    #called({ title, us, elsewhere = [] }: DrawableRow): [string, string] {
+        const called = (this.#names === 'us' && us) || title;
+        return [called, [title, ...elsewhere].filter((name) => name !== called).join(', ')];
+    }
+
     /** The search has the focus. */
     open(): void {
         this.#search.focus();
@@ -90,8 +104,9 @@ export class Palette {
             const button = document.createElement('button');
             button.type = 'button';
             button.textContent = row.block;
-            button.title = `${row.title} (${index + 1})`;
-            button.setAttribute('aria-label', row.title);
+            const [called] = this.#called(row);
+            button.title = `${called} (${index + 1})`;
+            button.setAttribute('aria-label', called);
             button.addEventListener('pointerdown', (event) => this.#takes.pressed(row, event));
             // By keys: the pointer has its own way, which may be a drag.
             button.addEventListener('click', ({ detail }) => {
@@ -139,10 +154,11 @@ export class Palette {
             const block = document.createElement('b');
             block.textContent = row.block;
             const title = document.createElement('span');
-            title.textContent = row.title;
+            const [called, otherwise] = this.#called(row);
+            title.textContent = called;
             const elsewhere = document.createElement('span');
             elsewhere.className = 'elsewhere';
-            elsewhere.textContent = row.elsewhere?.join(', ') ?? '';
+            elsewhere.textContent = otherwise;
             node.append(block, title, elsewhere);
             group.append(node);
         });

@@ -4,7 +4,7 @@ import * as vscode from 'vscode';
 import { answer, type Side } from '../../../../panels/diagram/answer.ts';
 import { answerOf } from '../../../../panels/diagram/draw/asker.ts';
 import type { Edited } from '../../../../panels/diagram/draw/requests.ts';
-import type { FromPage, Place, ToPage } from '../../../../panels/diagram/messages.ts';
+import type { FromPage, Names, Place, ToPage } from '../../../../panels/diagram/messages.ts';
 import { Teller } from '../../../../panels/diagram/teller.ts';
 import { withTheRest } from '../../../../panels/pace.ts';
 import type { Server } from '../server.ts';
@@ -110,7 +110,8 @@ export class DiagramPanel implements vscode.Disposable {
         const editor = vscode.window.visibleTextEditors.find((editor) => editor.document === document);
         const line = editor?.visibleRanges[0]?.start.line ?? 0;
         const name = document.uri.path.split('/').at(-1) ?? '';
-        this.#send({ type: 'open', name, version: document.version, lineCount: document.lineCount, line });
+        const names = vscode.workspace.getConfiguration('ladder.diagram', document.uri).get<Names>('names', 'iec');
+        this.#send({ type: 'open', name, version: document.version, lineCount: document.lineCount, line, names });
         this.#teller.begin();
         this.#report();
     }

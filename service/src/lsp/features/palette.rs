@@ -27,6 +27,7 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
             block: row.block,
             title: row.title,
             elsewhere: row.elsewhere.into_iter().map(str::to_owned).collect(),
+            us: row.us.map(str::to_owned),
             operands: row.operands,
         });
         Some(Drawable { rows: rows.collect() })
@@ -70,6 +71,9 @@ pub struct DrawableRow {
     /// What it is called elsewhere: `XIC`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub elsewhere: Vec<String>,
+    /// What it is called in the United States, where that is another name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub us: Option<String>,
     /// What its parentheses hold until a person writes something else. Missing: it has none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub operands: Option<String>,
