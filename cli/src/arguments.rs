@@ -1,11 +1,13 @@
 //! What is on the command line.
 
+#[cfg(feature = "run")]
+use crate::commands::run;
 use crate::commands::{
     check, convert, dap, diff, explain, fmt, git, lsp, merge, new, prove, render, sim, tags, test, tree, why,
 };
 #[cfg(feature = "pages")]
 use crate::commands::{completions, man, pages};
-#[cfg(not(feature = "pages"))]
+#[cfg(not(all(feature = "pages", feature = "run")))]
 use crate::features::{Feature, LeftOut};
 use crate::outcome::exit;
 #[cfg(feature = "pages")]
@@ -21,6 +23,7 @@ Examples:
   ladder sim motor.clad           run it, live, on this terminal
   ladder sim motor.clad --scans 100 --set start=1
                                   run 100 scans with `start` high
+  ladder run motor.clad           run it in real time, as a controller
   ladder test .                   run all scenarios in this folder
   ladder prove .                  prove what must hold in every run
   ladder convert old.cplc -o motor.clad
@@ -49,6 +52,11 @@ enum Command {
     Check(check::Arguments),
     Fmt(fmt::Arguments),
     Sim(sim::Arguments),
+    #[cfg(feature = "run")]
+    Run(run::Arguments),
+    /// Run a program in real time (not in this build)
+    #[cfg(not(feature = "run"))]
+    Run(LeftOut),
     Test(test::Arguments),
     Prove(prove::Arguments),
     Render(render::Arguments),
@@ -84,6 +92,10 @@ impl Ladder {
             Command::Check(arguments) => check::run(&arguments),
             Command::Fmt(arguments) => fmt::run(&arguments),
             Command::Sim(arguments) => sim::run(&arguments),
+            #[cfg(feature = "run")]
+            Command::Run(arguments) => run::run(&arguments),
+            #[cfg(not(feature = "run"))]
+            Command::Run(_) => Err(Feature::Run.left_out()),
             Command::Test(arguments) => test::run(&arguments),
             Command::Prove(arguments) => prove::run(&arguments),
             Command::Render(arguments) => render::run(&arguments),

@@ -8,13 +8,14 @@ use crate::outcome::Failure;
 pub(crate) enum Feature {
     Server,
     Screen,
+    Run,
     Png,
     Pdf,
     Pages,
 }
 
 /// The arguments of a command that is left out: whatever is given.
-#[cfg(not(feature = "pages"))]
+#[cfg(not(all(feature = "pages", feature = "run")))]
 #[derive(Debug, clap::Args)]
 pub(crate) struct LeftOut {
     #[arg(hide = true, trailing_var_arg = true, allow_hyphen_values = true)]
@@ -27,6 +28,7 @@ impl Feature {
         let (part, name) = match self {
             Feature::Server => ("the language server", "server"),
             Feature::Screen => ("the interactive screen", "screen"),
+            Feature::Run => ("programs in real time", "run"),
             Feature::Png => ("PNG pictures", "png"),
             Feature::Pdf => ("PDF pictures", "pdf"),
             Feature::Pages => ("completions and manual pages", "pages"),
@@ -48,6 +50,7 @@ mod tests {
         let messages = [
             Feature::Server,
             Feature::Screen,
+            Feature::Run,
             Feature::Png,
             Feature::Pdf,
             Feature::Pages,
@@ -56,6 +59,7 @@ mod tests {
         expect![[r#"
             this `ladder` was built without the language server; build it with `--features server`, or install it whole with `cargo install --path cli`
             this `ladder` was built without the interactive screen; build it with `--features screen`, or install it whole with `cargo install --path cli`
+            this `ladder` was built without programs in real time; build it with `--features run`, or install it whole with `cargo install --path cli`
             this `ladder` was built without PNG pictures; build it with `--features png`, or install it whole with `cargo install --path cli`
             this `ladder` was built without PDF pictures; build it with `--features pdf`, or install it whole with `cargo install --path cli`
             this `ladder` was built without completions and manual pages; build it with `--features pages`, or install it whole with `cargo install --path cli`"#]].assert_eq(&messages.join("\n"));

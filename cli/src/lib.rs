@@ -41,6 +41,7 @@ mod diff;
     not(all(
         feature = "server",
         feature = "screen",
+        feature = "run",
         feature = "png",
         feature = "pdf",
         feature = "pages"

@@ -68,6 +68,15 @@ impl Failure {
         }
     }
 
+    /// With a message of several lines, each of which makes no other.
+    pub(crate) fn of_lines(lines: impl IntoIterator<Item = String>) -> Failure {
+        let lines = lines.into_iter().map(|line| shown::line(&line).into_owned());
+        Failure {
+            message: lines.collect::<Vec<_>>().join("\n"),
+            excerpt: None,
+        }
+    }
+
     /// The same with the lines that it is about, if there are any.
     #[must_use]
     pub(crate) fn with_excerpt(self, excerpt: Option<String>) -> Failure {

@@ -74,6 +74,11 @@ fn takes(setting: &Setting) -> String {
             .map(|choice| format!("`\"{choice}\"`"))
             .collect::<Vec<_>>()
             .join(" "),
+        Kind::Units => format!(
+            "a number from 0 to 255 or a list of them, as `{}`",
+            setting.example
+        ),
+        Kind::Places => "a table `[serve.modbus.map]` of places and tags".to_owned(),
         Kind::Overrides => "tables `[[lint.overrides]]`, each with `files` and rules".to_owned(),
     }
 }
@@ -107,7 +112,19 @@ pub fn schema() -> String {
             table["required"] = json!(["name", "interval", "programs"]);
             table = json!({ "type": "array", "description": section.about, "items": table });
         }
-        properties.insert(section.name.to_owned(), table);
+        match section.outer() {
+            (outer, Some(inner)) => {
+                let around = json!({
+                    "type": "object",
+                    "properties": { inner: table },
+                    "additionalProperties": false
+                });
+                properties.insert(outer.to_owned(), around);
+            }
+            (name, None) => {
+                properties.insert(name.to_owned(), table);
+            }
+        }
     }
     let schema = json!({
         "$schema": "http://json-schema.org/draft-07/schema#",
@@ -237,6 +254,11 @@ fn described(setting: &Setting, about: &str) -> Value {
         }
         Kind::Switch => json!({ "type": "boolean" }),
         Kind::Choice(choices) => json!({ "type": "string", "enum": choices }),
+        Kind::Units => {
+            let unit = json!({ "type": "integer", "minimum": 0, "maximum": 255 });
+            json!({ "anyOf": [unit, { "type": "array", "items": unit }] })
+        }
+        Kind::Places => json!({ "type": "object", "additionalProperties": { "type": "string" } }),
         Kind::Overrides => json!({ "type": "array", "items": {
             "type": "object",
             "properties": overriding(),

@@ -18,6 +18,8 @@ pub(crate) mod new;
 pub(crate) mod pages;
 pub(crate) mod prove;
 pub(crate) mod render;
+#[cfg(feature = "run")]
+pub(crate) mod run;
 pub(crate) mod sim;
 pub(crate) mod tags;
 pub(crate) mod test;

@@ -32,7 +32,8 @@ impl From<SettingsError> for Failure {
         } else {
             Renderer::plain()
         };
-        Failure::new(error.to_string()).with_excerpt(render_settings(&error, &renderer))
+        Failure::of_lines(error.to_string().lines().map(str::to_owned))
+            .with_excerpt(render_settings(&error, &renderer))
     }
 }
 

@@ -14,8 +14,8 @@ pub(crate) enum KeptIn<'a> {
     File(&'a Path),
     /// One that the workspace names.
     #[cfg_attr(
-        not(feature = "screen"),
-        allow(dead_code, reason = "only the screen asks the workspace")
+        not(any(feature = "screen", feature = "run")),
+        allow(dead_code, reason = "only what runs in real time asks the workspace")
     )]
     OfWorkspace(&'a Named),
 }

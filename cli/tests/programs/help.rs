@@ -4,11 +4,12 @@ use crate::harness::Folder;
 use expect_test::expect_file;
 
 /// Every command of `ladder`.
-const COMMANDS: [&str; 16] = [
+const COMMANDS: [&str; 17] = [
     "new",
     "check",
     "fmt",
     "sim",
+    "run",
     "test",
     "render",
     "diff",

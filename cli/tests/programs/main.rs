@@ -33,6 +33,7 @@ mod pages;
 mod plants;
 mod projects;
 mod prove;
+mod real_time;
 mod render;
 #[cfg(feature = "pdf")]
 mod render_pdf;

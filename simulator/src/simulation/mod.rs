@@ -85,6 +85,8 @@ pub struct Simulation {
     pub(crate) open: bool,
     /// What waits for its end.
     pub(crate) pending: Vec<Change>,
+    /// What passed without a scan since the last one, in nanoseconds.
+    passed: i64,
     /// What its tags open into, for those who ask.
     pub(crate) tree: OnceLock<Tree>,
     /// Where user-defined blocks are, for those who ask.
@@ -142,6 +144,7 @@ impl Simulation {
             ran_plain: false,
             open: false,
             pending: Vec::new(),
+            passed: 0,
             tree: OnceLock::new(),
             instances: OnceLock::new(),
             bodies: OnceLock::new(),
@@ -301,6 +304,11 @@ impl Simulation {
     /// The bytes that were sent through the serial port since they were last taken. The newest 65,536 are kept.
     pub fn take_serial(&mut self) -> Vec<u8> {
         self.machine.memory.sent.drain(..).collect()
+    }
+
+    /// What a point holds at a cold start.
+    pub fn initial(&self, point: &Point) -> Value {
+        point.read(&self.compiled.initial)
     }
 
     /// What a point holds.

@@ -42,6 +42,15 @@ impl Simulation {
         self.end_scan(halt) == Stepped::Done
     }
 
+    /// Time passes without a scan: so many intervals, for which a run in real time came too late. The next scan has them in
+    /// `SYS.SCAN_TIME`, and timers have them, too.
+    pub fn pass(&mut self, intervals: u64) {
+        let passed = i64::try_from(intervals).unwrap_or(i64::MAX);
+        let passed = passed.saturating_mul(self.options.interval);
+        self.passed = self.passed.saturating_add(passed);
+        self.machine.now = self.machine.now.saturating_add(passed);
+    }
+
     /// Runs up to this many scans; fewer if the program stops, or when that is cancelled. How many were run.
     pub fn run(&mut self, scans: u64, cancel: &Cancel) -> u64 {
         (0..scans)
@@ -165,11 +174,12 @@ impl Simulation {
     /// Sets the system tags and begins.
     fn start(&mut self) {
         self.supply();
+        let passed = std::mem::take(&mut self.passed);
         let machine = &mut self.machine;
         let moment = Moment {
             scan: machine.scan,
             now: machine.now,
-            interval: self.options.interval,
+            interval: self.options.interval.saturating_add(passed),
             faulted: machine.faulted.plants,
         };
         if let Some(plants) = &self.compiled.plants {

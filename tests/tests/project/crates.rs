@@ -14,7 +14,7 @@ const LANGUAGE: [&str; 6] = [
 ];
 
 /// What a crate may use: those of the language only what is here, the others also all of the language.
-const RULES: [(&str, &[&str]); 21] = [
+const RULES: [(&str, &[&str]); 22] = [
     ("syntax", &[]),
     ("instructions", &[]),
     ("library", &[]),
@@ -60,6 +60,7 @@ const RULES: [(&str, &[&str]); 21] = [
             "debugger",
         ],
     ),
+    ("devices", &["simulator"]),
     ("server", &["workspace", "host", "debugger", "service"]),
     ("playground", &["workspace", "host", "service"]),
     (
@@ -72,6 +73,7 @@ const RULES: [(&str, &[&str]); 21] = [
             "review",
             "notations",
             "workspace",
+            "devices",
             "server",
         ],
     ),

@@ -10,6 +10,7 @@ mod given;
 mod lint;
 mod project;
 mod reader;
+mod serve;
 mod simulate;
 mod switch_off;
 pub mod table;
@@ -22,6 +23,7 @@ pub(crate) use files::LibraryFolder;
 pub use given::Tree;
 pub use lint::{Levels, Lint};
 pub use project::Project;
+pub use serve::{Run, ServeModbus};
 pub use simulate::{Plant, Simulate};
 pub use tasks::Task;
 pub(crate) use tasks::scan_of;
@@ -35,7 +37,7 @@ use ladder_syntax::{LineIndex, TextRange, TextSize};
 use reader::{Reader, Source, Table};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use table::{FORMAT, LINT, PROJECT, SIMULATE, TASK, WORKSPACE};
+use table::{FORMAT, LINT, MODBUS, PROJECT, RUN, SIMULATE, TASK, WORKSPACE};
 use toml::de::DeTable;
 
 /// What a workspace asks for.
@@ -47,6 +49,10 @@ pub struct Settings {
     pub lint: Lint,
     /// `[simulate]`: how programs are run.
     pub simulate: Simulate,
+    /// `[run]`: how programs run in real time.
+    pub run: Run,
+    /// `[serve.modbus]`: what a Modbus server shows of them; none if there is to be none.
+    pub modbus: Option<ServeModbus>,
     /// `[workspace]`: which files belong to it.
     pub files: Files,
     /// `[project]`: what the project is.
@@ -180,6 +186,12 @@ impl Settings {
         }
         let tasks = reader.sections(top, &TASK);
         settings.simulate.tasks = tasks::read(tasks, folder, reader);
+        if let Some(table) = reader.section(top, &RUN) {
+            settings.run = serve::read_run(table, reader);
+        }
+        if let Some(table) = reader.section(top, &MODBUS) {
+            settings.modbus = Some(serve::read_modbus(table, reader));
+        }
         if let Some(table) = reader.section(top, &WORKSPACE) {
             settings.files = files::read(table, folder, reader);
         }

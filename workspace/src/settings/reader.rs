@@ -104,10 +104,23 @@ impl Reader {
 
     /// A section, if it is there.
     pub(super) fn section(&mut self, top: &mut Table, section: &Section) -> Option<Table> {
-        if !top.known.contains(&section.name) {
+        let (key, inner) = section.outer();
+        if !top.known.contains(&key) {
             return None;
         }
-        let given = top.take(section.name)?;
+        let mut given = top.take(key)?;
+        if let (Some(inner), Value::Table(entries)) = (inner, &given.value) {
+            let mut around = Table {
+                name: key.to_owned(),
+                entries: entries.clone(),
+                known: vec![inner],
+                of_other_source: Vec::new(),
+                range: given.range,
+            };
+            let found = around.take(inner);
+            around.finish(self);
+            given = found?;
+        }
         match given.value {
             Value::Table(entries) => Some(Table::with(section, entries, given.range, self.source)),
             _ => {
@@ -192,6 +205,23 @@ impl Reader {
         let message = format!("a text in quotes is expected here, for example {example}");
         self.wrong(given.range.clone(), message);
         None
+    }
+
+    /// One of the texts that a setting takes.
+    pub(super) fn choice(&mut self, table: &mut Table, setting: &Setting) -> Option<&'static str> {
+        let given = self.take(table, setting)?;
+        let Kind::Choice(choices) = setting.kind else {
+            return None;
+        };
+        let text = self.text(&given, setting.example)?;
+        let choice = choices.iter().find(|choice| **choice == text).copied();
+        if choice.is_none() {
+            self.wrong(
+                given.range,
+                format!("`{text}` is not one of them: {}", hint(&text, choices)),
+            );
+        }
+        choice
     }
 
     /// A list of texts. `example` shows one of them.

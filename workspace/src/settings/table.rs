@@ -17,6 +17,16 @@ pub struct Section {
     pub settings: &'static [Setting],
 }
 
+impl Section {
+    /// The table of the file that it is, or that it is in; and its name in that: `[serve.modbus]` is `modbus` in `serve`.
+    pub fn outer(&self) -> (&'static str, Option<&'static str>) {
+        match self.name.split_once('.') {
+            Some((outer, inner)) => (outer, Some(inner)),
+            None => (self.name, None),
+        }
+    }
+}
+
 /// A setting: a key of a table.
 #[derive(Debug, Clone, Copy)]
 pub struct Setting {
@@ -64,6 +74,10 @@ pub enum Kind {
     Choice(&'static [&'static str]),
     /// Tables, each with `files` and the rules that count differently in those.
     Overrides,
+    /// A number from 0 to 255, or a list of them.
+    Units,
+    /// A table whose keys are places and whose values are tags.
+    Places,
 }
 
 /// Who may set a setting.
@@ -223,6 +237,142 @@ pub(super) const CODE_LENS: Setting = Setting {
     about: "Lines of commands above networks.",
 };
 
+pub(super) const LONGEST_SCAN: Setting = Setting {
+    key: "watchdog",
+    kind: Kind::Duration,
+    place: SetBy::File,
+    default: None,
+    example: "\"100ms\"",
+    about: "How long a scan may take: the program is stopped after one that took longer. Without it ten intervals.",
+};
+
+pub(super) const LISTEN: Setting = Setting {
+    key: "listen",
+    kind: Kind::Text,
+    place: SetBy::File,
+    default: Some("\"127.0.0.1:1502\""),
+    example: "\"127.0.0.1:1502\"",
+    about: "Where the server listens: the address of a network card, or `0.0.0.0` for all, and a port. Modbus has no passwords: who reaches it reads all of the map. Port 502 needs a right of its own on most systems.",
+};
+
+pub(super) const UNIT: Setting = Setting {
+    key: "unit",
+    kind: Kind::Units,
+    place: SetBy::File,
+    default: Some("[1, 255]"),
+    example: "[1, 255]",
+    about: "The units that answer; others get exception 11.",
+};
+
+pub(super) const LAYOUT: Setting = Setting {
+    key: "layout",
+    kind: Kind::Choice(&["openplc", "factory-io"]),
+    place: SetBy::File,
+    default: Some("\"openplc\""),
+    example: "\"factory-io\"",
+    about: "Where direct addresses are. `openplc`: `%QX` are coils, `%IX` discrete inputs, `%IW` input registers, `%QW`, `%MW`, `%MD` and `%ML` holding registers, with the numbers of OpenPLC. `factory-io`: the reverse, for Factory I/O as a client, which writes what the program reads.",
+};
+
+pub(super) const WORDS: Setting = Setting {
+    key: "words",
+    kind: Kind::Choice(&["big", "little"]),
+    place: SetBy::File,
+    default: Some("\"big\""),
+    example: "\"little\"",
+    about: "Which word of a value comes first that has several: the high one, or the low one as Click has it.",
+};
+
+pub(super) const WRITE: Setting = Setting {
+    key: "write",
+    kind: Kind::Texts,
+    place: SetBy::File,
+    default: None,
+    example: "[\"start\", \"stop\"]",
+    about: "The tags that clients may write. Without it none.",
+};
+
+pub(super) const HOLD: Setting = Setting {
+    key: "hold",
+    kind: Kind::Choice(&["last", "initial"]),
+    place: SetBy::File,
+    default: Some("\"last\""),
+    example: "\"initial\"",
+    about: "What the written tags do when nobody asks for anything any more: keep their values, or go back to those of a cold start after `timeout`.",
+};
+
+pub(super) const TIMEOUT: Setting = Setting {
+    key: "timeout",
+    kind: Kind::Duration,
+    place: SetBy::File,
+    default: Some("\"2s\""),
+    example: "\"2s\"",
+    about: "How long nobody may ask before `hold = \"initial\"` does that.",
+};
+
+pub(super) const ALLOW: Setting = Setting {
+    key: "allow",
+    kind: Kind::Texts,
+    place: SetBy::File,
+    default: None,
+    example: "[\"192.168.1.0/24\"]",
+    about: "The networks from which connections are taken. Without it all that reach the address.",
+};
+
+pub(super) const MOST_CONNECTIONS: Setting = Setting {
+    key: "connections",
+    kind: Kind::Whole { least: 1, most: 1000 },
+    place: SetBy::File,
+    default: Some("16"),
+    example: "4",
+    about: "How many connections there are at most; further ones are closed.",
+};
+
+pub(super) const IDLE: Setting = Setting {
+    key: "idle",
+    kind: Kind::Duration,
+    place: SetBy::File,
+    default: Some("\"60s\""),
+    example: "\"10s\"",
+    about: "A connection that sends nothing for so long is closed.",
+};
+
+pub(super) const MAP: Setting = Setting {
+    key: "map",
+    kind: Kind::Places,
+    place: SetBy::File,
+    default: None,
+    example: "{ \"holding 100\" = \"level\" }",
+    about: "Places of tags by name, one a line below `[serve.modbus.map]`: `\"holding 100\" = \"level\"`. The tables are `coil`, `discrete`, `input` and `holding`; numbers are those of the protocol, from 0. A REAL, DINT, TIME (in ms) takes two registers, a LINT or LREAL four; `a[1..8]` takes as many places as it has elements.",
+};
+
+/// How programs run in real time.
+pub(super) const RUN: Section = Section {
+    name: "run",
+    is_list: false,
+    about: "How `ladder run` runs programs.",
+    settings: &[LONGEST_SCAN],
+};
+
+/// What a Modbus server shows.
+pub(super) const MODBUS: Section = Section {
+    name: "serve.modbus",
+    is_list: false,
+    about: "Tags as coils and registers of a Modbus TCP server, while `ladder run` runs a program.",
+    settings: &[
+        LISTEN,
+        UNIT,
+        LAYOUT,
+        WORDS,
+        WRITE,
+        HOLD,
+        TIMEOUT,
+        ALLOW,
+        MOST_CONNECTIONS,
+        IDLE,
+        MAP,
+    ],
+};
+
 /// How diagrams are laid out.
 pub(super) const FORMAT: Section = Section {
     name: "format",
@@ -331,6 +481,8 @@ pub const SECTIONS: &[Section] = &[
     LINT,
     SIMULATE,
     TASK,
+    RUN,
+    MODBUS,
     WORKSPACE,
     PROJECT,
     Section {
@@ -356,6 +508,19 @@ pub const SECTIONS: &[Section] = &[
             default: Some("false"),
             example: "true",
             about: "*Start Simulation* begins before the first scan and waits, instead of running.",
+        }],
+    },
+    Section {
+        name: "diagram",
+        is_list: false,
+        about: "The diagram next to the text.",
+        settings: &[Setting {
+            key: "names",
+            kind: Kind::Choice(&["iec", "us"]),
+            place: SetBy::Extension,
+            default: Some("\"iec\""),
+            example: "\"us\"",
+            about: "Whose names come first in the palette of the diagram: *Open contact*, with *XIC* in grey, or the other way round. The file is the same either way.",
         }],
     },
     Section {
@@ -409,5 +574,9 @@ pub(super) fn keys(section: &Section, allowed: impl Fn(SetBy) -> bool) -> Vec<&'
 pub(super) fn sections(allowed: impl Fn(SetBy) -> bool) -> Vec<&'static str> {
     // The rules are not in the table; they may be set everywhere.
     let open = |section: &&Section| section.name == LINT.name || !keys(section, &allowed).is_empty();
-    SECTIONS.iter().filter(open).map(|section| section.name).collect()
+    SECTIONS
+        .iter()
+        .filter(open)
+        .map(|section| section.outer().0)
+        .collect()
 }

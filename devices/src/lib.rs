@@ -1,0 +1,42 @@
+//! Ladder programs in real time, and what is at the other end of their wires.
+//!
+//! ```text
+//!               scan thread                                 threads of the servers
+//! Simulation --run--> before each scan: what was written  <--+
+//!            --scan                                           +-- Image (one lock) <--requests-- clients
+//!            --run--> after each scan: what there is to read --+
+//! ```
+//!
+//! - [`pace`] says when scans are due: at absolute times, so that lateness does not add up, and what was missed is counted and
+//!   never caught up. [`lateness`] counts how late they were.
+//! - [`real`] is the loop. It is a plain function on a thread of its own: an asynchronous runtime wakes up by a clock of 1 ms.
+//! - [`modbus`] serves tags as coils and registers. Its requests see the image of one scan, and what they write is given to the
+//!   program between two scans.
+//! - [`system`] is what the operating system is asked and told: to wake up in time, and that the program runs.
+//!
+//! Nothing in here builds for WebAssembly; nothing outside of `ladder run` uses it.
+#![forbid(unsafe_code)]
+
+pub mod lateness;
+#[cfg(feature = "modbus")]
+pub mod modbus;
+pub mod pace;
+pub mod real;
+pub mod system;
+
+#[cfg(test)]
+mod tests {
+    use ladder_simulator::{Options, Simulation};
+    use std::sync::Arc;
+
+    /// A program before its first scan, with an interval in nanoseconds.
+    pub(crate) fn simulation(text: &str, interval: i64) -> Simulation {
+        let analysis = ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(text)), "program");
+        let program = analysis.program().expect("a program without errors").clone();
+        let options = Options {
+            interval,
+            ..Options::default()
+        };
+        Simulation::new(program, options).expect("a program that runs")
+    }
+}

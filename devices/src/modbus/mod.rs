@@ -1,0 +1,19 @@
+//! Modbus TCP: tags as coils and registers.
+//!
+//! ```text
+//! [serve.modbus] --Places--> Map (which tag is where, what may be written) --Image (values of one scan)--> Server
+//! ```
+//!
+//! Numbers of places are those of the protocol, from 0. Functions 1 to 6, 15 and 16 are served, and nothing else.
+
+mod bind;
+mod image;
+mod place;
+mod registers;
+mod server;
+
+pub use bind::{Layout, Map, Places, Wrong};
+pub use image::{Hold, Image, Refused};
+pub use place::{Place, Table};
+pub use registers::Words;
+pub use server::{Listening, Rules, Subnet, serve};
