@@ -133,7 +133,7 @@ fn drawings_that_are_too_deep_too_wide_or_too_many() {
             )
         })
         .collect();
-    mesh.extend((0..200).map(|id| wired("coil", 1_000 + id, &column(39), "y")));
+    mesh.extend((0..40).map(|id| wired("coil", 1_000 + id, &column(39), "y")));
     bounded(&mesh);
     // A loop at every element.
     let loops: Vec<String> = (1..2_000)
