@@ -1,5 +1,8 @@
 //! `ladder tags`: the cross-reference of a program.
 
+#[cfg(feature = "run")]
+mod places;
+
 use crate::findings::Source;
 use crate::form;
 use crate::json::to_writer_pretty;
@@ -17,6 +20,9 @@ Examples:
   ladder tags motor.clad                where each tag is read and written
   ladder tags motor.clad --format csv   the same for a spreadsheet
   ladder tags motor.clad --format json  and for other programs
+  ladder tags motor.clad --map modbus   the places of its tags, for ladder.toml
+  ladder tags motor.clad --map modbus --format csv
+                                        the same for a screen
 
 Exit status: 0 fine, 2 the file cannot be read.";
 
@@ -37,6 +43,11 @@ pub(crate) struct Arguments {
     /// How the list is written
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+
+    /// The places of tags in `[serve.modbus]` of ladder.toml instead, with places for inputs and outputs that have none yet
+    #[cfg(feature = "run")]
+    #[arg(long, value_enum, value_name = "MAP")]
+    map: Option<places::Protocol>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -51,6 +62,10 @@ enum Format {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let source = Source::read(&arguments.file, arguments.from.as_deref().map(form::named))?;
+    #[cfg(feature = "run")]
+    if let Some(places::Protocol::Modbus) = arguments.map {
+        return places::write(&arguments.file, &source, arguments.format);
+    }
     let entries = cross_reference(&source.analyze().context);
     let mut out = Stdout::new();
     match arguments.format {

@@ -176,3 +176,24 @@ fn what_cannot_be_served_is_refused() {
     ));
     expect!["error: `allow` in [serve.modbus]: `192.168.1` is not a network; write an address and how many of its bits count, as in 192.168.1.0/24"].assert_eq(&refused("[serve.modbus]\nallow = \"192.168.1\"\n"));
 }
+
+#[test]
+fn places_are_frozen_where_they_are() {
+    let settings = "[serve.modbus]\nwrite = \"go\"\n\n[serve.modbus.map]\n\"coil 20\" = \"go\"\n";
+    let folder = Folder::with(&[
+        ("pump.clad", PUMP),
+        ("ladder.toml", settings),
+        ("motor/motor.clad", MOTOR),
+        ("motor/ladder.toml", ""),
+    ]);
+    expect![[r#""#]].assert_eq(
+        &folder
+            .ladder(&["tags", "pump.clad", "--map", "modbus", "--format", "csv"])
+            .to_string(),
+    );
+    expect![[r#""#]].assert_eq(
+        &folder
+            .ladder(&["tags", "motor/motor.clad", "--map", "modbus"])
+            .to_string(),
+    );
+}

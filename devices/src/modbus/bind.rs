@@ -115,7 +115,7 @@ impl Map {
 }
 
 /// How many bits or words of a table a value takes.
-fn width_in(table: Table, ty: Scalar) -> Option<usize> {
+pub(super) fn width_in(table: Table, ty: Scalar) -> Option<usize> {
     match (table.is_of_bits(), ty) {
         (true, Scalar::Bool) => Some(1),
         (true, _) | (false, Scalar::Bool) => None,

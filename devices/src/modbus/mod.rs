@@ -7,12 +7,14 @@
 //! Numbers of places are those of the protocol, from 0. Functions 1 to 6, 15 and 16 are served, and nothing else.
 
 mod bind;
+mod freeze;
 mod image;
 mod place;
 mod registers;
 mod server;
 
 pub use bind::{Layout, Map, Places, Wrong};
+pub use freeze::freeze;
 pub use image::{Hold, Image, Refused};
 pub use place::{Place, Table};
 pub use registers::Words;

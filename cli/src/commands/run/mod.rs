@@ -1,7 +1,7 @@
 //! `ladder run`: a program in real time.
 
 mod hands;
-mod served;
+pub(crate) mod served;
 mod signals;
 
 use crate::findings::Source;

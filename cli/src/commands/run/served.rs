@@ -46,6 +46,12 @@ pub(super) fn served(
             ))
         })?,
     };
+    let map = map(asked, simulation)?;
+    if map.is_empty() {
+        return Err(Failure::new(
+            "there is nothing to serve on Modbus: no tag has a direct address such as %QX0.0, and [serve.modbus.map] in ladder.toml names none",
+        ));
+    }
     let usual = Rules::default();
     let allow = asked
         .allow
@@ -54,7 +60,7 @@ pub(super) fn served(
         .collect::<Result<_, _>>();
     Ok(Some(Served {
         address,
-        map: map(asked, simulation)?,
+        map,
         hold: match asked.hold {
             Some("initial") => Hold::Initial(asked.timeout.map_or(TIMEOUT, nanoseconds)),
             _ => Hold::Last,
@@ -73,7 +79,11 @@ fn nanoseconds(time: i64) -> Duration {
     Duration::from_nanos(time.unsigned_abs())
 }
 
-fn map(asked: &ServeModbus, simulation: &Simulation) -> Result<Map, Failure> {
+/// Which tags are where.
+///
+/// # Errors
+/// The settings do not fit the program.
+pub(crate) fn map(asked: &ServeModbus, simulation: &Simulation) -> Result<Map, Failure> {
     let places = Places {
         layout: match asked.layout {
             Some("factory-io") => Layout::FactoryIo,
@@ -93,10 +103,5 @@ fn map(asked: &ServeModbus, simulation: &Simulation) -> Result<Map, Failure> {
         let head = "[serve.modbus] does not fit the program:".to_owned();
         Failure::of_lines(std::iter::once(head).chain(lines))
     })?;
-    if map.is_empty() {
-        return Err(Failure::new(
-            "there is nothing to serve on Modbus: no tag has a direct address such as %QX0.0, and [serve.modbus.map] in ladder.toml names none",
-        ));
-    }
     Ok(map)
 }

@@ -1,0 +1,94 @@
+//! Places for tags that have none yet. What has one keeps it: an edit of the program must not move what screens know.
+
+use super::bind::{Map, width_in};
+use super::place::{Place, Table};
+use ladder_analysis::program::Role;
+use ladder_simulator::{Point, Simulation};
+
+/// Places for the inputs and outputs of a program that have none, in the order of the program, each after the last place of its
+/// table. Inputs get places that clients may write if they are allowed to, outputs such that they only read.
+pub fn freeze(map: &Map, simulation: &Simulation) -> Vec<(Place, Point)> {
+    let mut next = Table::ALL.map(|table| {
+        let own = map.entries.iter().filter(|entry| entry.place.table == table);
+        own.map(|entry| usize::from(entry.place.number) + entry.width)
+            .max()
+            .unwrap_or(0)
+    });
+    let mut added = Vec::new();
+    for point in simulation.points() {
+        let is_there = map.entries.iter().any(|entry| entry.point == *point);
+        let tables = match point.role {
+            Role::Input => [Table::Coil, Table::Holding],
+            Role::Output => [Table::Discrete, Table::Input],
+            Role::Internal => continue,
+        };
+        let fits = tables
+            .into_iter()
+            .find_map(|table| Some((table, width_in(table, point.ty)?)));
+        let Some((table, width)) = fits.filter(|_| !is_there && !point.read_only) else {
+            continue;
+        };
+        let at = &mut next[table as usize];
+        let last = u16::try_from(*at + width - 1).ok();
+        if let (Some(_), Ok(number)) = (last, u16::try_from(*at)) {
+            added.push((Place { table, number }, point.clone()));
+            *at += width;
+        }
+    }
+    added
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::modbus::Places;
+    use crate::tests::simulation;
+    use expect_test::expect;
+
+    fn frozen(text: &str, named: &[(&str, &str)]) -> String {
+        let simulation = simulation(text, 10_000_000);
+        let named = named
+            .iter()
+            .map(|(place, tag)| ((*place).to_owned(), (*tag).to_owned()));
+        let places = Places {
+            named: named.collect(),
+            ..Places::default()
+        };
+        let map = Map::new(&places, &simulation).unwrap();
+        let added = freeze(&map, &simulation).into_iter();
+        added
+            .map(|(place, point)| format!("{place} {}\n", point.name))
+            .collect()
+    }
+
+    const MIXER: &str = "VAR_INPUT\n    go AT %IX0.0 : BOOL;\n    stop : BOOL;\n    wanted : REAL;\n    name : STRING;\nEND_VAR\nVAR_OUTPUT\n    run, alarm : BOOL;\n    level : INT;\n    total : DINT;\nEND_VAR\n\
+        VAR\n    n : INT;\nEND_VAR\n+--[ ]( go )--[/]( stop )--( )( run )--( )( alarm )--+\n+--[MOV]( level, n )--[TRUNC]( total, wanted )--+\n";
+
+    #[test]
+    fn what_has_no_place_gets_the_next_one() {
+        expect![[r#"
+            coil 0 stop
+            holding 0 wanted
+            discrete 1 run
+            discrete 2 alarm
+            input 0 level
+            input 1 total
+        "#]]
+        .assert_eq(&frozen(MIXER, &[]));
+    }
+
+    #[test]
+    fn what_has_one_keeps_it() {
+        let named = [
+            ("holding 100", "wanted"),
+            ("discrete 7", "alarm"),
+            ("input 0", "total"),
+        ];
+        expect![[r#"
+            coil 0 stop
+            discrete 8 run
+            input 2 level
+        "#]]
+        .assert_eq(&frozen(MIXER, &named));
+    }
+}
