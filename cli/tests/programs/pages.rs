@@ -87,6 +87,7 @@ fn manual_pages() {
         ladder-new.1
         ladder-prove.1
         ladder-render.1
+        ladder-run.1
         ladder-sim.1
         ladder-tags.1
         ladder-test.1

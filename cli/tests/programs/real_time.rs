@@ -170,8 +170,17 @@ fn what_cannot_be_served_is_refused() {
         run.stderr.lines().skip(1).collect::<Vec<_>>().join("\n")
     };
     expect!["error: there is nothing to serve on Modbus: no tag has a direct address such as %QX0.0, and [serve.modbus.map] in ladder.toml names none"].assert_eq(&refused(""));
-    expect![[r#"error: [serve.modbus] does not fit the program:\n  "holding": a place is a table and a number from 0, for example `holding 100`; the tables are coil, discrete, input and holding\n  "coil 3": on is there, too: BOOL takes 1 of them\n  "on": on is an output: the program writes it"#]].assert_eq(&refused("[serve.modbus]\nwrite = [\"on\", \"go\"]\n\n[serve.modbus.map]\n\"coil 3\" = \"go\"\n\"holding\" = \"starts\"\n"));
-    expect![[r#"error: ladder.toml:2:8: units are numbers from 0 to 255, for example [1, 255]\nladder.toml:3:10: `localhost` is not an address with a port, for example "127.0.0.1:1502"\nladder.toml:4:9: `bigg` is not one of them: did you mean `big`?\nladder.toml:5:1: `maps` is not a setting in [serve.modbus]: did you mean `map`?"#]].assert_eq(&refused(
+    expect![[r#"
+        error: [serve.modbus] does not fit the program:
+          "holding": a place is a table and a number from 0, for example `holding 100`; the tables are coil, discrete, input and holding
+          "coil 3": on is there, too: BOOL takes 1 of them
+          "on": on is an output: the program writes it"#]].assert_eq(&refused("[serve.modbus]\nwrite = [\"on\", \"go\"]\n\n[serve.modbus.map]\n\"coil 3\" = \"go\"\n\"holding\" = \"starts\"\n"));
+    expect![[r#"
+        error: ladder.toml:2:8: units are numbers from 0 to 255, for example [1, 255]
+        ladder.toml:3:10: `localhost` is not an address with a port, for example "127.0.0.1:1502"
+        ladder.toml:4:9: `bigg` is not one of them: did you mean `big`?
+        ladder.toml:5:1: `maps` is not a setting in [serve.modbus]: did you mean `map`?"#]]
+    .assert_eq(&refused(
         "[serve.modbus]\nunit = 256\nlisten = \"localhost\"\nwords = \"bigg\"\nmaps = 1\n",
     ));
     expect!["error: `allow` in [serve.modbus]: `192.168.1` is not a network; write an address and how many of its bits count, as in 192.168.1.0/24"].assert_eq(&refused("[serve.modbus]\nallow = \"192.168.1\"\n"));
@@ -186,12 +195,26 @@ fn places_are_frozen_where_they_are() {
         ("motor/motor.clad", MOTOR),
         ("motor/ladder.toml", ""),
     ]);
-    expect![[r#""#]].assert_eq(
+    expect![[r#"
+        exit status 0
+        -- stdout
+        tag,type,table,from 0,from 1,access
+        on,BOOL,coil,3,4,read
+        go,BOOL,coil,20,21,read and write
+    "#]]
+    .assert_eq(
         &folder
             .ladder(&["tags", "pump.clad", "--map", "modbus", "--format", "csv"])
             .to_string(),
     );
-    expect![[r#""#]].assert_eq(
+    expect![[r#"
+        exit status 0
+        -- stdout
+        [serve.modbus.map]
+        "coil 0" = "start"
+        "coil 1" = "stop"
+    "#]]
+    .assert_eq(
         &folder
             .ladder(&["tags", "motor/motor.clad", "--map", "modbus"])
             .to_string(),

@@ -253,7 +253,12 @@ fn what_cannot_run_says_why() {
     expect![[r#"
         exit status 2
         -- stderr
-        error: ladder.toml:4:13: `x.txt` is not a program: a task runs files that end in .clad or .st\nladder.toml:4:22: `../main.clad` cannot be used: this leads out of the workspace, the folder of ladder.toml (without one: the file's own folder); an empty ladder.toml in a folder above both makes them one\nladder.toml:6:1: a task has `interval`, for example interval = "10ms"\nladder.toml:13:13: the intervals of the tasks have no common scan of at least a microsecond, a millionth of the longest: round them\nladder.toml:13:40: a task runs `main.clad` already: a program has one\nladder.toml:15:1: there are two tasks `C`
+        error: ladder.toml:4:13: `x.txt` is not a program: a task runs files that end in .clad or .st
+        ladder.toml:4:22: `../main.clad` cannot be used: this leads out of the workspace, the folder of ladder.toml (without one: the file's own folder); an empty ladder.toml in a folder above both makes them one
+        ladder.toml:6:1: a task has `interval`, for example interval = "10ms"
+        ladder.toml:13:13: the intervals of the tasks have no common scan of at least a microsecond, a millionth of the longest: round them
+        ladder.toml:13:40: a task runs `main.clad` already: a program has one
+        ladder.toml:15:1: there are two tasks `C`
     "#]].assert_eq(&told(
         "[[task]]\nname = \"a\"\ninterval = \"10ms\"\nprograms = [\"x.txt\", \"../main.clad\"]\n
 [[task]]\nname = \"b\"\nprograms = [\"main.clad\"]\n

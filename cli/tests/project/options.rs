@@ -4,10 +4,12 @@ use ladder_tests::{book, project};
 use std::collections::BTreeSet;
 use std::process::Command;
 
-const COMMANDS: [&str; 15] = [
+const COMMANDS: [&str; 17] = [
     "check",
     "fmt",
     "sim",
+    "run",
+    "tags",
     "test",
     "prove",
     "render",

@@ -260,20 +260,20 @@ mod tests {
     }
 
     fn check(places: &Places, expected: Expect) {
-        let shown = match Map::new(places, &simulation(PRESS, 10_000_000)) {
+        let shown: Vec<String> = match Map::new(places, &simulation(PRESS, 10_000_000)) {
             Ok(map) => map
                 .tags()
                 .map(|(place, point, may_be_written)| {
                     let star = if may_be_written { " *" } else { "" };
-                    format!("{place} {}{star}\n", point.name)
+                    format!("{place} {}{star}", point.name)
                 })
-                .collect::<String>(),
+                .collect(),
             Err(wrong) => wrong
                 .iter()
-                .map(|wrong| format!("{}: {}\n", wrong.about, wrong.message))
+                .map(|wrong| format!("{}: {}", wrong.about, wrong.message))
                 .collect(),
         };
-        expected.assert_eq(&shown);
+        expected.assert_eq(&(shown.join("\n") + "\n"));
     }
 
     #[test]

@@ -17,6 +17,9 @@ pub enum Refused {
     Value,
 }
 
+/// After so long without a request nobody is there, if nothing else is asked for.
+pub const TIMEOUT: Duration = Duration::from_secs(2);
+
 /// What the written inputs do when nobody asks for anything any more.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Hold {
@@ -76,8 +79,8 @@ impl Image {
     pub fn replace(&self, other: &Image) {
         let mut inner = self.lock();
         let other = other.lock();
-        inner.map = other.map.clone();
-        inner.tables = other.tables.clone();
+        inner.map.clone_from(&other.map);
+        inner.tables.clone_from(&other.tables);
         inner.waiting.clear();
     }
 

@@ -15,7 +15,7 @@ mod server;
 
 pub use bind::{Layout, Map, Places, Wrong};
 pub use freeze::freeze;
-pub use image::{Hold, Image, Refused};
+pub use image::{Hold, Image, Refused, TIMEOUT};
 pub use place::{Place, Table};
 pub use registers::Words;
-pub use server::{Listening, Rules, Subnet, serve};
+pub use server::{ADDRESS, Listening, Rules, Subnet, serve};

@@ -5,7 +5,7 @@ use super::place::Table;
 use std::collections::HashSet;
 use std::future::{Ready, ready};
 use std::io;
-use std::net::{IpAddr, SocketAddr, TcpListener};
+use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpListener};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -13,6 +13,9 @@ use tokio_io_timeout::TimeoutStream;
 use tokio_modbus::server::Service;
 use tokio_modbus::server::tcp::Server;
 use tokio_modbus::{ExceptionCode, Request, Response, SlaveRequest};
+
+/// Where it listens if nothing else is asked for: on this machine alone, and not on the port that needs a right.
+pub const ADDRESS: SocketAddr = SocketAddr::new(IpAddr::V4(Ipv4Addr::LOCALHOST), 1502);
 
 /// Who may ask, and how much.
 #[derive(Debug, Clone)]

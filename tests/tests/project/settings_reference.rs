@@ -3,6 +3,7 @@
 //! After the table of settings or a rule was changed, `UPDATE_EXPECT=1 cargo test -p ladder-tests` writes them again.
 
 use expect_test::expect_file;
+use ladder_devices::modbus::{self, Hold, Layout, Words};
 use ladder_tests::project::{files, read, root};
 use ladder_tests::settings_reference::{extension_settings, schema, tables};
 use ladder_workspace::table::{Kind, SECTIONS, SetBy};
@@ -57,6 +58,7 @@ fn the_extension_has_every_setting_of_an_editor() {
 fn the_defaults_are_those_of_the_code() {
     let nothing = Settings::default();
     let editor = EditorSettings::default();
+    let served = modbus::Rules::default();
     let engine = nothing
         .simulate
         .options(&ladder_analysis::program::Program::default(), Path::new("a.clad"));
@@ -69,9 +71,21 @@ fn the_defaults_are_those_of_the_code() {
                 ("simulate", "watchdog") => Some(engine.watchdog.to_string()),
                 ("inlayHints", "enable") => Some(editor.inlay_hints.to_string()),
                 ("codeLens", "enable") => Some(editor.code_lens.to_string()),
+                ("serve.modbus", "listen") => Some(format!("\"{}\"", modbus::ADDRESS)),
+                ("serve.modbus", "unit") => Some(format!("{:?}", served.units)),
+                ("serve.modbus", "layout") if Layout::default() == Layout::OpenPlc => {
+                    Some("\"openplc\"".to_owned())
+                }
+                ("serve.modbus", "words") if Words::default() == Words::Big => Some("\"big\"".to_owned()),
+                ("serve.modbus", "hold") if Hold::default() == Hold::Last => Some("\"last\"".to_owned()),
+                ("serve.modbus", "timeout") => Some(format!("\"{:?}\"", modbus::TIMEOUT)),
+                ("serve.modbus", "connections") => Some(served.connections.to_string()),
+                ("serve.modbus", "idle") => Some(format!("\"{:?}\"", served.idle)),
                 ("task", "priority") => Some("0".to_owned()),
                 ("simulate", "history" | "retain" | "plant" | "connect")
                 | ("lint", "overrides")
+                | ("run", "watchdog")
+                | ("serve.modbus", "write" | "allow" | "map")
                 | ("task" | "workspace" | "project", _) => None,
                 other => panic!("compare the default of {other:?} with the code"),
             };

@@ -2,17 +2,11 @@
 
 use super::Arguments;
 use crate::outcome::Failure;
-use ladder_devices::modbus::{Hold, Layout, Map, Places, Rules, Subnet, Words};
+use ladder_devices::modbus::{ADDRESS, Hold, Layout, Map, Places, Rules, Subnet, TIMEOUT, Words};
 use ladder_simulator::Simulation;
 use ladder_workspace::{ServeModbus, Settings};
-use std::net::{Ipv4Addr, SocketAddr};
+use std::net::SocketAddr;
 use std::time::Duration;
-
-/// Where Modbus is served if nothing else is asked for: on this machine alone, and not on the port that needs a right.
-const ADDRESS: (Ipv4Addr, u16) = (Ipv4Addr::LOCALHOST, 1502);
-
-/// After so long nobody is there, if nothing else is asked for.
-const TIMEOUT: Duration = Duration::from_secs(2);
 
 /// A server that is to be.
 #[derive(Debug)]
@@ -39,7 +33,7 @@ pub(super) fn served(
         (None, None) => return Ok(None),
     };
     let address = match arguments.modbus.as_deref() {
-        None | Some("") => asked.listen.unwrap_or(ADDRESS.into()),
+        None | Some("") => asked.listen.unwrap_or(ADDRESS),
         Some(text) => text.parse().map_err(|_| {
             Failure::new(format!(
                 "--modbus {text}: write an address and a port, as in 127.0.0.1:1502"

@@ -71,7 +71,7 @@ fn declarations() {
             USINT          type
             UINT           type
             UDINT          type
-            ... 48 in all
+            ... 56 in all
         "#]],
     );
     check(
@@ -97,7 +97,7 @@ fn declarations() {
             USINT          type
             UINT           type
             UDINT          type
-            ... 47 in all
+            ... 55 in all
         "#]],
     );
     check(

@@ -82,8 +82,10 @@ fn types() {
     check(
         "TYPE\n    Motor : STRUCT\n        on : BOOL;\n    END_STRUCT;\nEND_TYPE\nVAR\n    a : Mo$0\nEND_VAR\n",
         expect![[r#"
-        Motor          type of this file
-    "#]],
+            Motor          type of this file
+            $Motor         state of a block
+            $Amount        state of a block
+        "#]],
     );
     check(
         "TYPE\n    Motor : STRUCT\n        on : BOOL;\n    $0",

@@ -139,14 +139,18 @@ fn examples_do_the_same_in_logix() {
         whole,
         [
             "conveyor",
+            "conveyor_plant",
             "garage_door",
+            "garage_door_plant",
             "level_control",
             "mixer",
+            "mixer_plant",
             "motor",
             "pump_alternation",
             "pump_group",
             "tank",
             "tank_level",
+            "tank_plant",
             "traffic_light"
         ]
     );

@@ -151,24 +151,28 @@ fn examples_as_plcopen() {
     examples(
         "plcopen",
         expect![[r#"
-        conveyor.clad: not the same again, 0 remarks on that
-        garage_door.clad: the same again, 0 remarks on that
-        level_control.clad: not the same again, 0 remarks on that
-        mixer.clad: the same again, 0 remarks on that
-        motor.clad: the same again, 0 remarks on that
-        pump_alternation.clad: the same again, 0 remarks on that
-        pump_group.clad: not the same again, 0 remarks on that
-            30:5: compilers there have arrays of elementary values alone, and structures of such values and arrays: give each part a tag of its own
-            38:1: the type of `pump` has no counterpart
-            40:1: the type of `pump` has no counterpart
-            41:1: the type of `pump` has no counterpart
-            43:1: the type of `pump` has no counterpart
-            48:1: the type of `pump` has no counterpart
-            49:1: the type of `pump` has no counterpart
-        tank.clad: the same again, 0 remarks on that
-        tank_level.clad: not the same again, 0 remarks on that
-        traffic_light.clad: the same again, 0 remarks on that
-    "#]],
+            conveyor.clad: not the same again, 0 remarks on that
+            conveyor_plant.clad: not the same again, 0 remarks on that
+            garage_door.clad: the same again, 0 remarks on that
+            garage_door_plant.clad: not the same again, 0 remarks on that
+            level_control.clad: not the same again, 0 remarks on that
+            mixer.clad: the same again, 0 remarks on that
+            mixer_plant.clad: not the same again, 0 remarks on that
+            motor.clad: the same again, 0 remarks on that
+            pump_alternation.clad: the same again, 0 remarks on that
+            pump_group.clad: not the same again, 0 remarks on that
+                30:5: compilers there have arrays of elementary values alone, and structures of such values and arrays: give each part a tag of its own
+                38:1: the type of `pump` has no counterpart
+                40:1: the type of `pump` has no counterpart
+                41:1: the type of `pump` has no counterpart
+                43:1: the type of `pump` has no counterpart
+                48:1: the type of `pump` has no counterpart
+                49:1: the type of `pump` has no counterpart
+            tank.clad: the same again, 0 remarks on that
+            tank_level.clad: not the same again, 0 remarks on that
+            tank_plant.clad: not the same again, 0 remarks on that
+            traffic_light.clad: the same again, 0 remarks on that
+        "#]],
     );
 }
 
@@ -177,16 +181,20 @@ fn examples_as_twincat() {
     examples(
         "twincat",
         expect![[r#"
-        conveyor.clad: not the same again, 0 remarks on that
-        garage_door.clad: the same again, 0 remarks on that
-        level_control.clad: not the same again, 0 remarks on that
-        mixer.clad: the same again, 0 remarks on that
-        motor.clad: the same again, 0 remarks on that
-        pump_alternation.clad: the same again, 0 remarks on that
-        pump_group.clad: the same again, 0 remarks on that
-        tank.clad: the same again, 0 remarks on that
-        tank_level.clad: not the same again, 0 remarks on that
-        traffic_light.clad: the same again, 0 remarks on that
-    "#]],
+            conveyor.clad: not the same again, 0 remarks on that
+            conveyor_plant.clad: not the same again, 0 remarks on that
+            garage_door.clad: the same again, 0 remarks on that
+            garage_door_plant.clad: not the same again, 0 remarks on that
+            level_control.clad: not the same again, 0 remarks on that
+            mixer.clad: the same again, 0 remarks on that
+            mixer_plant.clad: not the same again, 0 remarks on that
+            motor.clad: the same again, 0 remarks on that
+            pump_alternation.clad: the same again, 0 remarks on that
+            pump_group.clad: the same again, 0 remarks on that
+            tank.clad: the same again, 0 remarks on that
+            tank_level.clad: not the same again, 0 remarks on that
+            tank_plant.clad: not the same again, 0 remarks on that
+            traffic_light.clad: the same again, 0 remarks on that
+        "#]],
     );
 }
