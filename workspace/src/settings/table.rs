@@ -270,7 +270,7 @@ pub(super) const LAYOUT: Setting = Setting {
     place: SetBy::File,
     default: Some("\"openplc\""),
     example: "\"factory-io\"",
-    about: "Where direct addresses are. `openplc`: `%QX` are coils, `%IX` discrete inputs, `%IW` input registers, `%QW`, `%MW`, `%MD` and `%ML` holding registers, with the numbers of OpenPLC. `factory-io`: the reverse, for Factory I/O as a client, which writes what the program reads.",
+    about: "Where direct addresses are. `\"openplc\"`: `%QX` are coils, `%IX` discrete inputs, `%IW` input registers, `%QW`, `%MW`, `%MD` and `%ML` holding registers, with the numbers of OpenPLC. `\"factory-io\"`: the reverse, for Factory I/O as a client, which writes what the program reads.",
 };
 
 pub(super) const WORDS: Setting = Setting {

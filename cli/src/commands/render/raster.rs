@@ -21,6 +21,10 @@ pub(super) fn png(svg: &str, scale: f32) -> Result<Vec<u8>, String> {
     fonts.load_font_data(dejavu::sans_mono::bold().to_vec());
     fonts.load_font_data(dejavu::sans_mono::oblique().to_vec());
     fonts.set_monospace_family("DejaVu Sans Mono");
+    // A scene has the fonts of whoever drew it; which of them are missing here is written in this one.
+    fonts.load_font_data(dejavu::sans::regular().to_vec());
+    fonts.set_sans_serif_family("DejaVu Sans");
+    fonts.set_serif_family("DejaVu Sans");
     let options = Options {
         font_family: "DejaVu Sans Mono".to_owned(),
         fontdb: Arc::new(fonts),
@@ -57,4 +61,22 @@ fn signed(mut png: Vec<u8>) -> Vec<u8> {
         png.splice(HEAD..HEAD, chunk);
     }
     png
+}
+
+#[cfg(test)]
+mod tests {
+    use super::png;
+
+    #[test]
+    fn letters_are_drawn_whatever_their_font() {
+        let drawn = |font: &str, text: &str| {
+            let svg = format!(
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 40 20\"><text y=\"15\" font-family=\"{font}\">{text}</text></svg>"
+            );
+            png(&svg, 1.0).unwrap()
+        };
+        for font in ["sans-serif", "serif", "monospace", "Arial", "none of these"] {
+            assert_ne!(drawn(font, "stop"), drawn(font, ""), "{font}");
+        }
+    }
 }
