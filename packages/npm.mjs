@@ -16,7 +16,7 @@ const PLATFORMS = ['linux-x64', 'linux-arm64', 'darwin-x64', 'darwin-arm64', 'wi
 const [what, staged, out] = process.argv.slice(2);
 const scratch = mkdtempSync(join(tmpdir(), 'ladder-npm-'));
 
-/** What packages/read-staged and packages/repository print. */
+/** What packages/read-staged and packages/project print. */
 function ask(script, ...options) {
     return execFileSync('bash', [`packages/${script}`, ...options], { cwd: ROOT, encoding: 'utf8' }).trim();
 }
@@ -28,11 +28,12 @@ function copy(from, to, filter = () => true) {
     }
 }
 
+const scope = ask('project', 'scope');
 const version = ask('read-staged', 'version', resolve(staged));
 const common = {
     version,
     license: 'MIT OR Apache-2.0',
-    repository: { type: 'git', url: `git+${ask('repository')}.git` },
+    repository: { type: 'git', url: `git+${ask('project', 'repository')}.git` },
 };
 const documents = join(staged, 'share/doc/ladder-logic');
 
@@ -46,7 +47,7 @@ function platform() {
     copy(documents, '.', (file) => file.startsWith('LICENSE'));
     const description = `The programs of ladder-logic for ${name}`;
     // `preferUnplugged`: a program cannot be started from inside a zip file.
-    return { name: `@ladder-logic/${name}`, description, ...common, os: [os], cpu: [cpu], preferUnplugged: true };
+    return { name: `${scope}/${name}`, description, ...common, os: [os], cpu: [cpu], preferUnplugged: true };
 }
 
 function launcher() {
@@ -65,7 +66,7 @@ function launcher() {
         bin: { ladder: 'bin/ladder.cjs', ldfmt: 'bin/ldfmt.cjs' },
         man: readdirSync(join(scratch, 'man')).map((file) => `man/${file}`),
         engines: { node: '>=18' },
-        optionalDependencies: Object.fromEntries(PLATFORMS.map((name) => [`@ladder-logic/${name}`, version])),
+        optionalDependencies: Object.fromEntries(PLATFORMS.map((name) => [`${scope}/${name}`, version])),
     };
 }
 

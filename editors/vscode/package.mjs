@@ -58,10 +58,9 @@ function checkVersion(program) {
 function vsce(...options) {
     const program = join(here, 'node_modules/@vscode/vsce/vsce');
     // Its page on the marketplace is at another place than its files.
-    const place = execFileSync(join(root, 'packages/repository'), { encoding: 'utf8' }).trim();
+    const place = execFileSync(join(root, 'packages/project'), ['repository'], { encoding: 'utf8' }).trim();
     const links = ['--baseContentUrl', `${place}/blob/v${version}/editors/vscode`, '--baseImagesUrl', `${place}/raw/v${version}/editors/vscode`];
-    const quiet = ['--no-dependencies', '--allow-missing-repository'];
-    execFileSync(process.execPath, [program, 'package', ...quiet, ...links, ...options], { cwd: here, stdio: 'inherit' });
+    execFileSync(process.execPath, [program, 'package', '--no-dependencies', ...links, ...options], { cwd: here, stdio: 'inherit' });
 }
 
 const { values } = parseArgs({ options: { server: { type: 'string' }, target: { type: 'string' }, 'no-server': { type: 'boolean' }, out: { type: 'string' } } });

@@ -3,11 +3,14 @@
 const { spawn } = require('node:child_process');
 const { constants } = require('node:os');
 
+// Whose packages hold the programs.
+const SCOPE = '@ladder-logic';
+
 /** Where the program is; undefined if there is no package for this platform, or npm was told to leave it out. */
 function find(program) {
     const file = process.platform === 'win32' ? `${program}.exe` : program;
     try {
-        return require.resolve(`@ladder-logic/${process.platform}-${process.arch}/bin/${file}`);
+        return require.resolve(`${SCOPE}/${process.platform}-${process.arch}/bin/${file}`);
     } catch {
         return undefined;
     }
@@ -22,7 +25,7 @@ exports.start = function start(program) {
     const path = find(program);
     if (path === undefined) {
         fail(
-            `the package @ladder-logic/${process.platform}-${process.arch} is not installed. If it exists, install again without ` +
+            `the package ${SCOPE}/${process.platform}-${process.arch} is not installed. If it exists, install again without ` +
                 '`--omit=optional`; else build the programs with Rust: `cargo install ladder-cli`.',
         );
     }
