@@ -5,13 +5,14 @@
 //! Simulation --run--> before each scan: what was written  <--+
 //!            --scan                                           +-- Image (one lock) <--requests-- clients
 //!            --run--> after each scan: what there is to read --+
+//!                         the same with what devices read     <--- Devices (a lock for each) --requests--> devices
 //! ```
 //!
 //! - [`pace`] says when scans are due: at absolute times, so that lateness does not add up, and what was missed is counted and
 //!   never caught up. [`lateness`] counts how late they were.
 //! - [`real`] is the loop. It is a plain function on a thread of its own: an asynchronous runtime wakes up by a clock of 1 ms.
 //! - [`modbus`] serves tags as coils and registers. Its requests see the image of one scan, and what they write is given to the
-//!   program between two scans.
+//!   program between two scans. It also asks devices, whose inputs and outputs are the program's.
 //! - [`system`] is what the operating system is asked and told: to wake up in time, and that the program runs.
 //!
 //! Nothing in here builds for WebAssembly; nothing outside of `ladder run` uses it.

@@ -1,6 +1,6 @@
 //! A server next to a client that others wrote, and bytes that no client sends.
 
-use ladder_devices::modbus::{Hold, Image, Map, Places, Rules, serve};
+use ladder_devices::modbus::{Hold, Image, Map, Named, Places, Rules, serve};
 use ladder_simulator::{Options, Simulation};
 use std::io::{Read, Write};
 use std::net::{Ipv4Addr, SocketAddr, TcpStream};
@@ -24,12 +24,14 @@ impl Served {
         let analysis = ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(PUMP)), "pump");
         let program = analysis.program().unwrap().clone();
         let simulation = Simulation::new(program, Options::default()).unwrap();
-        let named = [("holding 10", "wanted"), ("holding 12", "got")];
+        let named = [("holding 10", "wanted"), ("holding 12", "got")].map(|(place, tag)| Named {
+            place: place.to_owned(),
+            tag: tag.to_owned(),
+            at: 0..0,
+        });
         let places = Places {
-            named: named
-                .map(|(place, tag)| (place.to_owned(), tag.to_owned()))
-                .to_vec(),
-            write: vec!["wanted".to_owned()],
+            named: named.to_vec(),
+            write: vec![("wanted".to_owned(), 0..0)],
             ..Places::default()
         };
         let image = Image::new(Map::new(&places, &simulation).unwrap(), Hold::Last, &simulation);

@@ -11,7 +11,11 @@ use std::fmt::Write;
 pub fn tables() -> [String; 2] {
     [
         table("in `ladder.toml`", SetBy::is_in_file, |section, setting| {
-            let (open, close) = if section.is_list { ("[[", "]]") } else { ("[", "]") };
+            let (open, close) = if section.list.is_some() {
+                ("[[", "]]")
+            } else {
+                ("[", "]")
+            };
             format!("`{open}{}{close}` `{}`", section.name, setting.key)
         }),
         table(
@@ -78,7 +82,7 @@ fn takes(setting: &Setting) -> String {
             "a number from 0 to 255 or a list of them, as `{}`",
             setting.example
         ),
-        Kind::Places => "a table `[serve.modbus.map]` of places and tags".to_owned(),
+        Kind::Places => format!("a table of places and tags, as `{}`", setting.example),
         Kind::Overrides => "tables `[[lint.overrides]]`, each with `files` and rules".to_owned(),
     }
 }
@@ -108,8 +112,8 @@ pub fn schema() -> String {
             "properties": keys,
             "additionalProperties": false
         });
-        if section.is_list {
-            table["required"] = json!(["name", "interval", "programs"]);
+        if let Some(required) = section.list {
+            table["required"] = json!(required);
             table = json!({ "type": "array", "description": section.about, "items": table });
         }
         match section.outer() {

@@ -66,8 +66,8 @@ pub use search::{
 };
 pub use settings::table;
 pub use settings::{
-    EditorSettings, Files, Levels, Lint, Plant, Project, Run, ServeModbus, SettingError, Settings,
-    SettingsError, Simulate, Task, Tree,
+    Device, EditorSettings, Files, Levels, Lint, Placed, Plant, Project, Run, ServeModbus, SettingError,
+    Settings, SettingsError, Simulate, Task, Tree,
 };
 pub use stamp::Stamp;
 pub use text::{decode, read, read_bytes};

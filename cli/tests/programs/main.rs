@@ -39,6 +39,7 @@ mod render;
 mod render_pdf;
 mod replacing;
 mod retain;
+mod run_devices;
 mod scenario_formats;
 mod scenario_properties;
 mod scenarios;

@@ -4,7 +4,7 @@
 use crate::harness::{Folder, MOTOR};
 use expect_test::expect;
 use std::io::{BufRead, BufReader, Read, Write};
-use std::net::TcpStream;
+use std::net::{SocketAddr, TcpStream};
 use std::process::{Child, ChildStderr, Stdio};
 use std::time::Duration;
 
@@ -15,13 +15,13 @@ const PUMP: &str = "VAR_INPUT\n    go : BOOL;\nEND_VAR\nVAR_OUTPUT\n    on AT %Q
 const SERVED: &str = "[simulate]\nretain = \"pump.retain\"\n\n[serve.modbus]\nlisten = \"127.0.0.1:0\"\nwrite = \"go\"\n\n[serve.modbus.map]\n\"coil 0\" = \"go\"\n\"holding 5\" = \"starts\"\n";
 
 /// A run that goes on.
-struct Running {
+pub(crate) struct Running {
     child: Child,
     stderr: BufReader<ChildStderr>,
 }
 
 impl Running {
-    fn new(folder: &Folder, arguments: &[&str]) -> Running {
+    pub(crate) fn new(folder: &Folder, arguments: &[&str]) -> Running {
         let mut command = folder.command(env!("CARGO_BIN_EXE_ladder"), arguments);
         let mut child = command.stderr(Stdio::piped()).spawn().unwrap();
         let stderr = BufReader::new(child.stderr.take().unwrap());
@@ -29,7 +29,7 @@ impl Running {
     }
 
     /// Reads until a line has these words.
-    fn line_with(&mut self, words: &str) -> String {
+    pub(crate) fn line_with(&mut self, words: &str) -> String {
         let mut line = String::new();
         while !line.contains(words) {
             line.clear();
@@ -41,18 +41,22 @@ impl Running {
         line
     }
 
-    fn modbus(&mut self) -> TcpStream {
+    /// Where it serves Modbus.
+    pub(crate) fn address(&mut self) -> SocketAddr {
         let line = self.line_with("Modbus is served on");
-        let address = line
-            .split(' ')
-            .find_map(|word| word.strip_suffix(':')?.parse::<std::net::SocketAddr>().ok());
-        let stream = TcpStream::connect(address.expect("an address")).unwrap();
+        let mut words = line.split(' ');
+        let address = words.find_map(|word| word.strip_suffix(':')?.parse().ok());
+        address.expect("an address")
+    }
+
+    pub(crate) fn modbus(&mut self) -> TcpStream {
+        let stream = TcpStream::connect(self.address()).unwrap();
         stream.set_read_timeout(Some(Duration::from_secs(30))).unwrap();
         stream
     }
 
     #[cfg(unix)]
-    fn signal(&self, name: &str) {
+    pub(crate) fn signal(&self, name: &str) {
         let id = self.child.id().to_string();
         let sent = std::process::Command::new("kill")
             .args([name, &id])
@@ -61,7 +65,7 @@ impl Running {
         assert!(sent.success());
     }
 
-    fn ended(mut self) -> (Option<i32>, String) {
+    pub(crate) fn ended(mut self) -> (Option<i32>, String) {
         let mut rest = String::new();
         self.stderr.read_to_string(&mut rest).unwrap();
         (self.child.wait().unwrap().code(), rest)
@@ -69,7 +73,7 @@ impl Running {
 }
 
 /// What the server answers to a request: the bytes after the header.
-fn asked(stream: &mut TcpStream, request: &[u8]) -> Vec<u8> {
+pub(crate) fn asked(stream: &mut TcpStream, request: &[u8]) -> Vec<u8> {
     let mut frame = vec![0, 1, 0, 0, 0, request.len() as u8 + 1, 1];
     frame.extend(request);
     stream.write_all(&frame).unwrap();
@@ -81,7 +85,7 @@ fn asked(stream: &mut TcpStream, request: &[u8]) -> Vec<u8> {
 }
 
 /// Asks until the answer is this one, as long as the slowest machine needs.
-fn becomes(stream: &mut TcpStream, request: &[u8], answer: &[u8]) {
+pub(crate) fn becomes(stream: &mut TcpStream, request: &[u8], answer: &[u8]) {
     let is_it = |stream: &mut TcpStream| {
         std::thread::sleep(Duration::from_millis(10));
         asked(stream, request) == answer
@@ -171,10 +175,9 @@ fn what_cannot_be_served_is_refused() {
     };
     expect!["error: there is nothing to serve on Modbus: no tag has a direct address such as %QX0.0, and [serve.modbus.map] in ladder.toml names none"].assert_eq(&refused(""));
     expect![[r#"
-        error: [serve.modbus] does not fit the program:
-          "holding": a place is a table and a number from 0, for example `holding 100`; the tables are coil, discrete, input and holding
-          "coil 3": on is there, too: BOOL takes 1 of them
-          "on": on is an output: the program writes it"#]].assert_eq(&refused("[serve.modbus]\nwrite = [\"on\", \"go\"]\n\n[serve.modbus.map]\n\"coil 3\" = \"go\"\n\"holding\" = \"starts\"\n"));
+        error: ladder.toml:2:10: on is an output: the program writes it
+        ladder.toml:5:1: on and go are both at coil 3
+        ladder.toml:6:1: a place is a table and a number from 0, for example `holding 100`; the tables are coil, discrete, input and holding"#]].assert_eq(&refused("[serve.modbus]\nwrite = [\"on\", \"go\"]\n\n[serve.modbus.map]\n\"coil 3\" = \"go\"\n\"holding\" = \"starts\"\n"));
     expect![[r#"
         error: ladder.toml:2:8: units are numbers from 0 to 255, for example [1, 255]
         ladder.toml:3:10: `localhost` is not an address with a port, for example "127.0.0.1:1502"
@@ -183,7 +186,7 @@ fn what_cannot_be_served_is_refused() {
     .assert_eq(&refused(
         "[serve.modbus]\nunit = 256\nlisten = \"localhost\"\nwords = \"bigg\"\nmaps = 1\n",
     ));
-    expect!["error: `allow` in [serve.modbus]: `192.168.1` is not a network; write an address and how many of its bits count, as in 192.168.1.0/24"].assert_eq(&refused("[serve.modbus]\nallow = \"192.168.1\"\n"));
+    expect!["error: ladder.toml:2:9: `192.168.1` is not a network; write an address and how many of its bits count, as in 192.168.1.0/24"].assert_eq(&refused("[serve.modbus]\nallow = \"192.168.1\"\n"));
 }
 
 #[test]

@@ -1,10 +1,11 @@
 //! Which tag is where.
 
-use super::place::{Place, Table};
+use super::place::{Place, Table, address_after};
 use super::registers::{Words, width};
 use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Scalar;
 use ladder_simulator::{Point, Simulation};
+use std::ops::Range;
 
 /// Which places the direct addresses of a program have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -23,17 +24,31 @@ pub struct Places {
     pub layout: Layout,
     /// The order of the words of a value.
     pub words: Words,
-    /// Places and the tags that are there: `holding 100` and `level`.
-    pub named: Vec<(String, String)>,
-    /// The tags that clients may write.
-    pub write: Vec<String>,
+    /// Places and the tags that are there.
+    pub named: Vec<Named>,
+    /// The tags that clients may write, each with where it is named.
+    pub write: Vec<(String, Range<usize>)>,
+    /// Where all of this is written.
+    pub at: Range<usize>,
 }
 
-/// Something about [`Places`] that cannot be.
+/// A place and the tag that is there: `holding 100` and `level`. Of a run of places, `discrete 0..7`, the tag is the first of
+/// as many addresses, or has as many elements.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Named {
+    /// The place, or a run of places.
+    pub place: String,
+    /// The tag.
+    pub tag: String,
+    /// Where that is written.
+    pub at: Range<usize>,
+}
+
+/// Something that was written and cannot be.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Wrong {
-    /// The place or tag that it is about, as it is written.
-    pub about: String,
+    /// Where it is written.
+    pub at: Range<usize>,
     /// What is wrong, and what to do.
     pub message: String,
 }
@@ -45,6 +60,8 @@ pub(super) struct Entry {
     pub(super) point: Point,
     /// How many bits or words it takes.
     pub(super) width: usize,
+    /// Where it is written; of what has its place by its address, where the map is.
+    pub(super) at: Range<usize>,
     /// Clients may write it.
     pub(super) may_be_written: bool,
 }
@@ -57,6 +74,20 @@ pub struct Map {
     pub(super) entries: Vec<Entry>,
 }
 
+#[cfg(test)]
+impl Named {
+    /// Places and tags, written at 1, 2, 3.
+    pub(super) fn list(list: &[(&str, &str)]) -> Vec<Named> {
+        let numbered = (1..).zip(list);
+        let named = numbered.map(|(at, (place, tag))| Named {
+            place: (*place).to_owned(),
+            tag: (*tag).to_owned(),
+            at: at..at,
+        });
+        named.collect()
+    }
+}
+
 impl Map {
     /// Finds the tags of a program.
     ///
@@ -65,31 +96,24 @@ impl Map {
     pub fn new(places: &Places, simulation: &Simulation) -> Result<Map, Vec<Wrong>> {
         let mut wrong = Vec::new();
         let mut entries = by_address(places, simulation);
-        for (place, tag) in &places.named {
-            match at(place, tag, simulation) {
+        for named in &places.named {
+            match at(named, simulation) {
                 Ok(found) => {
                     // A place by name is instead of the one that the address has.
-                    let is_moved = |entry: &Entry| found.iter().any(|(_, point, _)| *point == entry.point);
-                    entries.retain(|entry| !is_moved(entry));
-                    entries.extend(found.into_iter().map(|(place, point, width)| Entry {
-                        place,
-                        point,
-                        width,
-                        may_be_written: false,
-                    }));
+                    entries.retain(|entry| found.iter().all(|other| other.point != entry.point));
+                    entries.extend(found);
                 }
                 Err(message) => wrong.push(Wrong {
-                    about: place.clone(),
+                    at: named.at.clone(),
                     message,
                 }),
             }
         }
-        entries.sort_by_key(|entry| entry.place);
-        wrong.extend(overlaps(&entries));
-        for tag in &places.write {
+        wrong.extend(in_order(&mut entries));
+        for (tag, at) in &places.write {
             if let Err(message) = allow(tag, &mut entries, simulation) {
                 wrong.push(Wrong {
-                    about: tag.clone(),
+                    at: at.clone(),
                     message,
                 });
             }
@@ -143,6 +167,7 @@ fn by_address(places: &Places, simulation: &Simulation) -> Vec<Entry> {
                 place,
                 point,
                 width,
+                at: places.at.clone(),
                 may_be_written: false,
             });
         }
@@ -150,59 +175,125 @@ fn by_address(places: &Places, simulation: &Simulation) -> Vec<Entry> {
     entries
 }
 
-/// What a line of the map says: the values, one after the other, from the place on.
-fn at(place: &str, tag: &str, simulation: &Simulation) -> Result<Vec<(Place, Point, usize)>, String> {
-    let first = Place::parse(place)?;
+/// What a line of a map says: the values, one after the other, from the place on.
+pub(super) fn at(named: &Named, simulation: &Simulation) -> Result<Vec<Entry>, String> {
+    let (first, last) = Place::parse_run(&named.place)?;
+    let tag = named.tag.trim();
+    if let Some(last) = last.filter(|_| tag.starts_with('%')) {
+        return addresses(first, last, tag, named, simulation);
+    }
     let points = simulation
         .resolve_all(tag)
         .map_err(|unknown| unknown.to_string())?;
     let mut found = Vec::new();
     let mut number = usize::from(first.number);
     for point in points {
-        let Some(width) = width_in(first.table, point.ty) else {
-            let kind = if first.table.is_of_bits() {
-                "bits"
-            } else {
-                "numbers"
-            };
-            return Err(format!(
-                "{} is {}, and there are only {kind} in the table `{}`",
-                point.name,
-                point.ty,
-                first.table.name()
-            ));
-        };
-        let at = u16::try_from(number + width - 1)
-            .ok()
-            .and(u16::try_from(number).ok());
-        let Some(at) = at else {
-            return Err(format!(
-                "{} is beyond 65535, the last place of a table",
-                point.name
-            ));
-        };
-        found.push((Place { number: at, ..first }, point, width));
-        number += width;
+        let entry = entry(first.table, number, point, named)?;
+        number += entry.width;
+        found.push(entry);
+    }
+    if let Some(last) = last
+        && number != usize::from(last) + 1
+    {
+        return Err(format!(
+            "{tag} takes {} places, and {} is another number of them",
+            number - usize::from(first.number),
+            named.place
+        ));
     }
     Ok(found)
 }
 
-fn overlaps(entries: &[Entry]) -> Vec<Wrong> {
+/// A run of places and as many addresses, from one on. The program need not have all of them.
+fn addresses(
+    first: Place,
+    last: u16,
+    tag: &str,
+    named: &Named,
+    simulation: &Simulation,
+) -> Result<Vec<Entry>, String> {
+    let mut found = Vec::new();
+    let mut address = Some(tag.to_ascii_uppercase());
+    let mut number = usize::from(first.number);
+    while let Some(own) = address.filter(|_| number <= usize::from(last)) {
+        let widest = match own.as_bytes().get(2) {
+            Some(b'D') => 2,
+            Some(b'L') => 4,
+            _ => 1,
+        };
+        if let Ok(point) = simulation.resolve(&own) {
+            found.push(entry(first.table, number, point, named)?);
+        }
+        number += widest;
+        address = address_after(&own);
+    }
+    if found.is_empty() {
+        return Err(format!("the program has none of the addresses from {tag} on"));
+    }
+    Ok(found)
+}
+
+fn entry(table: Table, number: usize, point: Point, named: &Named) -> Result<Entry, String> {
+    let (name, ty) = (&point.name, point.ty);
+    let Some(width) = width_in(table, ty) else {
+        let kind = if table.is_of_bits() { "bits" } else { "numbers" };
+        let table = table.name();
+        return Err(format!(
+            "{name} is {ty}, and there are only {kind} in the table `{table}`"
+        ));
+    };
+    let last = u16::try_from(number + width - 1);
+    let (Ok(number), Ok(_)) = (u16::try_from(number), last) else {
+        return Err(format!("{name} is beyond 65535, the last place of a table"));
+    };
+    Ok(Entry {
+        place: Place { table, number },
+        point,
+        width,
+        at: named.at.clone(),
+        may_be_written: false,
+    })
+}
+
+/// Puts entries in the order of their places. No two may be at one.
+pub(super) fn in_order(entries: &mut [Entry]) -> Vec<Wrong> {
+    entries.sort_by_key(|entry| entry.place);
     let mut wrong = Vec::new();
     for pair in entries.windows(2) {
         let [one, other] = pair else { continue };
         let end = usize::from(one.place.number) + one.width;
         if one.place.table == other.place.table && end > usize::from(other.place.number) {
+            let (both, ty) = (
+                format!("{} and {}", one.point.name, other.point.name),
+                one.point.ty,
+            );
+            let room = match one.width {
+                1 => String::new(),
+                width => format!(": {ty} takes {width} places"),
+            };
             wrong.push(Wrong {
-                about: other.place.to_string(),
-                message: format!(
-                    "{} is there, too: {} takes {} of them",
-                    one.point.name, one.point.ty, one.width
-                ),
+                // One of the two may have its place by its address.
+                at: if one.at.start > other.at.start {
+                    one.at.clone()
+                } else {
+                    other.at.clone()
+                },
+                message: format!("{both} are both at {}{room}", other.place),
             });
         }
     }
     wrong
+}
+
+/// Whether a tag may be written from outside.
+pub(super) fn may_be_given(point: &Point) -> Result<(), String> {
+    if point.read_only {
+        return Err(format!("{} is never written", point.name));
+    }
+    if point.role == Role::Output {
+        return Err(format!("{} is an output: the program writes it", point.name));
+    }
+    Ok(())
 }
 
 /// Lets clients write a tag.
@@ -211,12 +302,7 @@ fn allow(tag: &str, entries: &mut [Entry], simulation: &Simulation) -> Result<()
         .resolve_all(tag)
         .map_err(|unknown| unknown.to_string())?
     {
-        if point.read_only {
-            return Err(format!("{} is never written", point.name));
-        }
-        if point.role == Role::Output {
-            return Err(format!("{} is an output: the program writes it", point.name));
-        }
+        may_be_given(&point)?;
         let entry = entries.iter_mut().find(|entry| entry.point == point);
         let Some(entry) = entry else {
             return Err(format!(
@@ -250,11 +336,8 @@ mod tests {
     fn places(layout: Layout, named: &[(&str, &str)], write: &[&str]) -> Places {
         Places {
             layout,
-            named: named
-                .iter()
-                .map(|(place, tag)| ((*place).to_owned(), (*tag).to_owned()))
-                .collect(),
-            write: write.iter().map(|tag| (*tag).to_owned()).collect(),
+            named: Named::list(named),
+            write: write.iter().map(|tag| ((*tag).to_owned(), 0..0)).collect(),
             ..Places::default()
         }
     }
@@ -270,7 +353,7 @@ mod tests {
                 .collect(),
             Err(wrong) => wrong
                 .iter()
-                .map(|wrong| format!("{}: {}", wrong.about, wrong.message))
+                .map(|wrong| format!("{}: {}", wrong.at.start, wrong.message))
                 .collect(),
         };
         expected.assert_eq(&(shown.join("\n") + "\n"));
@@ -319,17 +402,17 @@ mod tests {
         check(
             &places(Layout::OpenPlc, &named, &["start", "run", "k", "rows[1]", "none"]),
             expect![[r#"
-            holding 5: there is no tag `nothing` in this program
-            holding 65535: rows[1] is beyond 65535, the last place of a table
-            coil 3: wanted is INT, and there are only bits in the table `coil`
-            register 5: a place is a table and a number from 0, for example `holding 100`; the tables are coil, discrete, input and holding
-            holding 2049: level is there, too: REAL takes 2 of them
-            start: start is at discrete 0, which clients only read; give it another place, or set layout = "factory-io"
-            run: run is an output: the program writes it
-            k: k is never written
-            rows[1]: rows[1] has no place; give it one in [serve.modbus.map], for example "holding 100" = "rows[1]"
-            none: there is no tag `none` in this program
-        "#]],
+                1: there is no tag `nothing` in this program
+                2: rows[1] is beyond 65535, the last place of a table
+                3: wanted is INT, and there are only bits in the table `coil`
+                5: a place is a table and a number from 0, for example `holding 100`; the tables are coil, discrete, input and holding
+                4: level and wanted are both at holding 2049: REAL takes 2 places
+                0: start is at discrete 0, which clients only read; give it another place, or set layout = "factory-io"
+                0: run is an output: the program writes it
+                0: k is never written
+                0: rows[1] has no place; give it one in [serve.modbus.map], for example "holding 100" = "rows[1]"
+                0: there is no tag `none` in this program
+            "#]],
         );
     }
 }

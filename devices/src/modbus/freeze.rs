@@ -41,17 +41,14 @@ pub fn freeze(map: &Map, simulation: &Simulation) -> Vec<(Place, Point)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::modbus::Places;
+    use crate::modbus::{Named, Places};
     use crate::tests::simulation;
     use expect_test::expect;
 
     fn frozen(text: &str, named: &[(&str, &str)]) -> Vec<String> {
         let simulation = simulation(text, 10_000_000);
-        let named = named
-            .iter()
-            .map(|(place, tag)| ((*place).to_owned(), (*tag).to_owned()));
         let places = Places {
-            named: named.collect(),
+            named: Named::list(named),
             ..Places::default()
         };
         let map = Map::new(&places, &simulation).unwrap();

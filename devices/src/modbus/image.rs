@@ -55,11 +55,6 @@ struct Area {
     entries: Vec<Option<usize>>,
 }
 
-/// So many bits, or words, are read with one request.
-const MOST_READ: [usize; 2] = [2000, 125];
-/// So many are written with one.
-const MOST_WRITTEN: [usize; 2] = [1968, 123];
-
 impl Image {
     /// The image of a program before its first scan.
     pub fn new(map: Map, hold: Hold, simulation: &Simulation) -> Image {
@@ -127,7 +122,7 @@ impl Image {
         let mut inner = self.lock();
         inner.heard = Some(now);
         let count = usize::from(count);
-        if count == 0 || count > MOST_READ[usize::from(!table.is_of_bits())] {
+        if count == 0 || count > table.most_read() {
             return Err(Refused::Value);
         }
         let area = &inner.tables[table as usize];
@@ -147,7 +142,7 @@ impl Image {
         let mut inner = self.lock();
         let inner = &mut *inner;
         inner.heard = Some(now);
-        if values.is_empty() || values.len() > MOST_WRITTEN[usize::from(!table.is_of_bits())] {
+        if values.is_empty() || values.len() > table.most_written() {
             return Err(Refused::Value);
         }
         let area = &inner.tables[table as usize];
@@ -229,7 +224,7 @@ impl Area {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::modbus::bind::{Layout, Places};
+    use crate::modbus::bind::{Layout, Named, Places};
     use crate::tests::simulation;
 
     const MIXER: &str = "VAR_INPUT\n    go : BOOL;\n    wanted : DINT := 70000;\n    percent : USINT;\nEND_VAR\nVAR_OUTPUT\n    on AT %QX0.0 : BOOL;\n    got : DINT;\nEND_VAR\n\
@@ -245,11 +240,10 @@ mod tests {
         ];
         let places = Places {
             layout: Layout::OpenPlc,
-            named: named
-                .iter()
-                .map(|(place, tag)| ((*place).to_owned(), (*tag).to_owned()))
-                .collect(),
-            write: vec!["go".to_owned(), "wanted".to_owned(), "percent".to_owned()],
+            named: Named::list(&named),
+            write: ["go", "wanted", "percent"]
+                .map(|tag| (tag.to_owned(), 0..0))
+                .to_vec(),
             ..Places::default()
         };
         let map = Map::new(&places, &simulation).unwrap();

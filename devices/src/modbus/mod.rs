@@ -2,18 +2,21 @@
 //!
 //! ```text
 //! [serve.modbus] --Places--> Map (which tag is where, what may be written) --Image (values of one scan)--> Server
+//! [[device]] --Device--> Wired (which tag is where) --Devices (one task each)--> other servers
 //! ```
 //!
 //! Numbers of places are those of the protocol, from 0. Functions 1 to 6, 15 and 16 are served, and nothing else.
 
 mod bind;
+mod device;
 mod freeze;
 mod image;
 mod place;
 mod registers;
 mod server;
 
-pub use bind::{Layout, Map, Places, Wrong};
+pub use bind::{Layout, Map, Named, Places, Wrong};
+pub use device::{Device, Devices, Wired, bind};
 pub use freeze::freeze;
 pub use image::{Hold, Image, Refused, TIMEOUT};
 pub use place::{Place, Table};

@@ -34,6 +34,16 @@ impl Table {
         matches!(self, Table::Coil | Table::Discrete)
     }
 
+    /// So many bits, or words, are read with one request.
+    pub(super) fn most_read(self) -> usize {
+        if self.is_of_bits() { 2000 } else { 125 }
+    }
+
+    /// So many are written with one.
+    pub(super) fn most_written(self) -> usize {
+        if self.is_of_bits() { 1968 } else { 123 }
+    }
+
     /// Whether clients may write to it at all.
     pub fn is_written(self) -> bool {
         matches!(self, Table::Coil | Table::Holding)
@@ -64,6 +74,22 @@ impl Place {
         let number =
             parsed.map_err(|_| format!("{number} is not a number of a place: they are from 0 to 65535"))?;
         Ok(Place { table, number })
+    }
+
+    /// Reads `holding 100`, or a run of places: `discrete 0..7`, the last of which comes second.
+    ///
+    /// # Errors
+    /// It is neither, with what to write.
+    pub(super) fn parse_run(text: &str) -> Result<(Place, Option<u16>), String> {
+        let Some((first, last)) = text.split_once("..") else {
+            return Ok((Place::parse(text)?, None));
+        };
+        let first = Place::parse(first)?;
+        let last = Place::parse(&format!("{} {}", first.table.name(), last.trim()))?.number;
+        if last < first.number {
+            return Err(format!("{text} has no places: write the smaller number first"));
+        }
+        Ok((first, Some(last)))
     }
 
     /// Where a direct address is, as `OpenPLC` has it: `%QX1.2` is coil 10. None: it has no place there.
@@ -126,6 +152,17 @@ impl Place {
     }
 }
 
+/// The direct address after one: `%IX11.0` after `%IX10.7`. None: it is not an address, or the last one.
+pub(super) fn address_after(address: &str) -> Option<String> {
+    let digits = address.rfind(|letter: char| !letter.is_ascii_digit())? + 1;
+    let (before, last) = address.split_at(digits);
+    let last: u32 = last.parse().ok()?;
+    match before.strip_suffix('.') {
+        Some(byte) if last == 7 => Some(format!("{}.0", address_after(byte)?)),
+        _ => Some(format!("{before}{}", last.checked_add(1)?)),
+    }
+}
+
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} {}", self.table.name(), self.number)
@@ -153,6 +190,28 @@ mod tests {
             "holding 4x",
         ] {
             assert!(read(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn places_are_written_as_runs() {
+        let read = |text: &str| Place::parse_run(text).map(|(place, last)| (place.to_string(), last));
+        assert_eq!(read("discrete 0..7"), Ok(("discrete 0".to_owned(), Some(7))));
+        assert_eq!(read("holding 5 .. 5"), Ok(("holding 5".to_owned(), Some(5))));
+        assert_eq!(read("holding 5"), Ok(("holding 5".to_owned(), None)));
+        for wrong in ["holding 7..5", "holding ..5", "holding 5..", "holding 0..65536"] {
+            assert!(read(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn addresses_follow_one_another() {
+        let after = |address: &str| address_after(address);
+        assert_eq!(after("%IX10.6").as_deref(), Some("%IX10.7"));
+        assert_eq!(after("%IX10.7").as_deref(), Some("%IX11.0"));
+        assert_eq!(after("%QW9").as_deref(), Some("%QW10"));
+        for none in ["%QW4294967295", "%QW", "level", ""] {
+            assert_eq!(after(none), None, "{none}");
         }
     }
 

@@ -59,6 +59,7 @@ fn the_defaults_are_those_of_the_code() {
     let nothing = Settings::default();
     let editor = EditorSettings::default();
     let served = modbus::Rules::default();
+    let device = modbus::Device::new("rio", "192.168.1.20:502");
     let engine = nothing
         .simulate
         .options(&ladder_analysis::program::Program::default(), Path::new("a.clad"));
@@ -76,17 +77,24 @@ fn the_defaults_are_those_of_the_code() {
                 ("serve.modbus", "layout") if Layout::default() == Layout::OpenPlc => {
                     Some("\"openplc\"".to_owned())
                 }
-                ("serve.modbus", "words") if Words::default() == Words::Big => Some("\"big\"".to_owned()),
+                ("serve.modbus" | "device", "words") if Words::default() == Words::Big => {
+                    Some("\"big\"".to_owned())
+                }
                 ("serve.modbus", "hold") if Hold::default() == Hold::Last => Some("\"last\"".to_owned()),
                 ("serve.modbus", "timeout") => Some(format!("\"{:?}\"", modbus::TIMEOUT)),
                 ("serve.modbus", "connections") => Some(served.connections.to_string()),
                 ("serve.modbus", "idle") => Some(format!("\"{:?}\"", served.idle)),
+                ("device", "unit") => Some(device.unit.to_string()),
+                ("device", "poll") => Some(format!("\"{:?}\"", device.poll)),
+                ("device", "timeout") => Some(format!("\"{:?}\"", device.timeout)),
+                ("device", "repeat") => Some(format!("\"{:?}\"", device.repeat)),
+                ("device", "gap") => Some(device.gap.to_string()),
                 ("task", "priority") => Some("0".to_owned()),
                 ("simulate", "history" | "retain" | "plant" | "connect")
                 | ("lint", "overrides")
                 | ("run", "watchdog")
                 | ("serve.modbus", "write" | "allow" | "map")
-                | ("task" | "workspace" | "project", _) => None,
+                | ("task" | "device" | "workspace" | "project", _) => None,
                 other => panic!("compare the default of {other:?} with the code"),
             };
             assert_eq!(setting.default.map(str::to_owned), found, "{}", setting.key);
@@ -104,11 +112,11 @@ fn every_setting_is_read() {
                 let others = section
                     .settings
                     .iter()
-                    .filter(|it| section.is_list && it.key != setting.key);
+                    .filter(|it| section.list.is_some() && it.key != setting.key);
                 let others: Vec<String> = others
                     .map(|it| format!("{} = {}\n", it.key, it.example))
                     .collect();
-                let heading = if section.is_list {
+                let heading = if section.list.is_some() {
                     format!("[[{}]]", section.name)
                 } else {
                     format!("[{}]", section.name)

@@ -2,6 +2,7 @@
 //!
 //! Every key may be left out. What the command line gives wins over what is here.
 
+mod device;
 mod editor;
 mod error;
 mod files;
@@ -16,6 +17,7 @@ mod switch_off;
 pub mod table;
 mod tasks;
 
+pub use device::{Device, Placed};
 pub use editor::EditorSettings;
 pub use error::{SettingError, SettingsError};
 pub use files::Files;
@@ -37,7 +39,7 @@ use ladder_syntax::{LineIndex, TextRange, TextSize};
 use reader::{Reader, Source, Table};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use table::{FORMAT, LINT, MODBUS, PROJECT, RUN, SIMULATE, TASK, WORKSPACE};
+use table::{DEVICE, FORMAT, LINT, MODBUS, PROJECT, RUN, SIMULATE, TASK, WORKSPACE};
 use toml::de::DeTable;
 
 /// What a workspace asks for.
@@ -53,6 +55,8 @@ pub struct Settings {
     pub run: Run,
     /// `[serve.modbus]`: what a Modbus server shows of them; none if there is to be none.
     pub modbus: Option<ServeModbus>,
+    /// `[[device]]`: what is at the other end of a network.
+    pub devices: Vec<Device>,
     /// `[workspace]`: which files belong to it.
     pub files: Files,
     /// `[project]`: what the project is.
@@ -147,6 +151,20 @@ impl Settings {
         })
     }
 
+    /// What only shows next to a program, of the settings file that holds for it: each with its place in that.
+    ///
+    /// None if no settings file does.
+    pub fn found_wrong(program: &Path, found: Vec<(Range<usize>, String)>) -> Option<SettingsError> {
+        let file = Root::of(program).ok()?.settings_file()?;
+        Some(match Settings::own_text(&file) {
+            Ok(text) => SettingsError::Content {
+                errors: errors(&text, found),
+                file,
+            },
+            Err(error) => SettingsError::File(error),
+        })
+    }
+
     /// As [`Settings::parse`], for those who go on with what is right in it: an editor, whose text is half written
     /// most of the time.
     pub fn examine(file: &Path, text: &str) -> (Settings, Vec<SettingError>) {
@@ -192,6 +210,8 @@ impl Settings {
         if let Some(table) = reader.section(top, &MODBUS) {
             settings.modbus = Some(serve::read_modbus(table, reader));
         }
+        let devices = reader.sections(top, &DEVICE);
+        settings.devices = device::read(devices, reader);
         if let Some(table) = reader.section(top, &WORKSPACE) {
             settings.files = files::read(table, folder, reader);
         }

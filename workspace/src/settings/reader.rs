@@ -138,6 +138,17 @@ impl Reader {
         }
     }
 
+    /// Reports the first of the settings that is not there and must be.
+    pub(super) fn needs(&mut self, table: &Table, section: &Section) {
+        let keys = section.list.unwrap_or_default();
+        let mut settings = section.settings.iter();
+        let lacks = settings.find(|it| keys.contains(&it.key) && !table.has(it.key));
+        if let Some(Setting { key, example, .. }) = lacks {
+            let message = format!("a {} has `{key}`, for example {key} = {example}", section.name);
+            self.wrong(table.range(), message);
+        }
+    }
+
     /// The value of a setting, if it is there and may be set in this source.
     pub(super) fn take(&self, table: &mut Table, setting: &Setting) -> Option<Given> {
         if self.source.allows(setting.place) {

@@ -2,12 +2,14 @@
 //!
 //! What is here is as it was written; `ladder run` knows what places and networks are.
 
+use super::device::{Placed, places};
 use super::given::Value;
 use super::reader::{Reader, Table};
 use super::table::{
     ALLOW, HOLD, IDLE, LAYOUT, LISTEN, LONGEST_SCAN, MAP, MOST_CONNECTIONS, TIMEOUT, UNIT, WORDS, WRITE,
 };
 use std::net::SocketAddr;
+use std::ops::Range;
 
 /// `[run]`: how programs run in real time.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -27,20 +29,22 @@ pub struct ServeModbus {
     pub layout: Option<&'static str>,
     /// `"big"` or `"little"`.
     pub words: Option<&'static str>,
-    /// The tags that may be written.
-    pub write: Vec<String>,
+    /// The tags that may be written, and where they are named.
+    pub write: Vec<(String, Range<usize>)>,
     /// `"last"` or `"initial"`.
     pub hold: Option<&'static str>,
     /// After how long without a request inputs are no longer held, in nanoseconds.
     pub timeout: Option<i64>,
     /// The networks from which connections are taken.
-    pub allow: Vec<String>,
+    pub allow: Vec<(String, Range<usize>)>,
     /// How many connections there are at most.
     pub connections: Option<usize>,
     /// After how long without a request a connection is closed, in nanoseconds.
     pub idle: Option<i64>,
     /// Places and their tags: `holding 100` and `level`.
-    pub map: Vec<(String, String)>,
+    pub map: Vec<Placed>,
+    /// The whole.
+    pub range: Range<usize>,
 }
 
 pub(super) fn read_run(mut table: Table, reader: &mut Reader) -> Run {
@@ -55,14 +59,12 @@ pub(super) fn read_modbus(mut table: Table, reader: &mut Reader) -> ServeModbus 
     let mut texts = |table: &mut Table, setting| {
         let given = reader.take(table, setting);
         let texts = given.map(|given| reader.text_or_texts(&given, setting.example));
-        texts
-            .unwrap_or_default()
-            .into_iter()
-            .map(|(_, text)| text)
-            .collect()
+        let texts = texts.unwrap_or_default().into_iter();
+        texts.map(|(range, text)| (text, range)).collect()
     };
     let (write, allow) = (texts(&mut table, &WRITE), texts(&mut table, &ALLOW));
     let serve = ServeModbus {
+        range: table.range(),
         listen: listen(&mut table, reader),
         units: units(&mut table, reader),
         layout: reader.choice(&mut table, &LAYOUT),
@@ -75,7 +77,7 @@ pub(super) fn read_modbus(mut table: Table, reader: &mut Reader) -> ServeModbus 
             .whole(&mut table, &MOST_CONNECTIONS)
             .and_then(|most| usize::try_from(most).ok()),
         idle: reader.duration(&mut table, &IDLE),
-        map: map(&mut table, reader),
+        map: places(&mut table, &MAP, reader),
     };
     table.finish(reader);
     serve
@@ -115,22 +117,4 @@ fn units(table: &mut Table, reader: &mut Reader) -> Option<Vec<u8>> {
         reader.wrong(range, message);
     }
     units
-}
-
-fn map(table: &mut Table, reader: &mut Reader) -> Vec<(String, String)> {
-    let Some(given) = reader.take(table, &MAP) else {
-        return Vec::new();
-    };
-    let Value::Table(entries) = given.value else {
-        reader.wrong(
-            given.range,
-            "`map` is a table: write [serve.modbus.map] on a line of its own",
-        );
-        return Vec::new();
-    };
-    let tag = |reader: &mut Reader, entry: &super::given::Entry| reader.text(&entry.given, "\"level\"");
-    entries
-        .iter()
-        .filter_map(|entry| Some((entry.key.clone(), tag(reader, entry)?)))
-        .collect()
 }

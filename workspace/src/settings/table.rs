@@ -9,8 +9,8 @@
 pub struct Section {
     /// Its name.
     pub name: &'static str,
-    /// Whether it may be there several times: `[[task]]`.
-    pub is_list: bool,
+    /// Of one that may be there several times, `[[task]]`, the keys that each must have.
+    pub list: Option<&'static [&'static str]>,
     /// What it is for, in Markdown.
     pub about: &'static str,
     /// Its settings. Those of [`LINT`] come on top of the rules, each of which is a setting too.
@@ -348,7 +348,7 @@ pub(super) const MAP: Setting = Setting {
 /// How programs run in real time.
 pub(super) const RUN: Section = Section {
     name: "run",
-    is_list: false,
+    list: None,
     about: "How `ladder run` runs programs.",
     settings: &[LONGEST_SCAN],
 };
@@ -356,7 +356,7 @@ pub(super) const RUN: Section = Section {
 /// What a Modbus server shows.
 pub(super) const MODBUS: Section = Section {
     name: "serve.modbus",
-    is_list: false,
+    list: None,
     about: "Tags as coils and registers of a Modbus TCP server, while `ladder run` runs a program.",
     settings: &[
         LISTEN,
@@ -376,7 +376,7 @@ pub(super) const MODBUS: Section = Section {
 /// How diagrams are laid out.
 pub(super) const FORMAT: Section = Section {
     name: "format",
-    is_list: false,
+    list: None,
     about: "How diagrams are laid out.",
     settings: &[WIDTH, SPACING],
 };
@@ -384,7 +384,7 @@ pub(super) const FORMAT: Section = Section {
 /// How much the findings of rules matter.
 pub const LINT: Section = Section {
     name: "lint",
-    is_list: false,
+    list: None,
     about: "How much the findings of a rule matter: `error`, `warn`, `info` or `off`; or a table with `level` and the `reason` for it.",
     settings: &[OVERRIDES],
 };
@@ -392,7 +392,7 @@ pub const LINT: Section = Section {
 /// How programs are run.
 pub(super) const SIMULATE: Section = Section {
     name: "simulate",
-    is_list: false,
+    list: None,
     about: "How programs are run.",
     settings: &[INTERVAL, WATCHDOG, HISTORY, RETAIN, PLANT, CONNECT],
 };
@@ -436,9 +436,134 @@ pub(super) const PROGRAMS: Setting = Setting {
 /// Which programs run, and how often.
 pub(super) const TASK: Section = Section {
     name: "task",
-    is_list: true,
+    list: Some(&["name", "interval", "programs"]),
     about: "Which programs the project runs, and how often: `ladder sim ladder.toml` runs them all, on the tags that they share.",
     settings: &[TASK_NAME, TASK_INTERVAL, PRIORITY, PROGRAMS],
+};
+
+pub(super) const DEVICE_NAME: Setting = Setting {
+    key: "name",
+    kind: Kind::Text,
+    place: SetBy::File,
+    default: None,
+    example: "\"rio\"",
+    about: "What the device is called in messages.",
+};
+
+pub(super) const AT_MODBUS: Setting = Setting {
+    key: "modbus",
+    kind: Kind::Text,
+    place: SetBy::File,
+    default: None,
+    example: "\"192.168.1.20:502\"",
+    about: "Where it is: a name or an address, and the port, which is 502 for most.",
+};
+
+pub(super) const DEVICE_UNIT: Setting = Setting {
+    key: "unit",
+    kind: Kind::Whole { least: 0, most: 255 },
+    place: SetBy::File,
+    default: Some("1"),
+    example: "1",
+    about: "Which unit answers there; what is wired to a gateway has numbers of its own.",
+};
+
+pub(super) const OK: Setting = Setting {
+    key: "ok",
+    kind: Kind::Text,
+    place: SetBy::File,
+    default: None,
+    example: "\"rio_ok\"",
+    about: "A BOOL of the program that is high while the device answers.",
+};
+
+pub(super) const AGE: Setting = Setting {
+    key: "age",
+    kind: Kind::Text,
+    place: SetBy::File,
+    default: None,
+    example: "\"rio_age\"",
+    about: "A TIME of the program: how long ago the device answered last.",
+};
+
+pub(super) const DEVICE_WORDS: Setting = Setting {
+    about: "Which word of a value comes first that has several.",
+    ..WORDS
+};
+
+pub(super) const POLL: Setting = Setting {
+    key: "poll",
+    kind: Kind::Duration,
+    place: SetBy::File,
+    default: Some("\"100ms\""),
+    example: "\"20ms\"",
+    about: "The time from one exchange to the next.",
+};
+
+pub(super) const PATIENCE: Setting = Setting {
+    key: "timeout",
+    kind: Kind::Duration,
+    place: SetBy::File,
+    default: Some("\"1s\""),
+    example: "\"300ms\"",
+    about: "How long an answer may take. After that the connection is made again.",
+};
+
+pub(super) const REPEAT: Setting = Setting {
+    key: "repeat",
+    kind: Kind::Duration,
+    place: SetBy::File,
+    default: Some("\"500ms\""),
+    example: "\"500ms\"",
+    about: "Outputs are written when they change, and after so long even if they have not.",
+};
+
+pub(super) const GAP: Setting = Setting {
+    key: "gap",
+    kind: Kind::Whole { least: 0, most: 125 },
+    place: SetBy::File,
+    default: Some("8"),
+    example: "0",
+    about: "How many places between two that are named are read along, to need fewer requests. 0 for a device that refuses places that it has not.",
+};
+
+pub(super) const READ: Setting = Setting {
+    key: "read",
+    kind: Kind::Places,
+    place: SetBy::File,
+    default: None,
+    example: "{ \"discrete 0..7\" = \"%IX10.0\", \"input 0\" = \"level\" }",
+    about: "Places of the device and the tags that they are read into. `\"discrete 0..7\" = \"%IX10.0\"` are eight addresses one after the other, of which the program has those that it uses; an array takes as many places as it has elements.",
+};
+
+pub(super) const WRITTEN: Setting = Setting {
+    key: "write",
+    kind: Kind::Places,
+    place: SetBy::File,
+    default: None,
+    example: "{ \"coil 0..7\" = \"%QX10.0\", \"holding 4\" = \"speed\" }",
+    about: "Places of the device and the tags that are written to them: coils and holding registers.",
+};
+
+/// What is wired to inputs and outputs of the program.
+pub(super) const DEVICE: Section = Section {
+    name: "device",
+    list: Some(&["name", "modbus"]),
+    about: "A Modbus TCP device whose inputs and outputs are the program's, while `ladder run` runs it.",
+    settings: &[
+        DEVICE_NAME,
+        AT_MODBUS,
+        DEVICE_UNIT,
+        OK,
+        AGE,
+        DEVICE_WORDS,
+        POLL,
+        PATIENCE,
+        REPEAT,
+        GAP,
+        READ,
+        WRITTEN,
+    ],
 };
 
 pub(super) const NAME: Setting = Setting {
@@ -462,7 +587,7 @@ pub(super) const VERSION: Setting = Setting {
 /// What the project is.
 pub(super) const PROJECT: Section = Section {
     name: "project",
-    is_list: false,
+    list: None,
     about: "What the project is, for the title block of `ladder render -o x.pdf`.",
     settings: &[NAME, VERSION],
 };
@@ -470,7 +595,7 @@ pub(super) const PROJECT: Section = Section {
 /// Which programs belong to the workspace.
 pub(super) const WORKSPACE: Section = Section {
     name: "workspace",
-    is_list: false,
+    list: None,
     about: "Which programs belong to the workspace. Patterns are those of `.gitignore`, seen from the folder of `ladder.toml`.",
     settings: &[INCLUDE, EXCLUDE, LIBRARY],
 };
@@ -483,23 +608,24 @@ pub const SECTIONS: &[Section] = &[
     TASK,
     RUN,
     MODBUS,
+    DEVICE,
     WORKSPACE,
     PROJECT,
     Section {
         name: "inlayHints",
-        is_list: false,
+        list: None,
         about: "Hints in the text.",
         settings: &[INLAY_HINTS],
     },
     Section {
         name: "codeLens",
-        is_list: false,
+        list: None,
         about: "Commands in the text.",
         settings: &[CODE_LENS],
     },
     Section {
         name: "start",
-        is_list: false,
+        list: None,
         about: "How the extension starts simulations.",
         settings: &[Setting {
             key: "paused",
@@ -512,7 +638,7 @@ pub const SECTIONS: &[Section] = &[
     },
     Section {
         name: "diagram",
-        is_list: false,
+        list: None,
         about: "The diagram next to the text.",
         settings: &[Setting {
             key: "names",
@@ -525,7 +651,7 @@ pub const SECTIONS: &[Section] = &[
     },
     Section {
         name: "server",
-        is_list: false,
+        list: None,
         about: "The language server's program.",
         settings: &[Setting {
             key: "path",
@@ -538,7 +664,7 @@ pub const SECTIONS: &[Section] = &[
     },
     Section {
         name: "trace",
-        is_list: false,
+        list: None,
         about: "The talk with the language server.",
         settings: &[Setting {
             key: "server",
@@ -551,7 +677,7 @@ pub const SECTIONS: &[Section] = &[
     },
     Section {
         name: "review",
-        is_list: false,
+        list: None,
         about: "What changed since the last commit.",
         settings: &[Setting {
             key: "marks",

@@ -72,12 +72,7 @@ pub(super) fn read(tables: Vec<Table>, folder: &Path, reader: &mut Reader) -> Ve
 }
 
 fn task(mut table: Table, folder: &Path, reader: &mut Reader) -> Option<Task> {
-    let had: Vec<&str> = TASK
-        .settings
-        .iter()
-        .map(|setting| setting.key)
-        .filter(|key| table.has(key))
-        .collect();
+    reader.needs(&table, &TASK);
     let name = reader.take(&mut table, &TASK_NAME);
     let name = name.and_then(|given| reader.text(&given, TASK_NAME.example));
     let interval = reader.duration(&mut table, &TASK_INTERVAL);
@@ -95,23 +90,9 @@ fn task(mut table: Table, folder: &Path, reader: &mut Reader) -> Option<Task> {
             programs.push((named, range));
         }
     }
-    let range = table.range();
-    let lacks = match (&name, interval) {
-        (None, _) => Some(&TASK_NAME),
-        (_, None) => Some(&TASK_INTERVAL),
-        _ if programs.is_empty() => Some(&PROGRAMS),
-        _ => None,
-    };
     table.finish(reader);
     // What is there and wrong has been reported.
-    if let Some(setting) = lacks.filter(|setting| !had.contains(&setting.key)) {
-        let (key, example) = (setting.key, setting.example);
-        reader.wrong(
-            range,
-            format!("a task has `{key}`, for example {key} = {example}"),
-        );
-    }
-    if lacks.is_some() {
+    if programs.is_empty() {
         return None;
     }
     Some(Task {

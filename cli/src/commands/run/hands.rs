@@ -1,11 +1,11 @@
-//! What happens between the scans of a run: inputs, clients, the retentive file, the service manager.
+//! What happens between the scans of a run: inputs, clients, devices, the retentive file, the service manager.
 
 use super::served::Served;
 use crate::outcome::Failure;
 use crate::run::Retention;
 use crate::terminal;
 use ladder_devices::lateness::Report;
-use ladder_devices::modbus::{Image, serve};
+use ladder_devices::modbus::{Devices, Image, Wired, serve};
 use ladder_devices::real::Between;
 use ladder_devices::system::notify;
 use ladder_simulator::{Fault, Inputs, Simulation};
@@ -20,6 +20,7 @@ pub(super) struct Hands {
     /// The server that is to be, until it listens.
     to_serve: Option<Served>,
     image: Option<Image>,
+    devices: Option<Devices>,
     faults: Vec<Fault>,
     is_ready: bool,
     /// How often the service manager wants to hear that the program runs, and when it did.
@@ -36,6 +37,7 @@ impl Hands {
             inputs,
             to_serve,
             image: None,
+            devices: None,
             faults: Vec::new(),
             is_ready: false,
             // Twice as often as it must.
@@ -80,10 +82,31 @@ impl Hands {
         Ok(())
     }
 
-    /// The clients that are there see another program.
-    pub(super) fn serve_instead(&mut self, served: Option<Served>, simulation: &Simulation) {
+    /// Connects the devices, if there are any, and reports where they are.
+    ///
+    /// # Errors
+    /// The system has no thread for it.
+    pub(super) fn connect(&mut self, wired: Vec<Wired>) -> Result<(), Failure> {
+        if wired.is_empty() {
+            return Ok(());
+        }
+        for device in &wired {
+            terminal::note(device);
+        }
+        let tell = |line: &str| terminal::note(&line);
+        let devices = Devices::connect(wired, tell)
+            .map_err(|error| Failure::new(format!("devices cannot be connected: {error}")))?;
+        self.devices = Some(devices);
+        Ok(())
+    }
+
+    /// The clients and devices that are there see another program.
+    pub(super) fn replace(&mut self, served: Option<Served>, wired: Vec<Wired>, simulation: &Simulation) {
         if let (Some(image), Some(served)) = (&self.image, served) {
             image.replace(&Image::new(served.map, served.hold, simulation));
+        }
+        if let Some(devices) = &mut self.devices {
+            devices.replace(wired);
         }
     }
 
@@ -92,12 +115,15 @@ impl Hands {
         std::mem::take(&mut self.faults)
     }
 
-    /// What is left to do after the last scan.
+    /// What is left to do after the last scan: outputs go back to what they are before the first.
     ///
     /// # Errors
     /// The retentive file cannot be written.
     pub(super) fn finish(&mut self, simulation: &Simulation) -> Result<(), Failure> {
         let _ = notify("STOPPING=1");
+        if let Some(devices) = self.devices.take() {
+            devices.finish(simulation);
+        }
         match &mut self.retention {
             Some(retention) => retention.finish(simulation),
             None => Ok(()),
@@ -111,11 +137,17 @@ impl Between for Hands {
         if let Some(image) = &self.image {
             image.give(simulation, Instant::now());
         }
+        if let Some(devices) = &self.devices {
+            devices.give(simulation, Instant::now());
+        }
     }
 
     fn after(&mut self, simulation: &mut Simulation) {
         if let Some(image) = &self.image {
             image.take(simulation);
+        }
+        if let Some(devices) = &self.devices {
+            devices.take(simulation);
         }
         if let Some(retention) = &mut self.retention {
             retention.keep(simulation);

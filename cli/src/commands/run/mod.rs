@@ -3,6 +3,7 @@
 mod hands;
 pub(crate) mod served;
 mod signals;
+mod wired;
 
 use crate::findings::Source;
 use crate::form;
@@ -39,6 +40,14 @@ What Modbus serves is in ladder.toml:
   \"coil 0\" = \"start\"
   \"holding 100\" = \"level\"
 
+So are the devices whose inputs and outputs are the program's:
+
+  [[device]]
+  name = \"rio\"
+  modbus = \"192.168.1.20:502\"
+  read = { \"discrete 0..7\" = \"%IX10.0\" }
+  write = { \"coil 0..7\" = \"%QX10.0\" }
+
 Exit status: 0 fine, 1 the program has errors or a fault stopped it, 2 a file or
 an argument cannot be used.";
 
@@ -51,7 +60,8 @@ const INTERVALS: u32 = 10;
 /// Run a program in real time
 ///
 /// Scans begin at absolute times, so that lateness does not add up. What was missed is counted, and has passed for the timers.
-/// `[serve.modbus]` in ladder.toml serves tags to screens, SCADA systems and Factory I/O.
+/// `[serve.modbus]` in ladder.toml serves tags to screens, SCADA systems and Factory I/O. `[[device]]` connects inputs and outputs
+/// with devices on the network.
 ///
 /// This is a soft controller for tests and teaching, not a safety device.
 #[derive(Debug, Args)]
@@ -82,6 +92,10 @@ pub(crate) struct Arguments {
     #[arg(long)]
     read_only: bool,
 
+    /// Leave the devices of ladder.toml alone
+    #[arg(long)]
+    no_devices: bool,
+
     /// End after so long a time
     #[arg(long = "for", value_name = "TIME", value_parser = time)]
     length: Option<Duration>,
@@ -104,6 +118,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     };
     let inputs = arguments.stimulus.give(&mut loaded.simulation)?;
     let served = served::served(arguments, &settings, &loaded.simulation)?;
+    let wired = wired::wired(arguments, &settings, served.as_ref(), &loaded.simulation)?;
     let retention = match (&arguments.retain, &settings.simulate.retain) {
         (Some(file), _) => Some(KeptIn::File(file)),
         (None, Some(named)) => Some(KeptIn::OfWorkspace(named)),
@@ -118,6 +133,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     });
     let mut hands = Hands::new(retention.transpose()?, inputs, served);
     hands.listen(&loaded.simulation)?;
+    hands.connect(wired)?;
     terminal::note(&format_args!(
         "{} runs every {}; Ctrl+C ends it",
         shown::path(&arguments.file),
@@ -180,8 +196,8 @@ impl Loaded {
     }
 }
 
-/// Takes the program again from its file, as after a power failure: what is retentive stays. One that has errors, or whose map is
-/// wrong, is not taken.
+/// Takes the program again from its file, as after a power failure: what is retentive stays. One that has errors, or that the
+/// settings do not fit, is not taken.
 fn reload(arguments: &Arguments, settings: &Settings, loaded: &mut Loaded, hands: &mut Hands) {
     let kept = loaded.simulation.retained();
     let next = Loaded::new(arguments).and_then(|next| {
@@ -190,7 +206,8 @@ fn reload(arguments: &Arguments, settings: &Settings, loaded: &mut Loaded, hands
             terminal::warning(&complaint);
         }
         let served = served::served(arguments, settings, &next.simulation)?;
-        hands.serve_instead(served, &next.simulation);
+        let wired = wired::wired(arguments, settings, served.as_ref(), &next.simulation)?;
+        hands.replace(served, wired, &next.simulation);
         Ok(Some(next))
     });
     match next {

@@ -2,10 +2,13 @@
 
 use super::Arguments;
 use crate::outcome::Failure;
-use ladder_devices::modbus::{ADDRESS, Hold, Layout, Map, Places, Rules, Subnet, TIMEOUT, Words};
+use ladder_devices::modbus::{
+    ADDRESS, Hold, Layout, Map, Named, Places, Rules, Subnet, TIMEOUT, Words, Wrong,
+};
 use ladder_simulator::Simulation;
-use ladder_workspace::{ServeModbus, Settings};
+use ladder_workspace::{Placed, ServeModbus, Settings};
 use std::net::SocketAddr;
+use std::path::Path;
 use std::time::Duration;
 
 /// A server that is to be.
@@ -40,18 +43,28 @@ pub(super) fn served(
             ))
         })?,
     };
-    let map = map(asked, simulation)?;
+    let map = map(asked, &arguments.file, simulation)?;
     if map.is_empty() {
         return Err(Failure::new(
             "there is nothing to serve on Modbus: no tag has a direct address such as %QX0.0, and [serve.modbus.map] in ladder.toml names none",
         ));
     }
     let usual = Rules::default();
-    let allow = asked
-        .allow
-        .iter()
-        .map(|text| Subnet::parse(text))
-        .collect::<Result<_, _>>();
+    let mut allow = Vec::new();
+    for (text, at) in &asked.allow {
+        match Subnet::parse(text) {
+            Ok(subnet) => allow.push(subnet),
+            Err(message) => {
+                return Err(failure(
+                    &arguments.file,
+                    vec![Wrong {
+                        at: at.clone(),
+                        message,
+                    }],
+                ));
+            }
+        }
+    }
     Ok(Some(Served {
         address,
         map,
@@ -61,7 +74,7 @@ pub(super) fn served(
         },
         rules: Rules {
             units: asked.units.clone().unwrap_or(usual.units),
-            allow: allow.map_err(|wrong| Failure::new(format!("`allow` in [serve.modbus]: {wrong}")))?,
+            allow,
             read_only: arguments.read_only,
             connections: asked.connections.unwrap_or(usual.connections),
             idle: asked.idle.map_or(usual.idle, nanoseconds),
@@ -69,33 +82,52 @@ pub(super) fn served(
     }))
 }
 
-fn nanoseconds(time: i64) -> Duration {
+pub(super) fn nanoseconds(time: i64) -> Duration {
     Duration::from_nanos(time.unsigned_abs())
+}
+
+pub(super) fn words(set: Option<&str>) -> Words {
+    match set {
+        Some("little") => Words::Little,
+        _ => Words::Big,
+    }
+}
+
+pub(super) fn named(placed: &[Placed]) -> Vec<Named> {
+    let named = placed.iter().map(|placed| Named {
+        place: placed.place.clone(),
+        tag: placed.tag.clone(),
+        at: placed.range.clone(),
+    });
+    named.collect()
 }
 
 /// Which tags are where.
 ///
 /// # Errors
 /// The settings do not fit the program.
-pub(crate) fn map(asked: &ServeModbus, simulation: &Simulation) -> Result<Map, Failure> {
+pub(crate) fn map(asked: &ServeModbus, file: &Path, simulation: &Simulation) -> Result<Map, Failure> {
     let places = Places {
         layout: match asked.layout {
             Some("factory-io") => Layout::FactoryIo,
             _ => Layout::OpenPlc,
         },
-        words: match asked.words {
-            Some("little") => Words::Little,
-            _ => Words::Big,
-        },
-        named: asked.map.clone(),
+        words: words(asked.words),
+        named: named(&asked.map),
         write: asked.write.clone(),
+        at: asked.range.clone(),
     };
-    let map = Map::new(&places, simulation).map_err(|wrong| {
-        let lines = wrong
-            .iter()
-            .map(|wrong| format!("  \"{}\": {}", wrong.about, wrong.message));
-        let head = "[serve.modbus] does not fit the program:".to_owned();
-        Failure::of_lines(std::iter::once(head).chain(lines))
-    })?;
-    Ok(map)
+    Map::new(&places, simulation).map_err(|wrong| failure(file, wrong))
+}
+
+/// What is wrong with settings next to the program of a file.
+pub(super) fn failure(file: &Path, mut wrong: Vec<Wrong>) -> Failure {
+    wrong.sort_by_key(|wrong| wrong.at.start);
+    let found = wrong
+        .iter()
+        .map(|wrong| (wrong.at.clone(), wrong.message.clone()));
+    match Settings::found_wrong(file, found.collect()) {
+        Some(error) => error.into(),
+        None => Failure::of_lines(wrong.into_iter().map(|wrong| wrong.message)),
+    }
 }

@@ -35,7 +35,7 @@ pub(super) fn write(file: &Path, source: &Source, format: Format) -> Result<Outc
     let options = settings.simulate.options(&program, file);
     let simulation = Simulation::new(program, options)
         .map_err(|error| Failure::new(format!("{}: {}", place(source, error.location), error.message)))?;
-    let map = served::map(&settings.modbus.unwrap_or_default(), &simulation)?;
+    let map = served::map(&settings.modbus.unwrap_or_default(), file, &simulation)?;
     let there = map.tags().map(|(place, point, may_be_written)| Row {
         place,
         point: point.clone(),
