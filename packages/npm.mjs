@@ -33,6 +33,8 @@ const version = ask('read-staged', 'version', resolve(staged));
 const common = {
     version,
     license: 'MIT OR Apache-2.0',
+    homepage: ask('project', 'site'),
+    bugs: `${ask('project', 'repository')}/issues`,
     repository: { type: 'git', url: `git+${ask('project', 'repository')}.git` },
 };
 const documents = join(staged, 'share/doc/ladder-logic');
@@ -45,6 +47,7 @@ function platform() {
     }
     copy(join(staged, 'bin'), 'bin');
     copy(documents, '.', (file) => file.startsWith('LICENSE'));
+    writeFileSync(join(scratch, 'README.md'), `# ${scope}/${name}\n\nThe programs of [ladder-logic](https://www.npmjs.com/package/ladder-logic) for ${name}. Install that.\n`);
     const description = `The programs of ladder-logic for ${name}`;
     // `preferUnplugged`: a program cannot be started from inside a zip file.
     return { name: `${scope}/${name}`, description, ...common, os: [os], cpu: [cpu], preferUnplugged: true };
@@ -57,7 +60,7 @@ function launcher() {
         copy(join(staged, 'share', folder), join('completions', folder.split(/[-/]/)[0]));
     }
     copy(join(documents, 'completions'), 'completions/powershell');
-    copy(documents, '.', (file) => file.startsWith('LICENSE') || file === 'CHANGELOG.md');
+    copy(documents, '.', (file) => file.startsWith('LICENSE') || file === 'CHANGELOG.md' || file === 'README.md');
     return {
         name: 'ladder-logic',
         description: 'Ladder logic as plain text: checker, formatter, simulator and language server',

@@ -24,4 +24,12 @@ class WheelHook(BuildHookInterface):
 
 class UrlHook(MetadataHookInterface):
     def update(self, metadata):
-        metadata["urls"] = {"Repository": os.environ["LADDER_REPOSITORY"]}
+        repository, site = os.environ["LADDER_REPOSITORY"], os.environ["LADDER_SITE"]
+        metadata["urls"] = {
+            "Homepage": site,
+            "Playground": f"{site}/playground/",
+            "Documentation": f"{site}/guide/getting-started.html",
+            "Repository": repository,
+            "Issues": f"{repository}/issues",
+            "Changelog": f"{repository}/blob/main/CHANGELOG.md",
+        }
