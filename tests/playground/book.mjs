@@ -26,6 +26,17 @@ export async function book(site) {
         }
         await it.picture('search');
     }, (name) => it.picture(`failed ${name}`));
+    await step('programs that read find every page of the book', async () => {
+        const [list, all, first] = await Promise.all(['llms.txt', 'llms-full.txt', 'introduction.md'].map(async (name) => (await fetch(`${site}/${name}`)).text()));
+        const pages = [...list.matchAll(/^- \[.+?\]\((.+?)\): .+\.$/gm)].map(([, address]) => address);
+        const base = pages[0].slice(0, -'introduction.md'.length);
+        assert.ok(pages.length > 100 && pages.every((page) => page.startsWith(base)), `${pages.length} pages`);
+        for (const page of pages) {
+            const text = await (await fetch(`${site}/${page.slice(base.length)}`)).text();
+            assert.ok(text.startsWith('# ') && all.includes(text.trim()), `${page} is not what it is in llms-full.txt`);
+        }
+        assert.ok(first.startsWith('# Ladder'));
+    });
     await step('the front page shows a program that runs', async () => {
         await it.page.goto(`${site}/index.html`);
         const picture = it.page.locator('main picture img').first();
