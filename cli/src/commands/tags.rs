@@ -1,6 +1,12 @@
 //! `ladder tags`: the cross-reference of a program.
 
 #[cfg(feature = "run")]
+mod factory_io;
+#[cfg(feature = "run")]
+mod fuxa;
+#[cfg(feature = "run")]
+mod node_red;
+#[cfg(feature = "run")]
 mod places;
 
 use crate::findings::Source;
@@ -13,7 +19,7 @@ use ladder_analysis::{AccessKind, TagEntry, cross_reference};
 use ladder_workspace::shown;
 use serde::Serialize;
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -22,7 +28,13 @@ Examples:
   ladder tags motor.clad --format json  and for other programs
   ladder tags motor.clad --map modbus   the places of its tags, for ladder.toml
   ladder tags motor.clad --map modbus --format csv
-                                        the same for a screen
+                                        the same for who sets up a screen
+  ladder tags motor.clad --map modbus --format fuxa > motor.fuxa.json
+                                        for FUXA: Connections, Import
+  ladder tags --import tags.csv > scene.clad
+                                        declarations for a scene of Factory I/O
+  ladder tags --import tags.csv --map modbus > ladder.toml
+                                        and the settings that connect it
 
 Exit status: 0 fine, 2 the file cannot be read.";
 
@@ -34,7 +46,9 @@ Exit status: 0 fine, 2 the file cannot be read.";
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
     /// The program
-    file: PathBuf,
+    #[cfg_attr(feature = "run", arg(required_unless_present = "import"))]
+    #[cfg_attr(not(feature = "run"), arg(required = true))]
+    file: Option<PathBuf>,
 
     /// The notation of the program, as for `ladder convert`; without it its content decides
     #[arg(long, value_name = "NOTATION", value_parser = form::names(), hide_possible_values = true)]
@@ -48,6 +62,11 @@ pub(crate) struct Arguments {
     #[cfg(feature = "run")]
     #[arg(long, value_enum, value_name = "MAP")]
     map: Option<places::Protocol>,
+
+    /// The tags that Factory I/O exports instead of a program's: its sensors and actuators as declarations, or with `--map` as settings
+    #[cfg(feature = "run")]
+    #[arg(long, value_name = "CSV", conflicts_with_all = ["file", "from", "format"])]
+    import: Option<PathBuf>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -58,13 +77,22 @@ enum Format {
     Csv,
     /// An array of objects
     Json,
+    /// With --map: a device of the screens of FUXA
+    Fuxa,
+    /// With --map: a flow of Node-RED for node-red-contrib-modbus
+    NodeRed,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let source = Source::read(&arguments.file, arguments.from.as_deref().map(form::named))?;
+    #[cfg(feature = "run")]
+    if let Some(table) = &arguments.import {
+        return factory_io::write(table, arguments.map);
+    }
+    let file = arguments.file.as_deref().unwrap_or(Path::new(""));
+    let source = Source::read(file, arguments.from.as_deref().map(form::named))?;
     #[cfg(feature = "run")]
     if let Some(places::Protocol::Modbus) = arguments.map {
-        return places::write(&arguments.file, &source, arguments.format);
+        return places::write(file, &source, arguments.format);
     }
     let entries = cross_reference(&source.analyze().context);
     let mut out = Stdout::new();
@@ -72,6 +100,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Format::Text => text(&entries, &mut out)?,
         Format::Csv => csv(&entries, &mut out)?,
         Format::Json => json(&entries, &mut out)?,
+        Format::Fuxa | Format::NodeRed => {
+            return Err(Failure::new("this format is for places: add --map modbus"));
+        }
     }
     out.flush()?;
     Ok(Outcome::Fine)

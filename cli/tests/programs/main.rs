@@ -30,6 +30,7 @@ mod one_file;
 mod outside;
 mod own_library;
 mod pages;
+mod places;
 mod plants;
 mod projects;
 mod prove;

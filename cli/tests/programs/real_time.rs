@@ -188,38 +188,3 @@ fn what_cannot_be_served_is_refused() {
     ));
     expect!["error: ladder.toml:2:9: `192.168.1` is not a network; write an address and how many of its bits count, as in 192.168.1.0/24"].assert_eq(&refused("[serve.modbus]\nallow = \"192.168.1\"\n"));
 }
-
-#[test]
-fn places_are_frozen_where_they_are() {
-    let settings = "[serve.modbus]\nwrite = \"go\"\n\n[serve.modbus.map]\n\"coil 20\" = \"go\"\n";
-    let folder = Folder::with(&[
-        ("pump.clad", PUMP),
-        ("ladder.toml", settings),
-        ("motor/motor.clad", MOTOR),
-        ("motor/ladder.toml", ""),
-    ]);
-    expect![[r#"
-        exit status 0
-        -- stdout
-        tag,type,table,from 0,from 1,access
-        on,BOOL,coil,3,4,read
-        go,BOOL,coil,20,21,read and write
-    "#]]
-    .assert_eq(
-        &folder
-            .ladder(&["tags", "pump.clad", "--map", "modbus", "--format", "csv"])
-            .to_string(),
-    );
-    expect![[r#"
-        exit status 0
-        -- stdout
-        [serve.modbus.map]
-        "coil 0" = "start"
-        "coil 1" = "stop"
-    "#]]
-    .assert_eq(
-        &folder
-            .ladder(&["tags", "motor/motor.clad", "--map", "modbus"])
-            .to_string(),
-    );
-}

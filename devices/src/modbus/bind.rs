@@ -1,5 +1,6 @@
 //! Which tag is where.
 
+use super::blocks::{GAP, Limits, blocks};
 use super::place::{Place, Table, address_after};
 use super::registers::{Words, width};
 use ladder_analysis::program::Role;
@@ -42,6 +43,17 @@ pub struct Named {
     pub tag: String,
     /// Where that is written.
     pub at: Range<usize>,
+}
+
+/// Places that a client asks for with one request.
+#[derive(Debug, Clone)]
+pub struct Reading<'m> {
+    /// The first of them.
+    pub first: Place,
+    /// How many bits or words.
+    pub count: usize,
+    /// Which tags are there.
+    pub tags: Vec<(Place, &'m Point)>,
 }
 
 /// Something that was written and cannot be.
@@ -129,6 +141,24 @@ impl Map {
     /// Whether nothing has a place.
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()
+    }
+
+    /// The order of the words of a value.
+    pub fn words(&self) -> Words {
+        self.words
+    }
+
+    /// The requests that read all of it.
+    pub fn readings(&self) -> impl Iterator<Item = Reading<'_>> {
+        let blocks = blocks(&self.entries, Limits::of_reading(GAP));
+        blocks.into_iter().map(|block| Reading {
+            first: block.first,
+            count: block.count,
+            tags: self.entries[block.entries]
+                .iter()
+                .map(|entry| (entry.place, &entry.point))
+                .collect(),
+        })
     }
 
     /// Each tag with its place, and whether clients may write it.

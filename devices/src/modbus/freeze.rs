@@ -1,20 +1,20 @@
 //! Places for tags that have none yet. What has one keeps it: an edit of the program must not move what screens know.
 
-use super::bind::{Map, width_in};
+use super::bind::{Entry, Map, width_in};
 use super::place::{Place, Table};
 use ladder_analysis::program::Role;
-use ladder_simulator::{Point, Simulation};
+use ladder_simulator::Simulation;
 
-/// Places for the inputs and outputs of a program that have none, in the order of the program, each after the last place of its
-/// table. Inputs get places that clients may write if they are allowed to, outputs such that they only read.
-pub fn freeze(map: &Map, simulation: &Simulation) -> Vec<(Place, Point)> {
+/// A map with places for the inputs and outputs of a program that have none, in the order of the program, each after the last place
+/// of its table. Inputs get places that clients may write if they are allowed to, outputs such that they only read.
+pub fn freeze(map: &Map, simulation: &Simulation) -> Map {
     let mut next = Table::ALL.map(|table| {
         let own = map.entries.iter().filter(|entry| entry.place.table == table);
         own.map(|entry| usize::from(entry.place.number) + entry.width)
             .max()
             .unwrap_or(0)
     });
-    let mut added = Vec::new();
+    let mut frozen = map.clone();
     for point in simulation.points() {
         let is_there = map.entries.iter().any(|entry| entry.point == *point);
         let tables = match point.role {
@@ -31,11 +31,18 @@ pub fn freeze(map: &Map, simulation: &Simulation) -> Vec<(Place, Point)> {
         let at = &mut next[table as usize];
         let last = u16::try_from(*at + width - 1).ok();
         if let (Some(_), Ok(number)) = (last, u16::try_from(*at)) {
-            added.push((Place { table, number }, point.clone()));
+            frozen.entries.push(Entry {
+                place: Place { table, number },
+                point: point.clone(),
+                width,
+                at: 0..0,
+                may_be_written: false,
+            });
             *at += width;
         }
     }
-    added
+    frozen.entries.sort_by_key(|entry| entry.place);
+    frozen
 }
 
 #[cfg(test)]
@@ -52,9 +59,11 @@ mod tests {
             ..Places::default()
         };
         let map = Map::new(&places, &simulation).unwrap();
-        let added = freeze(&map, &simulation).into_iter();
+        let frozen = freeze(&map, &simulation);
+        let is_there = |place: &Place| map.tags().any(|(other, ..)| other == *place);
+        let added = frozen.tags().filter(|(place, ..)| !is_there(place));
         added
-            .map(|(place, point)| format!("{place} {}", point.name))
+            .map(|(place, point, _)| format!("{place} {}", point.name))
             .collect()
     }
 
@@ -65,11 +74,11 @@ mod tests {
     fn what_has_no_place_gets_the_next_one() {
         expect![[r#"
             coil 0 stop
-            holding 0 wanted
             discrete 1 run
             discrete 2 alarm
             input 0 level
-            input 1 total"#]]
+            input 1 total
+            holding 0 wanted"#]]
         .assert_eq(&frozen(MIXER, &[]).join("\n"));
     }
 

@@ -8,6 +8,7 @@
 //! Numbers of places are those of the protocol, from 0. Functions 1 to 6, 15 and 16 are served, and nothing else.
 
 mod bind;
+mod blocks;
 mod device;
 mod freeze;
 mod image;
@@ -15,7 +16,7 @@ mod place;
 mod registers;
 mod server;
 
-pub use bind::{Layout, Map, Named, Places, Wrong};
+pub use bind::{Layout, Map, Named, Places, Reading, Wrong};
 pub use device::{Device, Devices, Wired, bind};
 pub use freeze::freeze;
 pub use image::{Hold, Image, Refused, TIMEOUT};

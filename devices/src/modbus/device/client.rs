@@ -1,8 +1,8 @@
 //! The task of a device: it connects, asks again and again, and tries again when there is no answer.
 
 use super::Device;
-use super::blocks::Block;
 use super::exchange::{Exchange, Plan};
+use crate::modbus::blocks::Block;
 use crate::modbus::place::Table;
 use std::borrow::Cow;
 use std::io::ErrorKind;

@@ -1,9 +1,9 @@
 //! What the scan thread and the tasks of the devices exchange: two lists of words under a lock that nobody holds for long.
 
 use super::Wired;
-use super::blocks::Block;
 use super::client::{self, Tell};
 use crate::modbus::bind::Entry;
+use crate::modbus::blocks::Block;
 use crate::modbus::registers::{Words, value, words};
 use ladder_analysis::values::value::Value;
 use ladder_simulator::{Point, Simulation};

@@ -5,13 +5,12 @@
 //!                                                                 `-- one task for each: blocks by requests
 //! ```
 
-mod blocks;
 mod client;
 mod exchange;
 
 use super::bind::{Entry, Map, Named, Wrong, at, in_order, may_be_given};
+use super::blocks::{GAP, Limits, blocks};
 use super::registers::Words;
-use blocks::{Limits, blocks};
 pub use exchange::Devices;
 use exchange::Plan;
 use ladder_analysis::values::types::Scalar;
@@ -62,7 +61,7 @@ impl Device {
             poll: Duration::from_millis(100),
             repeat: Duration::from_millis(500),
             timeout: Duration::from_secs(1),
-            gap: 8,
+            gap: GAP,
             ok: None,
             age: None,
             read: Vec::new(),

@@ -1,9 +1,12 @@
 //! Places next to one another, which one request reads or writes.
 
-use crate::modbus::bind::Entry;
-use crate::modbus::place::{Place, Table};
+use super::bind::Entry;
+use super::place::{Place, Table};
 use std::fmt;
 use std::ops::Range;
+
+/// So many places that nobody asked for are read along, if nothing else is asked for.
+pub(super) const GAP: usize = 8;
 
 /// Places that one request asks for.
 #[derive(Debug, Clone, PartialEq, Eq)]
