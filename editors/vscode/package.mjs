@@ -58,7 +58,8 @@ function checkVersion(program) {
 function vsce(...options) {
     const program = join(here, 'node_modules/@vscode/vsce/vsce');
     // Its page on the marketplace is at another place than its files.
-    const place = execFileSync(join(root, 'packages/project'), ['repository'], { encoding: 'utf8' }).trim();
+    // By the name of the shell: Windows starts no script.
+    const place = execFileSync('bash', ['packages/project', 'repository'], { cwd: root, encoding: 'utf8' }).trim();
     const links = ['--baseContentUrl', `${place}/blob/v${version}/editors/vscode`, '--baseImagesUrl', `${place}/raw/v${version}/editors/vscode`];
     execFileSync(process.execPath, [program, 'package', '--no-dependencies', ...links, ...options], { cwd: here, stdio: 'inherit' });
 }
