@@ -3,14 +3,14 @@
 use crate::outcome::Failure;
 use ladder_workspace::{Root, Workspace, shown};
 use rayon::prelude::*;
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Workspaces by their folder.
 #[derive(Default)]
 pub(crate) struct Workspaces {
-    loaded: HashMap<PathBuf, Option<Arc<Workspace>>>,
+    loaded: BTreeMap<PathBuf, Option<Arc<Workspace>>>,
 }
 
 impl Workspaces {
@@ -36,5 +36,12 @@ impl Workspaces {
         }
         self.loaded.insert(folder, workspace.as_ref().ok().cloned());
         Ok(Some(workspace?))
+    }
+
+    /// Those that can be used, each with its folder.
+    #[cfg(feature = "run")]
+    pub(crate) fn loaded(&self) -> impl Iterator<Item = (&Path, &Workspace)> {
+        let loaded = self.loaded.iter();
+        loaded.filter_map(|(folder, workspace)| Some((folder.as_path(), workspace.as_deref()?)))
     }
 }

@@ -12,6 +12,7 @@ mod diff;
 mod diff_names;
 mod escapes;
 mod explain;
+mod factory_io;
 mod fixed_drawings;
 mod fmt;
 mod foreign;

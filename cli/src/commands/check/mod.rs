@@ -5,6 +5,8 @@ mod report;
 mod stdin;
 mod tally;
 mod watch;
+#[cfg(feature = "run")]
+mod wires;
 
 use super::{render, test};
 use crate::findings::{Problem, Source, Workspaces};
@@ -206,6 +208,13 @@ fn check_files(arguments: &Arguments) -> Result<Round, Failure> {
         }
     }
     let (tally, nobody_reads) = report.finish()?;
+    #[cfg(feature = "run")]
+    for (folder, workspace) in workspaces.loaded() {
+        if let Some(failure) = wires::failure_in(folder, workspace.settings()) {
+            failure.show();
+            outcome = Outcome::Failed;
+        }
+    }
     Ok(Round {
         outcome: outcome.max(exit_of(&tally, arguments)),
         nobody_reads,

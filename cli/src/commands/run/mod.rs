@@ -1,5 +1,6 @@
 //! `ladder run`: a program in real time.
 
+pub(crate) mod fits;
 mod hands;
 pub(crate) mod served;
 mod signals;

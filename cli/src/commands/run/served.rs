@@ -50,21 +50,6 @@ pub(super) fn served(
         ));
     }
     let usual = Rules::default();
-    let mut allow = Vec::new();
-    for (text, at) in &asked.allow {
-        match Subnet::parse(text) {
-            Ok(subnet) => allow.push(subnet),
-            Err(message) => {
-                return Err(failure(
-                    &arguments.file,
-                    vec![Wrong {
-                        at: at.clone(),
-                        message,
-                    }],
-                ));
-            }
-        }
-    }
     Ok(Some(Served {
         address,
         map,
@@ -74,7 +59,7 @@ pub(super) fn served(
         },
         rules: Rules {
             units: asked.units.clone().unwrap_or(usual.units),
-            allow,
+            allow: allowed(asked).map_err(|wrong| failure(&arguments.file, vec![wrong]))?,
             read_only: arguments.read_only,
             connections: asked.connections.unwrap_or(usual.connections),
             idle: asked.idle.map_or(usual.idle, nanoseconds),
@@ -102,12 +87,20 @@ pub(super) fn named(placed: &[Placed]) -> Vec<Named> {
     named.collect()
 }
 
-/// Which tags are where.
-///
-/// # Errors
-/// The settings do not fit the program.
-pub(crate) fn map(asked: &ServeModbus, file: &Path, simulation: &Simulation) -> Result<Map, Failure> {
-    let places = Places {
+/// From where connections are taken.
+pub(super) fn allowed(asked: &ServeModbus) -> Result<Vec<Subnet>, Wrong> {
+    let allowed = asked.allow.iter().map(|(text, at)| {
+        Subnet::parse(text).map_err(|message| Wrong {
+            at: at.clone(),
+            message,
+        })
+    });
+    allowed.collect()
+}
+
+/// What is asked to be where.
+pub(super) fn places(asked: &ServeModbus) -> Places {
+    Places {
         layout: match asked.layout {
             Some("factory-io") => Layout::FactoryIo,
             _ => Layout::OpenPlc,
@@ -116,12 +109,19 @@ pub(crate) fn map(asked: &ServeModbus, file: &Path, simulation: &Simulation) -> 
         named: named(&asked.map),
         write: asked.write.clone(),
         at: asked.range.clone(),
-    };
-    Map::new(&places, simulation).map_err(|wrong| failure(file, wrong))
+    }
+}
+
+/// Which tags are where.
+///
+/// # Errors
+/// The settings do not fit the program.
+pub(crate) fn map(asked: &ServeModbus, file: &Path, simulation: &Simulation) -> Result<Map, Failure> {
+    Map::new(&places(asked), simulation).map_err(|wrong| failure(file, wrong))
 }
 
 /// What is wrong with settings next to the program of a file.
-pub(super) fn failure(file: &Path, mut wrong: Vec<Wrong>) -> Failure {
+pub(crate) fn failure(file: &Path, mut wrong: Vec<Wrong>) -> Failure {
     wrong.sort_by_key(|wrong| wrong.at.start);
     let found = wrong
         .iter()

@@ -20,9 +20,13 @@ pub(super) fn wired(
     if arguments.no_devices {
         return Ok(Vec::new());
     }
-    let devices: Vec<Device> = settings.devices.iter().map(device).collect();
+    let devices = devices(settings);
     let served = served.map(|served| &served.map);
     bind(&devices, served, simulation).map_err(|wrong| failure(&arguments.file, wrong))
+}
+
+pub(super) fn devices(settings: &Settings) -> Vec<Device> {
+    settings.devices.iter().map(device).collect()
 }
 
 fn device(set: &ladder_workspace::Device) -> Device {
