@@ -1,5 +1,6 @@
 """`ladder run` next to a Modbus client that others wrote."""
 
+import json
 import os
 import re
 import signal
@@ -7,6 +8,7 @@ import socket
 import struct
 import subprocess
 import time
+from pathlib import Path
 
 import pytest
 from pymodbus.client import ModbusTcpClient
@@ -136,3 +138,11 @@ def test_others_are_served_beside_half_a_frame(served, client):
     before = n()
     becomes(lambda: n() > before, True)
     lame.close()
+
+
+@pytest.mark.parametrize("library", ["modbus-serial", "jsmodbus"])
+def test_the_clients_of_fuxa_and_node_red(served, library):
+    script = Path(__file__).with_name("clients") / "ask.js"
+    asked = subprocess.run(["node", script, library, str(served)], capture_output=True, text=True, timeout=4 * PATIENCE)
+    assert asked.returncode == 0, asked.stderr
+    assert json.loads(asked.stdout) == {"bit": [True], "real": [0x3FC0, 0], "last": [0, 7], "refused": [2, 2, 3]}
