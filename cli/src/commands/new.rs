@@ -102,10 +102,7 @@ fn name_of(folder: &Path) -> Result<String, Failure> {
 }
 
 fn filled_in(text: &str, name: &str) -> String {
-    let repository = env!("CARGO_PKG_REPOSITORY");
     text.replace("NAME", name)
-        .replace("ACTION", repository.trim_start_matches("https://github.com/"))
-        .replace("REPOSITORY", repository)
         .replace("VERSION", env!("CARGO_PKG_VERSION"))
 }
 
