@@ -25,6 +25,9 @@ fn what_it_makes_passes_as_it_is() {
         "exit status 0\n-- stdout\nChecked 1 file: no errors found.\n"
     );
     assert_eq!(folder.ladder(&["fmt", "--check", "lines"]).status, Some(0));
+    // A folder is searched for programs; the hooks name scenarios, too.
+    let scenarios = "lines/press-2/press-2.ladder-test";
+    assert_eq!(folder.ladder(&["fmt", "--check", scenarios]).status, Some(0));
     let tested = folder.ladder(&["test", "--coverage", "lines"]);
     assert!(
         tested.stdout.contains("3 scenarios in 1 file: 3 passed"),
