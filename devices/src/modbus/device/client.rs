@@ -112,7 +112,7 @@ impl Line<'_> {
                 () = end_of(ending) => {
                     let plan = self.exchange.plan();
                     if let Some(outputs) = self.exchange.outputs(&plan).filter(|_| has_answered) {
-                        self.write(client, &plan, outputs, &mut None).await?;
+                        self.write(client, &plan, outputs, &mut written).await?;
                     }
                     return Ok(());
                 }
