@@ -132,7 +132,7 @@ fn tables_that_are_something_else_are_refused() {
         expect![[r#"
         exit status 2
         -- stderr
-        error: tags.csv:3: Output at Coil 1 is for Factory I/O as a server, and line 2 for a client
+        error: tags.csv:3: Output at Coil 1 has Factory I/O as the server, and line 2 as the client
     "#]],
     );
     row(

@@ -4,6 +4,7 @@ use super::given::{Entry, Given, Value};
 use super::table::{Kind, Section, SetBy, Setting, keys, sections};
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value;
+use ladder_analysis::with_article;
 use ladder_simulator::value_text;
 use std::ops::Range;
 
@@ -144,7 +145,8 @@ impl Reader {
         let mut settings = section.settings.iter();
         let lacks = settings.find(|it| keys.contains(&it.key) && !table.has(it.key));
         if let Some(Setting { key, example, .. }) = lacks {
-            let message = format!("a {} has `{key}`, for example {key} = {example}", section.name);
+            let one = with_article(section.name);
+            let message = format!("{one} has `{key}`, for example {key} = {example}");
             self.wrong(table.range(), message);
         }
     }

@@ -105,7 +105,7 @@ fn read(text: &str) -> Result<(Vec<Tag>, Role), (u64, String)> {
         let (first, since) = *role.get_or_insert((own, line));
         if own != first {
             let message = format!(
-                "{kind} at {address} is for Factory I/O as a {}, and line {since} for a {}",
+                "{kind} at {address} has Factory I/O as the {}, and line {since} as the {}",
                 word(own),
                 word(first)
             );
