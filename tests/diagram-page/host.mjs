@@ -50,7 +50,7 @@ function offsetOf(text, { line, character }) {
 export async function openDiagram(browser, text, { theme = 'light', width = 1000, height = 700, context = {}, names } = {}) {
     const opened = await browser.newContext({ viewport: { width, height }, reducedMotion: 'reduce', ...context });
     const page = await opened.newPage();
-    const host = { text, version: 1, past: [], future: [], edits: 0, findings: [], errors: [] };
+    const host = { text, version: 1, past: [], future: [], edits: 0, findings: [], errors: [], open: 0 };
     page.on('pageerror', (error) => host.errors.push(String(error)));
     page.on('console', (message) => message.type() === 'error' && host.errors.push(message.text()));
     const server = startServer(LADDER_BIN, ({ diagnostics }) => {
@@ -116,7 +116,12 @@ export async function openDiagram(browser, text, { theme = 'light', width = 1000
         draw: ({ lines, rail, known }) => server.execute('ladder.diagram', { uri: URI, lines, rail, known }),
         look() {},
         reveal() {},
-        request: (question) => answerOf(question, URI, asks),
+        request: (question) => {
+            host.open += 1;
+            return answerOf(question, URI, asks).finally(() => {
+                host.open -= 1;
+            });
+        },
         history: async (step) => {
             const [from, to] = step === 'undo' ? [host.past, host.future] : [host.future, host.past];
             const next = from.pop();
@@ -142,6 +147,17 @@ export async function openDiagram(browser, text, { theme = 'light', width = 1000
         route.fulfill({ contentType: 'text/html', body: `<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>Diagram</title><style>:root { ${colours} }\n${built('diagram.style.css')}</style></head><body><script>${built('diagram.js').replaceAll('</script', '<\\/script')}</script></body></html>` }),
     );
     await page.goto('http://page.test/');
+    const isDrawn = async () => host.text === '' || Number(await page.evaluate(() => document.querySelector('.canvas').dataset.version)) === host.version;
+    // An answer leads to the next question in a task of the page, so it is asked more than once.
+    const isQuiet = async () => {
+        for (let count = 0; count < 3; count += 1) {
+            await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 0)));
+            if (host.open > 0 || !(await isDrawn())) {
+                return false;
+            }
+        }
+        return true;
+    };
     await until('the drawing', () => page.evaluate(() => document.querySelector('.piece') !== null || document.querySelector('.empty').textContent !== ''));
     return {
         page,
@@ -150,7 +166,9 @@ export async function openDiagram(browser, text, { theme = 'light', width = 1000
         change,
         focused: () => page.evaluate(() => document.activeElement?.getAttribute('aria-label') ?? ''),
         refusal: () => page.evaluate(() => document.querySelector('.refusal:not([hidden])')?.textContent ?? ''),
-        settled: () => until('the drawing', async () => host.text === '' || Number(await page.evaluate(() => document.querySelector('.canvas').dataset.version)) === host.version),
+        settled: () => until('the drawing', isDrawn),
+        /** What has been pressed has done all that it does: no question is without its answer, and the text is drawn. */
+        quiet: () => until('the end of what was pressed', isQuiet),
         becomes: (wanted) => until(`the text\n${wanted}\n`, () => host.text === wanted).catch((error) => { throw new Error(`${error.message}but it is\n${host.text}`); }),
         end: async () => {
             server.end();
