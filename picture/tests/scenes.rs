@@ -205,6 +205,21 @@ fn a_fault_shows_what_is_drawn() {
     );
 }
 
+/// Of classes the rule that is written last counts, in whatever order an element has them, and a value that is left out changes nothing.
+#[test]
+fn the_last_rule_counts() {
+    check(
+        "<style>.a{fill:#111} .b{fill:#222} .a{stroke:#333} .b{stroke:url(https://evil.example/a.svg#x)}</style>\
+         <rect class=\"b a b\"/><style>.a{fill:#444}</style><rect class=\"a c\"/>",
+        &[],
+        expect![[r##"
+            warning at `<rect`: `stroke` is left out
+            <desc>d</desc>
+            <rect fill="#444" stroke="#333"></rect>
+            <rect fill="#444" stroke="#333"></rect>"##]],
+    );
+}
+
 #[test]
 fn styles_become_attributes() {
     check(
@@ -216,7 +231,9 @@ fn styles_become_attributes() {
             <rect id="scene-one" opacity=".5" fill="#222" stroke-width="2" stroke="#333"></rect>
             <circle fill="#111" stroke-width="2"></circle>"##]],
     );
+    let long = ".a{fill:red}".repeat(10_000);
     for sheet in [
+        long.as_str(),
         "@import url(http://evil.example/a.css);",
         "@font-face { src: url(http://evil.example/f) }",
         "a b { fill: red }",
@@ -366,6 +383,7 @@ fn limits_are_kept() {
         drawing("<g id=\"a\"><use href=\"#a\"/></g>"),
         drawing(pattern),
         drawing(&markers),
+        drawing(&format!("<g {}/>", "a='' ".repeat(500_000))),
         entities.to_owned(),
         outside.to_owned(),
         "<svg xmlns=\"http://www.w3.org/2000/svg\"><rect".to_owned(),
@@ -387,6 +405,7 @@ fn limits_are_kept() {
         the drawing repeats parts of itself without end, or more than 200000 times
         the drawing repeats parts of itself without end, or more than 200000 times
         the drawing repeats parts of itself without end, or more than 200000 times
+        an element has more than 256 attributes
         the file has a document type (`<!DOCTYPE`)
         the file has a document type (`<!DOCTYPE`)
         this is not XML as it must be: the root node was opened but never closed

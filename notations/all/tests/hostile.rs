@@ -88,6 +88,29 @@ fn wired(kind: &str, id: usize, from: &str, tag: &str) -> String {
     )
 }
 
+/// A reader of XML compares each attribute of an element with all others.
+#[test]
+fn an_element_of_very_many_attributes() {
+    let many = (0..200_000)
+        .map(|n| format!(" a{n}=''"))
+        .collect::<Vec<_>>()
+        .concat();
+    let error = "an element of the file has more than 256 attributes; projects do not";
+    for (notation, root) in [
+        ("plcopen", "project xmlns=\"http://www.plcopen.org/xml/tc6_0201\""),
+        ("l5x", "RSLogix5000Content"),
+        ("simaticml", "Document"),
+        ("twincat", "TcPlcObject"),
+    ] {
+        let text = format!("<?xml version=\"1.0\"?>\n<{root}{many}></{root}>");
+        assert_eq!(
+            read(notation, text.as_bytes()),
+            Err(error.to_owned()),
+            "{notation}"
+        );
+    }
+}
+
 #[test]
 fn drawings_that_are_too_deep_too_wide_or_too_many() {
     let bounded = |elements: &[String]| {

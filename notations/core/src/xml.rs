@@ -3,6 +3,7 @@
 mod text;
 
 use crate::{LineColumn, Lines, ReadError};
+use ladder_syntax::xml::{MOST_ATTRIBUTES, is_crowded};
 use roxmltree::{Document, Error, Node, ParsingOptions};
 pub use text::XmlText;
 
@@ -23,6 +24,11 @@ impl<'t> Xml<'t> {
     ///
     /// If it is not XML, or too large.
     pub fn parse(text: &'t str) -> Result<Xml<'t>, ReadError> {
+        if is_crowded(text) {
+            return Err(ReadError::whole(format!(
+                "an element of the file has more than {MOST_ATTRIBUTES} attributes; projects do not"
+            )));
+        }
         let options = ParsingOptions {
             nodes_limit: MOST_NODES,
             ..ParsingOptions::default()

@@ -10,20 +10,9 @@ use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Scalar;
 use ladder_simulator::expression::{Expression, Scope, names};
 use ladder_simulator::{Simulation, value_text};
+use std::collections::HashMap;
 
 impl Scene {
-    /// Whether an element is in another.
-    fn is_in(&self, node: usize, other: usize) -> bool {
-        let mut above = self.nodes[node].parent;
-        while let Some(at) = above {
-            if at == other {
-                return true;
-            }
-            above = self.nodes[at].parent;
-        }
-        false
-    }
-
     /// Binds it to a program. What does not fit is left as it is drawn.
     pub fn bind(&self, simulation: &Simulation) -> (Bound, Vec<Finding>) {
         let mut binder = Binder {
@@ -31,15 +20,36 @@ impl Scene {
             bound: Bound::default(),
             findings: Vec::new(),
         };
-        for (number, binding) in self.bindings.iter().enumerate() {
+        for binding in &self.bindings {
             binder.binding(binding);
-            // What is in it came before it.
-            let inside = self.bindings[..number]
-                .iter()
-                .position(|it| it.tells() && self.is_in(it.inner, binding.outer));
-            binder.bound.parts[number].within = inside.filter(|_| !binding.tells());
         }
+        self.lend_states(&mut binder.bound);
         (binder.bound, binder.findings)
+    }
+
+    /// What has no state of its own has that of the first part in it that has one.
+    fn lend_states(&self, bound: &mut Bound) {
+        let without = self
+            .bindings
+            .iter()
+            .enumerate()
+            .filter(|(_, binding)| !binding.tells());
+        let without: HashMap<usize, usize> =
+            without.map(|(number, binding)| (binding.outer, number)).collect();
+        let with = self
+            .bindings
+            .iter()
+            .enumerate()
+            .filter(|(_, binding)| binding.tells());
+        for (inside, binding) in with {
+            let mut above = self.nodes[binding.inner].parent;
+            while let Some(at) = above {
+                if let Some(number) = without.get(&at) {
+                    bound.parts[*number].within.get_or_insert(inside);
+                }
+                above = self.nodes[at].parent;
+            }
+        }
     }
 }
 

@@ -7,12 +7,13 @@ use super::finding::Finding;
 use super::names::{one_line, own_names};
 use super::refused::{not_xml, refused, too_many};
 use super::source::Raw;
-use super::style::{self, Rule};
+use super::style::Sheet;
 use super::{
     MOST_BYTES, MOST_DEPTH, MOST_ELEMENTS, NAMESPACE, Node, NodeKind, Scene, accessible, text_range,
 };
 use ladder_simulator::scenario::{PlantLine, plant_named};
 use ladder_syntax::TextRange;
+use ladder_syntax::xml::{MOST_ATTRIBUTES, is_crowded};
 use roxmltree::{Attribute, Document, Node as Xml, ParsingOptions};
 use std::collections::HashSet;
 
@@ -31,6 +32,13 @@ pub fn read(text: &str) -> Scene {
                 text.len()
             ),
             "leave pictures within the drawing out, and simplify its paths",
+        );
+    }
+    if is_crowded(text) {
+        return refused(
+            whole(),
+            format!("an element has more than {MOST_ATTRIBUTES} attributes"),
+            "simplify the drawing: save it as plain SVG",
         );
     }
     let options = ParsingOptions {
@@ -57,7 +65,7 @@ pub fn read(text: &str) -> Scene {
     let mut reader = Reader {
         text,
         scene: Scene::default(),
-        rules: Vec::new(),
+        sheet: Sheet::default(),
         told: HashSet::new(),
         is_too_deep: false,
     };
@@ -101,7 +109,7 @@ fn place_of(node: Xml<'_, '_>) -> TextRange {
 struct Reader<'t> {
     text: &'t str,
     scene: Scene,
-    rules: Vec<Rule>,
+    sheet: Sheet,
     /// What has been told once.
     told: HashSet<String>,
     is_too_deep: bool,
@@ -119,8 +127,8 @@ impl<'t> Reader<'t> {
         let is_sheet = |node: &Xml<'_, '_>| is_svg(*node) && node.tag_name().name() == "style";
         for node in root.descendants().filter(is_sheet) {
             let sheet: String = node.children().filter_map(|child| child.text()).collect();
-            match style::rules(&sheet) {
-                Ok(rules) => self.rules.extend(rules),
+            match self.sheet.add(&sheet) {
+                Ok(()) => {}
                 Err(help) => self.warn(place_of(node), "a style sheet is left out".to_owned(), help),
             }
         }
@@ -276,14 +284,14 @@ impl<'t> Reader<'t> {
             );
         }
         let of = |wanted| xml.attribute(wanted).unwrap_or_default();
-        let rules = std::mem::take(&mut self.rules);
-        let declared = style::declarations(&rules, (name, of("class"), of("id")), of("style"));
+        let sheet = std::mem::take(&mut self.sheet);
+        let declared = sheet.declarations((name, of("class"), of("id")), of("style"));
         for (property, value) in declared {
             let style = xml.attributes().find(|it| it.name() == "style");
             let range = style.map_or(place_of(xml), |style| text_range(style.range()));
             self.take(property, value, range, &mut taken);
         }
-        self.rules = rules;
+        self.sheet = sheet;
         taken
     }
 

@@ -4,19 +4,59 @@
 //! or an element alone, as drawing programs write it.
 
 use super::allow;
+use std::collections::{HashMap, HashSet};
 
-/// A rule of a style sheet.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Rule {
-    selector: String,
-    declarations: String,
+/// Larger sheets, in bytes, are not those of a drawing program.
+const MOST_BYTES: usize = 64 * 1024;
+
+/// What style sheets say, by what it is for: a scene has many elements, and a sheet many rules.
+#[derive(Debug, Default)]
+pub(super) struct Sheet {
+    /// In the order of the sheets.
+    declarations: Vec<String>,
+    /// For each selector its declarations.
+    of: HashMap<String, Vec<usize>>,
+    /// How long the sheets are, in bytes.
+    bytes: usize,
 }
 
-/// The rules of a style sheet.
-///
-/// # Errors
-/// It loads something, or is not as simple as that.
-pub(super) fn rules(sheet: &str) -> Result<Vec<Rule>, &'static str> {
+impl Sheet {
+    /// Takes the rules of a style sheet.
+    ///
+    /// # Errors
+    /// It loads something, is not as simple as that, or is too large. Nothing of it is taken then.
+    pub(super) fn add(&mut self, sheet: &str) -> Result<(), &'static str> {
+        self.bytes = self.bytes.saturating_add(sheet.len());
+        if self.bytes > MOST_BYTES {
+            return Err("a scene has at most 64 KiB of style sheets: write the colours as attributes");
+        }
+        for (selector, declarations) in rules(sheet)? {
+            self.of.entry(selector).or_default().push(self.declarations.len());
+            self.declarations.push(declarations);
+        }
+        Ok(())
+    }
+
+    /// The declarations for an element: those of the sheet, those of classes and ids after them, its own last.
+    pub(super) fn declarations<'r>(
+        &'r self,
+        (element, class, id): (&str, &str, &str),
+        own: &'r str,
+    ) -> Vec<(&'r str, &'r str)> {
+        let of = |selector: &str| self.of.get(selector).map_or(&[][..], Vec::as_slice);
+        let classes: HashSet<&str> = class.split_whitespace().collect();
+        let classes = classes.iter().flat_map(|class| of(&format!(".{class}")));
+        let mut of_classes: Vec<usize> = classes.copied().collect();
+        of_classes.sort_unstable();
+        let id = format!("#{id}");
+        let all = of(element).iter().chain(&of_classes).chain(of(&id));
+        let sheet = all.flat_map(|at| pairs(&self.declarations[*at]));
+        sheet.chain(pairs(own)).collect()
+    }
+}
+
+/// The rules of a style sheet: selectors, each with its declarations.
+fn rules(sheet: &str) -> Result<Vec<(String, String)>, &'static str> {
     let mut text = String::new();
     let mut rest = sheet;
     while let Some((before, after)) = rest.split_once("/*") {
@@ -47,39 +87,10 @@ pub(super) fn rules(sheet: &str) -> Result<Vec<Rule>, &'static str> {
                     "only rules for one class, one id or one element are read, as in .lamp { fill: red }",
                 );
             }
-            rules.push(Rule {
-                selector: selector.to_owned(),
-                declarations: declarations.to_owned(),
-            });
+            rules.push((selector.to_owned(), declarations.to_owned()));
         }
     }
     Ok(rules)
-}
-
-/// The declarations for an element: those of the sheet, those of classes and ids after them, its own last.
-pub(super) fn declarations<'r>(
-    rules: &'r [Rule],
-    (element, class, id): (&str, &str, &str),
-    own: &'r str,
-) -> Vec<(&'r str, &'r str)> {
-    let mut found = Vec::new();
-    let for_element = |rule: &&Rule| rule.selector == element;
-    let for_class = |rule: &&Rule| {
-        let name = rule.selector.strip_prefix('.');
-        name.is_some_and(|name| class.split_whitespace().any(|it| it == name))
-    };
-    let for_id = |rule: &&Rule| rule.selector.strip_prefix('#') == Some(id);
-    for rule in rules.iter().filter(for_element) {
-        found.extend(pairs(&rule.declarations));
-    }
-    for rule in rules.iter().filter(for_class) {
-        found.extend(pairs(&rule.declarations));
-    }
-    for rule in rules.iter().filter(for_id) {
-        found.extend(pairs(&rule.declarations));
-    }
-    found.extend(pairs(own));
-    found
 }
 
 /// The properties that are attributes too; others do not matter to a drawing.
