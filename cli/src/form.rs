@@ -3,9 +3,24 @@
 use crate::outcome::Failure;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 pub(crate) use ladder_notations::Form;
-use ladder_notations::{LADDER, NOTATIONS, Notation, by_extension as notation_of, recognise};
+use ladder_notations::{LADDER, NOTATIONS, by_extension as notation_of, recognise};
 use ladder_workspace::{is_ladder_text, shown};
 use std::path::Path;
+
+/// `--from`, of commands that take one program.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Notation {
+    /// The notation of the program, as for `ladder convert`; without it its content decides
+    #[arg(long, value_name = "NOTATION", value_parser = names(), hide_possible_values = true)]
+    from: Option<String>,
+}
+
+impl Notation {
+    /// What the program is written in, if that is asked for.
+    pub(crate) fn form(&self) -> Option<Form> {
+        self.from.as_deref().map(named)
+    }
+}
 
 /// The form of one of [`names`].
 pub(crate) fn named(name: &str) -> Form {
@@ -56,7 +71,7 @@ pub(crate) fn targets() -> PossibleValuesParser {
     listed(|notation| notation.is_written())
 }
 
-fn listed(takes: fn(&dyn Notation) -> bool) -> PossibleValuesParser {
+fn listed(takes: fn(&dyn ladder_notations::Notation) -> bool) -> PossibleValuesParser {
     let own = PossibleValue::new(LADDER).help("Ladder text");
     let others = NOTATIONS.iter().filter(|notation| takes(**notation));
     let others = others.map(|notation| PossibleValue::new(notation.name()).help(notation.title()));

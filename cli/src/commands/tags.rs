@@ -10,7 +10,7 @@ mod node_red;
 mod places;
 
 use crate::findings::Source;
-use crate::form;
+use crate::form::Notation;
 use crate::json::to_writer_pretty;
 use crate::outcome::{Failure, Outcome};
 use crate::terminal::Stdout;
@@ -50,9 +50,8 @@ pub(crate) struct Arguments {
     #[cfg_attr(not(feature = "run"), arg(required = true))]
     file: Option<PathBuf>,
 
-    /// The notation of the program, as for `ladder convert`; without it its content decides
-    #[arg(long, value_name = "NOTATION", value_parser = form::names(), hide_possible_values = true)]
-    from: Option<String>,
+    #[command(flatten)]
+    from: Notation,
 
     /// How the list is written
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -89,7 +88,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return factory_io::write(table, arguments.map);
     }
     let file = arguments.file.as_deref().unwrap_or(Path::new(""));
-    let source = Source::read(file, arguments.from.as_deref().map(form::named))?;
+    let source = Source::read(file, arguments.from.form())?;
     #[cfg(feature = "run")]
     if let Some(places::Protocol::Modbus) = arguments.map {
         return places::write(file, &source, arguments.format);

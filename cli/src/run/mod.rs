@@ -7,15 +7,18 @@ mod stimulus;
 pub(crate) mod unread;
 
 pub(crate) use plants::{Plants, note_undriven};
-pub(crate) use program::{place, program, show_errors};
+pub(crate) use program::{place, program, show_errors, simulation};
 pub(crate) use retention::{KeptIn, Retention};
 pub(crate) use stimulus::Stimulus;
 
 use crate::findings::Source;
 use crate::outcome::{Failure, Outcome};
 use crate::terminal;
+use ladder_analysis::program::Program;
 use ladder_simulator::{Fault, Inputs, Simulation, Status};
 use ladder_workspace::shown;
+use std::path::Path;
+use std::sync::Arc;
 
 /// How many scans to run, as it is on the command line.
 pub(crate) fn number_of_scans(text: &str) -> Result<u64, String> {
@@ -34,7 +37,31 @@ pub(crate) struct Run<'s> {
     pub(crate) retention: Option<Retention>,
 }
 
-impl Run<'_> {
+impl<'s> Run<'s> {
+    /// A run up to its last scan, as the workspace of a file and the command line have it. Nothing is kept of it.
+    ///
+    /// # Errors
+    /// The settings or what is given do not fit the program, or it needs more memory than there is.
+    pub(crate) fn whole(
+        stimulus: &Stimulus,
+        file: &Path,
+        (source, program): (&'s Source, Arc<Program>),
+        scans: u64,
+    ) -> Result<Run<'s>, Failure> {
+        let options = stimulus.options(file, &program)?;
+        let mut simulation = simulation(source, program, options)?;
+        let inputs = stimulus.give(&mut simulation)?;
+        let mut run = Run {
+            simulation,
+            inputs,
+            source,
+            scans,
+            retention: None,
+        };
+        while run.scan() {}
+        Ok(run)
+    }
+
     /// Runs the next scan. False if all have been run, or if the program did not come to the end of this one.
     pub(crate) fn scan(&mut self) -> bool {
         let scan = self.simulation.scans();

@@ -2,10 +2,12 @@
 
 use super::unread;
 use crate::findings::{Problem, Source, full};
+use crate::outcome::Failure;
 use crate::terminal::{self, stderr_has_colours};
 use annotate_snippets::Renderer;
 use ladder_analysis::program::{Location, Program};
 use ladder_analysis::{NotWhole, Severity};
+use ladder_simulator::{Options, Simulation};
 use ladder_workspace::shown;
 use std::sync::Arc;
 
@@ -48,6 +50,19 @@ pub(crate) fn program(source: &Source) -> Option<Arc<Program>> {
         },
     }
     None
+}
+
+/// The program before its first scan.
+///
+/// # Errors
+/// It needs more memory than there is.
+pub(crate) fn simulation(
+    source: &Source,
+    program: Arc<Program>,
+    options: Options,
+) -> Result<Simulation, Failure> {
+    Simulation::new(program, options)
+        .map_err(|error| Failure::new(format!("{}: {}", place(source, error.location), error.message)))
 }
 
 /// The errors of a program, on stderr. What is wrong with a program of another system comes first.

@@ -102,13 +102,7 @@ fn plant(
     let limits = history.map_or_else(HistoryLimits::default, |scans| {
         HistoryLimits::of_scans(usize::try_from(scans).unwrap_or(usize::MAX))
     });
-    let mut simulation = Simulation::new(program, options).map_err(|error| {
-        Failure::new(format!(
-            "{}: {}",
-            run::place(source, error.location),
-            error.message
-        ))
-    })?;
+    let mut simulation = run::simulation(source, program, options)?;
     let watched = watched(&simulation, request.watch)?;
     let retention = match retain {
         Some(file) => Some(Retention::begin(file, request.file, &mut simulation)?),

@@ -12,10 +12,10 @@ mod title_block;
 #[cfg(not(all(feature = "pdf", feature = "png")))]
 use crate::features::Feature;
 use crate::findings::Source;
-use crate::form;
+use crate::form::Notation;
 use crate::outcome::{Failure, Outcome};
 use crate::output::{DRAWN_BY, may_write};
-use crate::run::{Run, Stimulus, number_of_scans, place, program, show_errors};
+use crate::run::{Run, Stimulus, number_of_scans, program, show_errors};
 use crate::terminal::{self, Stdout};
 use clap::{Args, ValueEnum};
 use ladder_analysis::values::types::Scalar;
@@ -64,9 +64,8 @@ pub(crate) struct Arguments {
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
-    /// The notation of the program, as for `ladder convert`; without it its content decides
-    #[arg(long, value_name = "NOTATION", value_parser = form::names(), hide_possible_values = true)]
-    from: Option<String>,
+    #[command(flatten)]
+    from: Notation,
 
     /// What is written; without it the file's name decides
     #[arg(long, value_enum)]
@@ -157,7 +156,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if ladder_workspace::is_scene(&arguments.file) {
         return scene::run(arguments, format);
     }
-    let source = Source::read(&arguments.file, arguments.from.as_deref().map(form::named))?;
+    let source = Source::read(&arguments.file, arguments.from.form())?;
     let theme = match (arguments.theme, format) {
         (Colours::Auto, Format::Svg) => Theme::Auto,
         (Colours::Auto, Format::Png | Format::Pdf | Format::Text) | (Colours::Light, _) => Theme::Light,
@@ -368,18 +367,7 @@ fn simulated<'s>(arguments: &Arguments, source: &'s Source, scans: u64) -> Resul
     let Some(program) = program(source) else {
         return Ok(None);
     };
-    let options = arguments.stimulus.options(&arguments.file, &program)?;
-    let mut simulation = Simulation::new(program, options)
-        .map_err(|error| Failure::new(format!("{}: {}", place(source, error.location), error.message)))?;
-    let inputs = arguments.stimulus.give(&mut simulation)?;
-    let mut run = Run {
-        simulation,
-        inputs,
-        source,
-        scans,
-        retention: None,
-    };
-    while run.scan() {}
+    let run = Run::whole(&arguments.stimulus, &arguments.file, (source, program), scans)?;
     Ok(Some(run))
 }
 

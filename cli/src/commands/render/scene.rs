@@ -169,17 +169,7 @@ fn after(
 ) -> Result<(Simulation, Outcome), Failure> {
     let not_whole = |_| Failure::new("the program has errors");
     let program = source.program().map_err(not_whole)?;
-    let options = arguments.stimulus.options(path, &program)?;
-    let mut simulation = Simulation::new(program, options).map_err(|error| Failure::new(error.message))?;
-    let inputs = arguments.stimulus.give(&mut simulation)?;
-    let mut run = Run {
-        simulation,
-        inputs,
-        source,
-        scans,
-        retention: None,
-    };
-    while run.scan() {}
+    let run = Run::whole(&arguments.stimulus, path, (source, program), scans)?;
     let outcome = run.outcome();
     Ok((run.simulation, outcome))
 }

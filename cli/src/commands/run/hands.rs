@@ -57,7 +57,7 @@ impl Hands {
             served.map.tags().count(),
             served.map.tags().filter(|tag| tag.2).count(),
         );
-        let is_read_only = served.rules.read_only || written == 0;
+        let is_read_only = written == 0;
         let image = Image::new(served.map, served.hold, simulation);
         let tell = |line: &str| terminal::note(&line);
         let listening = serve(served.address, &image, served.rules, tell).map_err(|error| {

@@ -7,9 +7,9 @@ mod signals;
 mod wired;
 
 use crate::findings::Source;
-use crate::form;
+use crate::form::Notation;
 use crate::outcome::{Failure, Outcome};
-use crate::run::{KeptIn, Plants, Retention, Stimulus, place, program};
+use crate::run::{KeptIn, Plants, Retention, Stimulus, place, program, simulation};
 use crate::terminal;
 use clap::Args;
 use hands::Hands;
@@ -71,9 +71,8 @@ pub(crate) struct Arguments {
     /// The program, or the ladder.toml of a project with tasks
     file: PathBuf,
 
-    /// The notation of the program, as for `ladder convert`; without it its content decides
-    #[arg(long, value_name = "NOTATION", value_parser = form::names(), hide_possible_values = true)]
-    from: Option<String>,
+    #[command(flatten)]
+    from: Notation,
 
     #[command(flatten)]
     plants: Plants,
@@ -184,15 +183,13 @@ struct Loaded {
 impl Loaded {
     /// Reads the program. None: it has errors, which are shown.
     fn new(arguments: &Arguments) -> Result<Option<Loaded>, Failure> {
-        let from = arguments.from.as_deref().map(form::named);
+        let from = arguments.from.form();
         let source = arguments.plants.beside(Source::read(&arguments.file, from)?)?;
         let Some(program) = program(&source) else {
             return Ok(None);
         };
         let options = arguments.stimulus.options(&arguments.file, &program)?;
-        let simulation = Simulation::new(program, options).map_err(|error| {
-            Failure::new(format!("{}: {}", place(&source, error.location), error.message))
-        })?;
+        let simulation = simulation(&source, program, options)?;
         Ok(Some(Loaded { source, simulation }))
     }
 }

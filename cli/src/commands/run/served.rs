@@ -44,6 +44,7 @@ pub(super) fn served(
         })?,
     };
     let map = map(asked, &arguments.file, simulation)?;
+    let map = if arguments.read_only { map.read_only() } else { map };
     if map.is_empty() {
         return Err(Failure::new(
             "there is nothing to serve on Modbus: no tag has a direct address such as %QX0.0, and [serve.modbus.map] in ladder.toml names none",
@@ -60,7 +61,6 @@ pub(super) fn served(
         rules: Rules {
             units: asked.units.clone().unwrap_or(usual.units),
             allow: allowed(asked).map_err(|wrong| failure(&arguments.file, vec![wrong]))?,
-            read_only: arguments.read_only,
             connections: asked.connections.unwrap_or(usual.connections),
             idle: asked.idle.map_or(usual.idle, nanoseconds),
         },

@@ -5,10 +5,12 @@ mod trace;
 #[cfg(not(feature = "screen"))]
 use crate::features::Feature;
 use crate::findings::{Source, with_line_feeds};
-use crate::form;
+use crate::form::Notation;
 use crate::outcome::{Failure, Outcome};
 use crate::output::{DRAWN_BY, Output};
-use crate::run::{KeptIn, Plants, Retention, Run, Stimulus, note_undriven, number_of_scans, place, program};
+use crate::run::{
+    KeptIn, Plants, Retention, Run, Stimulus, note_undriven, number_of_scans, program, simulation,
+};
 #[cfg(feature = "screen")]
 use crate::screen;
 use crate::terminal;
@@ -60,9 +62,8 @@ pub(crate) struct Arguments {
     /// The program
     file: PathBuf,
 
-    /// The notation of the program, as for `ladder convert`; without it its content decides
-    #[arg(long, value_name = "NOTATION", value_parser = form::names(), hide_possible_values = true)]
-    from: Option<String>,
+    #[command(flatten)]
+    from: Notation,
 
     /// How many scans to run; without it, on a terminal, the program is shown running
     #[arg(long, value_name = "N", value_parser = number_of_scans, allow_negative_numbers = true)]
@@ -123,7 +124,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             "{file}: this file has scenarios, no program; `ladder test {file}` runs them"
         )));
     }
-    let from = arguments.from.as_deref().map(form::named);
+    let from = arguments.from.form();
     let watch = names_in(&arguments.watch);
     if arguments.asks_for_the_screen() && terminal::is_interactive() {
         #[cfg(not(feature = "screen"))]
@@ -146,8 +147,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return Ok(Outcome::Findings);
     };
     let options = arguments.stimulus.options(&arguments.file, &program)?;
-    let mut simulation = Simulation::new(program, options)
-        .map_err(|error| Failure::new(format!("{}: {}", place(&source, error.location), error.message)))?;
+    let mut simulation = simulation(&source, program, options)?;
 
     // All that can be wrong with the arguments is found before anything is written.
     let watched = watched(&simulation, &watch, &source)?;

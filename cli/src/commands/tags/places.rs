@@ -6,12 +6,12 @@ use crate::commands::run::served;
 use crate::findings::Source;
 use crate::json::to_writer_pretty;
 use crate::outcome::{Failure, Outcome};
-use crate::run::{place, program};
+use crate::run::{program, simulation};
 use crate::terminal::{self, Stdout};
 use clap::ValueEnum;
 use ladder_analysis::cross_reference;
 use ladder_devices::modbus::{ADDRESS, Map, Place, freeze};
-use ladder_simulator::{Point, Simulation};
+use ladder_simulator::Point;
 use ladder_workspace::{ServeModbus, Settings, shown};
 use std::collections::HashMap;
 use std::io::Write;
@@ -55,8 +55,7 @@ pub(super) fn write(file: &Path, source: &Source, format: Format) -> Result<Outc
         return Ok(Outcome::Findings);
     };
     let options = settings.simulate.options(&program, file);
-    let simulation = Simulation::new(program, options)
-        .map_err(|error| Failure::new(format!("{}: {}", place(source, error.location), error.message)))?;
+    let simulation = simulation(source, program, options)?;
     let asked = settings.modbus.unwrap_or_default();
     let mut map = served::map(&asked, file, &simulation)?;
     let frozen = freeze(&map, &simulation);

@@ -4,7 +4,7 @@ mod json;
 
 use crate::commands::render::text;
 use crate::findings::Source;
-use crate::form;
+use crate::form::Notation;
 use crate::json::to_writer_pretty;
 use crate::outcome::{Failure, Outcome};
 use crate::run::program;
@@ -51,9 +51,8 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE")]
     tags: PathBuf,
 
-    /// The notation of the program, as for `ladder convert`; without it its content decides
-    #[arg(long, value_name = "NOTATION", value_parser = form::names(), hide_possible_values = true)]
-    from: Option<String>,
+    #[command(flatten)]
+    from: Notation,
 
     /// How the answer is written
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -69,7 +68,7 @@ enum Format {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let source = Source::read(&arguments.file, arguments.from.as_deref().map(form::named))?;
+    let source = Source::read(&arguments.file, arguments.from.form())?;
     let Some(program) = program(&source) else {
         return Ok(Outcome::Findings);
     };
