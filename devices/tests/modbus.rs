@@ -21,6 +21,11 @@ struct Served {
 
 impl Served {
     fn new(rules: Rules) -> Served {
+        Served::of(rules, |map| map)
+    }
+
+    /// With another map than the one of the settings.
+    fn of(rules: Rules, changed: impl Fn(Map) -> Map) -> Served {
         let analysis = ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(PUMP)), "pump");
         let program = analysis.program().unwrap().clone();
         let simulation = Simulation::new(program, Options::default()).unwrap();
@@ -34,7 +39,8 @@ impl Served {
             write: vec![("wanted".to_owned(), 0..0)],
             ..Places::default()
         };
-        let image = Image::new(Map::new(&places, &simulation).unwrap(), Hold::Last, &simulation);
+        let map = changed(Map::new(&places, &simulation).unwrap());
+        let image = Image::new(map, Hold::Last, &simulation);
         let told = Arc::<Mutex<Vec<String>>>::default();
         let keep = told.clone();
         let tell = move |line: &str| keep.lock().unwrap().push(line.to_owned());
@@ -120,10 +126,7 @@ fn a_client_reads_and_writes() {
 
 #[test]
 fn another_unit_is_not_here_and_nothing_is_written_where_nobody_may() {
-    let served = Served::new(Rules {
-        read_only: true,
-        ..Rules::default()
-    });
+    let served = Served::of(Rules::default(), Map::read_only);
     with_client(async {
         let mut other = served.client(7).await;
         assert_eq!(

@@ -138,6 +138,15 @@ impl Map {
         }
     }
 
+    /// The same of which nothing may be written.
+    #[must_use]
+    pub fn read_only(mut self) -> Map {
+        for entry in &mut self.entries {
+            entry.may_be_written = false;
+        }
+        self
+    }
+
     /// Whether nothing has a place.
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()

@@ -24,8 +24,6 @@ pub struct Rules {
     pub units: Vec<u8>,
     /// From where connections are taken; empty: from everywhere that reaches the address.
     pub allow: Vec<Subnet>,
-    /// Nothing is written, whatever the map says.
-    pub read_only: bool,
     /// So many connections at once; further ones are closed.
     pub connections: usize,
     /// A connection that sends nothing for so long is closed.
@@ -37,7 +35,6 @@ impl Default for Rules {
         Rules {
             units: vec![1, 255],
             allow: Vec::new(),
-            read_only: false,
             connections: 16,
             idle: Duration::from_secs(60),
         }
@@ -266,11 +263,6 @@ impl Client {
     }
 
     fn write(&self, table: Table, first: u16, values: &[u16]) -> Result<(), ExceptionCode> {
-        if self.door.rules.read_only {
-            self.door
-                .tell_once(self.from, "writes, and nothing is written here");
-            return Err(ExceptionCode::IllegalDataAddress);
-        }
         let written = self.door.image.write(table, first, values, Instant::now());
         let what = match written {
             Ok(()) => "writes",
