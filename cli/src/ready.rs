@@ -6,6 +6,7 @@ use crate::run::{Plants, unread};
 use annotate_snippets::Renderer;
 use ladder_analysis::program::Location;
 use ladder_analysis::{NotWhole, Severity};
+use ladder_picture::scene::Finding;
 use ladder_simulator::scenario::{self, Case, ScenarioError, Suite, Watched};
 use ladder_simulator::{Options, Simulation};
 use ladder_syntax::TextRange;
@@ -246,7 +247,7 @@ fn missing_program(source: &Source, range: TextRange, error: &FileError, rendere
         message: error.to_string(),
         help: Some(
             if is_scene(Path::new(&source.file)) {
-                "name the program in the element `svg`, as it is seen from the folder of this file: l:program=\"motor.clad\""
+                Finding::NO_PROGRAM
             } else {
                 "a program is named as it is seen from the folder of the scenario file"
             }

@@ -25,10 +25,10 @@ fn is_ours(head: &[u8], tail: &[u8]) -> bool {
         [b's', ..] => head.starts_with(b"scan,time_ms,") || head.starts_with(b"scan,time_ms\n"),
         [b'{', ..] => head.starts_with(b"{\n  \"program\": \"") && has("\n  \"interval_ms\": "),
         [b'$', ..] => has("$version ladder "),
-        // A timing diagram, or a program: both are drawn on paper of their own.
         // A scene.
         [b'<', b'?', ..] => has("<!-- drawn by ladder -->"),
         [b'<', b'!', ..] => has("<meta name=\"generator\" content=\"ladder\">"),
+        // A timing diagram, or a program: both are drawn on paper of their own.
         [b'<', ..] => {
             head.starts_with(b"<svg ")
                 && has("role=\"img\">")

@@ -14,7 +14,7 @@ const TOLD: [&str; 5] = [
     "aria-hidden",
 ];
 
-/// Gives the element of a binding its name and its role.
+/// Puts its name and its role on the element of a binding.
 pub(super) fn describe(nodes: &mut [Node], binding: &Binding) {
     if binding.outer != binding.inner
         && let NodeKind::Element { attributes, .. } = &mut nodes[binding.inner].kind
@@ -77,7 +77,7 @@ pub(super) fn lacks(
     }
 }
 
-/// Gives the scene its own name.
+/// Names the scene itself.
 pub(super) fn name(scene: &mut Scene, range: TextRange) {
     for (what, help) in [
         (

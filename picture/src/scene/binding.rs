@@ -29,7 +29,7 @@ const fn bound(name: &'static str, about: &'static str) -> Attribute {
     }
 }
 
-const fn said(name: &'static str, about: &'static str) -> Attribute {
+const fn plain(name: &'static str, about: &'static str) -> Attribute {
     Attribute {
         name,
         about,
@@ -65,23 +65,23 @@ pub const ATTRIBUTES: [Attribute; 20] = [
         "l:scale-y",
         "How high it is, as a part of how it is drawn, seen from the point of `l:at`: `l:scale-y=\"level / 1000.0\"`.",
     ),
-    said(
+    plain(
         "l:at",
         "The point that stays where it is, of `l:rotate` and `l:scale-`: `l:at=\"120 80\"`.",
     ),
     bound("l:text", "What is written in it: `l:text=\"plant.level\"`."),
-    said(
+    plain(
         "l:format",
         "How `l:text` writes a number: `0` without and `0.00` with two decimals, `000` with at least three digits.",
     ),
-    said("l:unit", "What follows the number of `l:text`: `l:unit=\"mm\"`."),
+    plain("l:unit", "What follows the number of `l:text`: `l:unit=\"mm\"`."),
     bound(
         "l:opacity",
         "How dense it is, from 0, where it is not seen, to 1.",
     ),
-    said(
+    plain(
         "l:blink",
-        "It blinks, once in this time: `l:blink=\"500ms\"`. It stands still for those who ask for less motion.",
+        "It blinks, once in this time: `l:blink=\"500ms\"`. It does not for those who ask for less motion.",
     ),
     bound(
         "l:press",
@@ -95,15 +95,15 @@ pub const ATTRIBUTES: [Attribute; 20] = [
         "l:set",
         "The tag that gets a value with each click: `l:set=\"wanted := 50\"`.",
     ),
-    said(
+    plain(
         "l:alt",
         "What it is, for those who do not see it; its state is told after it: `l:alt=\"near sensor\"`.",
     ),
-    said(
+    plain(
         "l:program",
         "The program, seen from this file's folder. Without it the program has the name of the scene.",
     ),
-    said(
+    plain(
         "l:plant",
         "The model of the machine that runs beside the program: `l:plant=\"tank.clad\"`, of several `a.clad as a; b.clad as b`.",
     ),

@@ -20,6 +20,9 @@ impl Finding {
     /// What is in the place of a rule's name.
     pub const NAME: &'static str = "bad-scene";
 
+    /// What to do where the program that a scene names is missing.
+    pub const NO_PROGRAM: &'static str = "name the program in the element `svg`, as it is seen from the folder of this file: l:program=\"motor.clad\"";
+
     pub(super) fn error(range: TextRange, message: impl Into<String>, help: &'static str) -> Finding {
         Finding::new(Severity::Error, range, message, help)
     }

@@ -82,7 +82,7 @@ impl Part {
         for live in &mut self.all {
             let number = |e: &mut Expression| e.evaluate(simulation).map(|it| (shown(&it), number(&it)));
             let (row, slot) = match &mut live.does {
-                Does::Show(e) => flag(e, simulation).map_or_else(failed, |high| {
+                Does::Show(e) => e.holds(simulation).map_or_else(failed, |high| {
                     (truth(high), if high { String::new() } else { "none".to_owned() })
                 }),
                 Does::Paint(cases) => match painted(cases, simulation) {
@@ -127,12 +127,12 @@ impl Part {
                 Does::Opacity(e) => {
                     number(e).map_or_else(failed, |(text, by)| (text, short(by.clamp(0.0, 1.0))))
                 }
-                Does::Press(e) => {
-                    flag(e, simulation).map_or_else(failed, |high| (truth(high), String::new()))
-                }
-                Does::Toggle(e) => {
-                    flag(e, simulation).map_or_else(failed, |high| (truth(high), high.to_string()))
-                }
+                Does::Press(e) => e
+                    .holds(simulation)
+                    .map_or_else(failed, |high| (truth(high), String::new())),
+                Does::Toggle(e) => e
+                    .holds(simulation)
+                    .map_or_else(failed, |high| (truth(high), high.to_string())),
                 Does::Give(value) => (value.clone(), value.clone()),
                 Does::Set(e) => match e.evaluate(simulation) {
                     Ok(value) => (shown(&value), shown(&value)),
@@ -160,10 +160,6 @@ impl Part {
 /// What a row and a place show where a fault happens: the place what is drawn.
 fn failed(problem: String) -> (String, String) {
     (problem, String::new())
-}
-
-fn flag(e: &mut Expression, simulation: &Simulation) -> Result<bool, String> {
-    e.holds(simulation)
 }
 
 fn truth(high: bool) -> String {

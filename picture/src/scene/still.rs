@@ -2,7 +2,9 @@
 
 use super::bound::{Slot, Use};
 use super::colour::on_paper;
+use super::names::one_line;
 use super::{Node, NodeKind, Scene};
+use ladder_syntax::xml::Escaped;
 
 /// The document: the drawing at rest where there are no values.
 pub fn still(scene: &Scene, slots: &[Slot], values: &[String]) -> String {
@@ -34,11 +36,11 @@ pub fn still(scene: &Scene, slots: &[Slot], values: &[String]) -> String {
         match &node.kind {
             // What was written there is another text now.
             _ if open.iter().any(|(parent, _)| is_replaced(*parent)) => {}
-            NodeKind::Text(text) => out.push_str(&escaped(text)),
+            NodeKind::Text(text) => out.push_str(&written(text)),
             NodeKind::Element { name, attributes, .. } => {
                 begin(&mut out, node, name, attributes);
                 if let Some(text) = texts[at] {
-                    out.push_str(&escaped(text));
+                    out.push_str(&written(text));
                 }
                 open.push((at, name));
             }
@@ -60,23 +62,11 @@ fn begin(out: &mut String, node: &Node, name: &str, attributes: &[(&'static str,
         out.push_str(" xmlns=\"http://www.w3.org/2000/svg\"");
     }
     for (name, value) in attributes {
-        out.push_str(&format!(" {name}=\"{}\"", escaped(&on_paper(value))));
+        out.push_str(&format!(" {name}=\"{}\"", written(&on_paper(value))));
     }
     out.push('>');
 }
 
-/// A text without what means something in XML, or may not be in it at all.
-fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '&' => out.push_str("&amp;"),
-            '"' => out.push_str("&quot;"),
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push(' '),
-            c => out.push(c),
-        }
-    }
-    out
+fn written(text: &str) -> String {
+    Escaped(&one_line(text)).to_string()
 }

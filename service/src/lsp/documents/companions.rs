@@ -164,7 +164,8 @@ fn scene(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
     let mut findings = scene.findings.clone();
     let mut found = Vec::new();
     // One that cannot be read has no expressions to bind.
-    match simulated(shared, revision, &suite).filter(|_| !scene.nodes.is_empty()) {
+    let is_drawn = !scene.nodes.is_empty();
+    match is_drawn.then(|| simulated(shared, revision, &suite)).flatten() {
         Some(Ok(simulation)) => findings.extend(scene.bind(&simulation).1),
         Some(Err(not_ready)) => found.extend(why_not(revision, &suite, not_ready, Finding::NAME)),
         None => {}
@@ -205,11 +206,10 @@ fn why_not(revision: &Revision, suite: &Suite, why: NotReady, rule: &str) -> Vec
         .unwrap_or_default();
     match why {
         NotReady::Missing(message) => {
-            let help = "a program is named as it is seen from the folder of the scenario file";
             let help = if rule == BAD_SCENARIO {
-                help
+                "a program is named as it is seen from the folder of the scenario file"
             } else {
-                "name the program in the element `svg`, as it is seen from the folder of this file: l:program=\"motor.clad\""
+                Finding::NO_PROGRAM
             };
             vec![error_at(revision, range, rule, format!("{message}\n{help}"))]
         }
