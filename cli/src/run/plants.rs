@@ -80,11 +80,12 @@ impl Plants {
     fn connects(&self, others: &[Connect]) -> Result<Vec<Connect>, Failure> {
         let mut connects = others.to_vec();
         for text in &self.connect {
-            connects.push(connected(text).ok_or_else(|| {
+            let (one, other) = connected(text).ok_or_else(|| {
                 Failure::new(format!(
                     "--connect {text}: a connection is between two tags, as in --connect plant.sensor_1=near"
                 ))
-            })?);
+            })?;
+            connects.push((one.to_owned(), other.to_owned()));
         }
         Ok(connects)
     }

@@ -127,7 +127,7 @@ fn rename_symbol(
     for file in in_files_of(own, &symbols, workspace, in_file) {
         renamed.extend(file?);
     }
-    renamed.extend(scenarios::renamed(own, symbol, &new, workspace));
+    renamed.extend(scenarios::renamed(own, symbol, &new, workspace)?);
     Ok(renamed)
 }
 

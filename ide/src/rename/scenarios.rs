@@ -1,21 +1,31 @@
 //! Scenarios and properties name tags, members and values: they follow.
 
-use super::Renamed;
 use super::layout::compose;
+use super::{RenameRefused, Renamed};
 use crate::neighbour::{ScenarioFile, Workspace};
+use crate::scenario::connected::lines;
 use crate::scenario::edits::layout;
-use crate::scenario::row::naming;
+use crate::scenario::row::{naming, with_files};
 use crate::symbol::Symbol;
 use ladder_analysis::context::Context;
 use ladder_format::{Edit, apply, display_width};
 use ladder_simulator::scenario::{Row, Suite, parse};
-use ladder_syntax::{TextRange, TextSize};
+use ladder_syntax::{Name, TextRange, TextSize, line_around};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// The edits of all files of scenarios. `own` is the file that was asked about.
-pub(super) fn renamed(own: &Context, symbol: &Symbol, new: &str, workspace: &dyn Workspace) -> Vec<Renamed> {
+///
+/// # Errors
+/// A plant would be connected with something else.
+pub(super) fn renamed(
+    own: &Context,
+    symbol: &Symbol,
+    new: &str,
+    workspace: &dyn Workspace,
+) -> Result<Vec<Renamed>, RenameRefused> {
     let file = |scenarios: ScenarioFile| {
+        let connections = still_connected(&scenarios, own, symbol, new, workspace)?;
         let named = |range| Edit {
             range,
             text: new.to_owned(),
@@ -25,13 +35,50 @@ pub(super) fn renamed(own: &Context, symbol: &Symbol, new: &str, workspace: &dyn
             edits.extend(found.in_name.into_iter().chain(found.in_cells).map(named));
         }
         edits.retain(|edit| scenarios.text[edit.range] != edit.text);
+        edits.extend(connections);
         let edits = in_columns(&scenarios.suite, &scenarios.text, edits);
-        (!edits.is_empty()).then(|| Renamed {
+        Ok((!edits.is_empty()).then(|| Renamed {
             file: Arc::clone(&scenarios.name),
             edits,
-        })
+        }))
     };
-    workspace.scenarios().into_iter().filter_map(file).collect()
+    let files = workspace.scenarios().into_iter().map(file);
+    files.filter_map(Result::transpose).collect()
+}
+
+/// The lines that keep connected what a plant and the program have connected by name.
+fn still_connected(
+    scenarios: &ScenarioFile,
+    own: &Context,
+    symbol: &Symbol,
+    new: &str,
+    workspace: &dyn Workspace,
+) -> Result<Option<Edit>, RenameRefused> {
+    let Suite { plants, connects, .. } = &*scenarios.suite;
+    let of_connects = connects.iter().map(|connect| connect.range.end());
+    let of_plants = plants.iter().map(|plant| plant.range.end());
+    if plants.is_empty() || symbol.name().is_none_or(|name| *name == Name::new(new)) {
+        return Ok(None);
+    }
+    let lines = with_files(scenarios, own, workspace, |files| lines(files, symbol, new));
+    let lines = lines.unwrap_or(Ok(Vec::new())).map_err(RenameRefused)?;
+    let (Some(last), false) = (of_connects.chain(of_plants).max(), lines.is_empty()) else {
+        return Ok(None);
+    };
+    // A scene has no place for the line.
+    if scenarios.name.ends_with(".svg") {
+        return Err(RenameRefused(format!(
+            "{} connects it with a plant by its name, and has no line `connect`",
+            scenarios.name
+        )));
+    }
+    let line = line_around(&scenarios.text, last);
+    let ends_in_cr = scenarios.text[usize::from(line.end())..].starts_with('\r');
+    let end = if ends_in_cr { "\r\n" } else { "\n" };
+    Ok(Some(Edit {
+        range: TextRange::empty(line.end()),
+        text: lines.iter().map(|line| format!("{end}{line}")).collect(),
+    }))
 }
 
 /// Edits of words of rows, with the blanks that keep the columns: a scenario that was laid out before is laid out

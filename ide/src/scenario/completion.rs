@@ -1,17 +1,16 @@
 //! Completion in a scenario file: headings, tags, values by their types, and properties.
 
+use super::connection_completion::in_connection;
 use super::file::Scenarios;
 use super::forms::is_of_property;
 use super::hover::keyword;
 use super::members::after_point;
-use super::named_by_rows::{Proposed, tags_of};
+use super::named_by_rows::{Owner, Proposed, tags_of};
 use super::place::line;
 use super::property_completion as property;
 use super::row::{Files, stem_of, value_type};
 use super::used::used_files;
 use crate::completion::{Completion, CompletionKind, Completions, Snippet, Topic};
-use crate::neighbour::Workspace;
-use ladder_analysis::context::Context;
 use ladder_analysis::program::SystemTag;
 use ladder_analysis::values::types::Scalar;
 use ladder_simulator::scenario::{Direction, HEADINGS, Scenario, TIME, TextLine, TimeRow, Word};
@@ -89,6 +88,9 @@ fn in_scenario(
             at_line_start(scenarios, scenario, offset, trigger, out);
         }
         _ if trigger.is_some() => {}
+        [first, rest @ ..] if scenario.is_none() && first.text == "connect" => {
+            in_connection(scenarios, rest, out);
+        }
         [first, rest @ ..] if scenario.is_none() => heading(first.text, rest.is_empty(), programs, out),
         [first, rest @ ..] => {
             if let Some(scenario) = scenario.filter(|_| first.text != "scenario") {
@@ -183,7 +185,9 @@ fn at_line_start(
             "program" => suite.program.is_some(),
             "step" => suite.step.is_some(),
             "interval" => suite.interval.is_some(),
-            _ => suite.tolerance.is_some(),
+            "tolerance" => suite.tolerance.is_some(),
+            // There can be several.
+            _ => false,
         };
         for heading in HEADINGS.into_iter().filter(|heading| !given(heading)) {
             word(heading, Snippet::plain_text(format!("{heading} ")), out);
@@ -213,7 +217,6 @@ fn tags(
     written: &str,
     out: &mut Proposals,
 ) {
-    let Some(program) = scenarios.program else { return };
     let first = time_above(scenario, offset).map_or(0, |time| time.first);
     let has_row = |name: &str, direction: Option<Direction>| {
         let mut rows = scenario.rows.iter();
@@ -231,7 +234,7 @@ fn tags(
         }
         return;
     }
-    let mut found = nameable(program, scenarios.workspace);
+    let mut found = nameable(scenarios);
     found.retain(|it| !has_row(&it.name, it.direction));
     if Name::new(written).as_str().starts_with("sys") {
         for tag in SystemTag::ALL {
@@ -253,16 +256,22 @@ fn tags(
     }
 }
 
-/// What the program and the files that it uses have.
-pub(super) fn nameable(program: &Context, workspace: &dyn Workspace) -> Vec<Proposed> {
-    let mut found = tags_of(program, "");
-    for file in &used_files(program, workspace) {
-        let others = tags_of(file, stem_of(&file.name)).into_iter();
-        found.extend(others.map(|other| Proposed {
-            order: other.order + AFTER_ALL_OWN,
-            ..other
-        }));
-    }
+/// What the program has, the files that it uses, and the plants beside it.
+pub(super) fn nameable(scenarios: &Scenarios<'_>) -> Vec<Proposed> {
+    let Some(files) = Files::of(scenarios) else {
+        return Vec::new();
+    };
+    let program = files.program();
+    let mut found = tags_of(program, Owner::Program);
+    let plants = files
+        .plants()
+        .map(|(plant, file)| tags_of(&file, Owner::Plant(&plant.name)));
+    let others = used_files(program, scenarios.workspace).into_iter();
+    let others = others.map(|file| tags_of(&file, Owner::Used(stem_of(&file.name))));
+    found.extend(plants.chain(others).flatten().map(|other| Proposed {
+        order: other.order + AFTER_ALL_OWN,
+        ..other
+    }));
     found
 }
 
@@ -283,16 +292,23 @@ fn row_text(name: &str, direction: Option<Direction>, out: &Proposals) -> Snippe
 }
 
 fn heading(word: &str, first: bool, programs: &[String], out: &mut Proposals) {
-    if !first && word != "program" {
+    if !first {
+        if word == "plant" {
+            out.value("as", "another name before its tags");
+        }
         return;
     }
     match word {
-        "program" if first => {
+        "program" | "plant" => {
             for program in programs {
                 out.add(
                     CompletionKind::Value,
                     program,
-                    "program",
+                    if word == "plant" {
+                        "a model of the machine"
+                    } else {
+                        "program"
+                    },
                     Snippet::plain_text(program),
                     Topic::Nothing,
                 );
@@ -341,10 +357,14 @@ fn in_row(
     let Some(ty) = value_type(scenarios, tag) else {
         return;
     };
+    let is_of_plant = !scenarios.suite.plants.is_empty() && after != Some("=>");
     if ty == Scalar::Bool {
-        return levels(scenario, start, out);
+        return levels(scenario, start, is_of_plant, out);
     }
     out.value(".", "as before; not checked");
+    if is_of_plant {
+        out.value("~", "as the plant has it");
+    }
     if let Scalar::Enum(id) = ty {
         for (name, _) in &id.get().values {
             out.value(name, "a value");
@@ -376,7 +396,7 @@ fn time_above(scenario: &Scenario, offset: TextSize) -> Option<&TimeRow> {
 }
 
 /// Levels: one, or as many as the other rows have steps.
-fn levels(scenario: &Scenario, start: TextSize, out: &mut Proposals) {
+fn levels(scenario: &Scenario, start: TextSize, is_of_plant: bool, out: &mut Proposals) {
     let own = scenario.rows.iter().find(|row| row.range.start() >= start);
     let own = own.filter(|row| row.range.start() < out.word.end());
     let time = time_above(scenario, start);
@@ -399,7 +419,11 @@ fn levels(scenario: &Scenario, start: TextSize, out: &mut Proposals) {
         ('_', "low", "low to the end"),
         ('-', "high", "high to the end"),
         ('.', "as before; not checked", "as before to the end"),
+        ('~', "as the plant has it", "as the plant has it to the end"),
     ] {
+        if letter == '~' && !is_of_plant {
+            continue;
+        }
         if missing > 1 {
             out.value(&letter.to_string().repeat(missing), all);
         }

@@ -7,11 +7,15 @@ use super::row::{Files, Named, named, value_type};
 use crate::comments;
 use crate::hover::{Hover, tag_card};
 use crate::markdown::{code, escaped};
+use ladder_analysis::context::Context;
 use ladder_simulator::scenario::{Cell, Direction, Row, Scenario};
 use ladder_simulator::value_text;
 use ladder_syntax::numeral::counted;
 use ladder_syntax::{TextRange, TextSize};
 use std::sync::Arc;
+
+/// What a name in a line `connect` is for.
+const CONNECTED: &str = "Connected: the input takes the value of the output before each scan.";
 
 /// What is at an offset, and the file whose lines its links are to.
 pub fn hover(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Hover, Option<Arc<str>>)> {
@@ -21,6 +25,7 @@ pub fn hover(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Hover, Opti
     let name = match found {
         AtCursor::Tag(row) => Some((&*row.name, row.range, does(row))),
         AtCursor::Operand(operand) => Some((operand.text, operand.range, IN_PROPERTY)),
+        AtCursor::Side(side) => Some((side.text, side.range, CONNECTED)),
         _ => None,
     };
     if let Some((name, range, does)) = name
@@ -34,7 +39,15 @@ pub fn hover(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Hover, Opti
         return Some((hover, Some(Arc::clone(&named.file.name))));
     }
     let (range, markdown) = match found {
-        AtCursor::Program(range) => (range, program(scenarios)?),
+        AtCursor::Program(range) => (range, size_of(scenarios.program?)),
+        AtCursor::Plant(plant) => {
+            let file = Files::of(scenarios)?.plant(plant)?;
+            (
+                plant.range,
+                format!("{}\n\n{}", size_of(&file), keyword("plant")?),
+            )
+        }
+        AtCursor::Side(side) => (side.range, of_value(scenarios, side.text, CONNECTED)?),
         AtCursor::Scenario(scenario) => (scenario.range, length(scenarios, scenario)),
         AtCursor::Tag(row) => (row.range, of_value(scenarios, &row.name, does(row))?),
         AtCursor::Operand(operand) => (operand.range, of_value(scenarios, operand.text, IN_PROPERTY)?),
@@ -101,15 +114,14 @@ pub(super) fn keyword(word: &str) -> Option<&'static str> {
     })
 }
 
-fn program(scenarios: &Scenarios<'_>) -> Option<String> {
-    let context = scenarios.program?;
-    let tags = context.scopes.first().map_or(0, |scope| scope.tags.len());
-    Some(format!(
+fn size_of(program: &Context) -> String {
+    let tags = program.scopes.first().map_or(0, |scope| scope.tags.len());
+    format!(
         "{}: {}, {}",
-        context.name,
-        counted(context.networks.len(), "network"),
+        program.name,
+        counted(program.networks.len(), "network"),
         counted(tags, "tag")
-    ))
+    )
 }
 
 fn length(scenarios: &Scenarios<'_>, scenario: &Scenario) -> String {

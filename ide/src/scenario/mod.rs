@@ -5,6 +5,8 @@
 //! next to it, if it was found. The reader is the one that runs the scenarios.
 
 mod completion;
+pub(crate) mod connected;
+mod connection_completion;
 pub(crate) mod edits;
 mod file;
 mod forms;

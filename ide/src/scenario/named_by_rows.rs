@@ -27,14 +27,26 @@ pub(super) struct Proposed {
     pub(super) topic: Topic,
 }
 
-/// What rows can name of a file: of the program itself, or, with the name that goes before them, of a file that it uses.
-pub(super) fn tags_of(file: &Context, stem: &str) -> Vec<Proposed> {
+/// Whose tags rows name.
+#[derive(Clone, Copy)]
+pub(super) enum Owner<'n> {
+    /// The program's own.
+    Program,
+    /// A file's that it uses, with the name that goes before them.
+    Used(&'n str),
+    /// A plant's, with its name.
+    Plant(&'n str),
+}
+
+/// What rows can name of a file.
+pub(super) fn tags_of(file: &Context, owner: Owner<'_>) -> Vec<Proposed> {
     let mut found = Vec::new();
     let Some(scope) = file.scopes.first() else {
         return found;
     };
     for tag in &scope.tags {
-        if tag.constant || !(stem.is_empty() || is_shown_to_others(file, tag)) {
+        let is_used = matches!(owner, Owner::Used(_));
+        if tag.constant || is_used && !is_shown_to_others(file, tag) {
             continue;
         }
         let shared = file.shared(tag);
@@ -46,14 +58,13 @@ pub(super) fn tags_of(file: &Context, stem: &str) -> Vec<Proposed> {
         };
         for (name, ty) in values_of(file, shared, ty) {
             let is_tag = name == *shared.name;
-            let (name, of, topic) = if stem.is_empty() {
-                (name, String::new(), Topic::Tag(0, shared.name.to_string()))
-            } else {
-                (
-                    format!("{stem}.{name}"),
+            let (name, of, topic) = match owner {
+                Owner::Program => (name, String::new(), Topic::Tag(0, shared.name.to_string())),
+                Owner::Used(before) | Owner::Plant(before) => (
+                    format!("{before}.{name}"),
                     format!(" of {}", file.name),
                     Topic::Nothing,
-                )
+                ),
             };
             found.push(Proposed {
                 order: order + u8::from(!is_tag) * 2,

@@ -1,4 +1,4 @@
-//! The names in a scenario file: those of its rows, and the operands of its properties and assumptions.
+//! The names in a scenario file: those of its rows, the sides of its connections, and the operands of its properties and assumptions.
 
 use super::row::within;
 use crate::symbol::Usage;
@@ -11,7 +11,7 @@ use ladder_syntax::TextRange;
 pub(crate) struct Naming<'s> {
     pub(crate) text: &'s str,
     pub(crate) range: TextRange,
-    /// The row whose name it is; none of an operand.
+    /// The row whose name it is; none of an operand or a connection.
     pub(crate) row: Option<&'s Row>,
 }
 
@@ -33,11 +33,22 @@ pub(super) fn namings(suite: &Suite) -> Vec<Naming<'_>> {
         range: row.range,
         row: Some(row),
     });
+    let sides = suite.connects.iter().flat_map(|connect| &connect.sides);
     let mut all: Vec<Naming<'_>> = rows
+        .chain(sides.map(side))
         .chain(expressions(suite).into_iter().flat_map(operands))
         .collect();
     all.sort_by_key(|naming| naming.range.start());
     all
+}
+
+/// A side of a connection.
+pub(super) fn side(side: &Written) -> Naming<'_> {
+    Naming {
+        text: &side.text,
+        range: side.range,
+        row: None,
+    }
 }
 
 /// The expressions of assumptions and properties.

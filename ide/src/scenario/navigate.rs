@@ -15,7 +15,9 @@ pub(crate) fn symbol_at(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(
     let files = Files::of(scenarios)?;
     match place(scenarios, offset)? {
         AtCursor::Tag(row) => in_name(files, &row.name, row.range, offset),
-        AtCursor::Operand(operand) => in_name(files, operand.text, operand.range, offset),
+        AtCursor::Operand(operand) | AtCursor::Side(operand) => {
+            in_name(files, operand.text, operand.range, offset)
+        }
         AtCursor::Step(_, row, _) => {
             let cells = named(files, &row.name)?.in_cells(row);
             let found = cells
@@ -40,10 +42,18 @@ pub fn definition(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Target> {
     let Some(program) = scenarios.program else {
         return Vec::new();
     };
-    if let Some(AtCursor::Program(_)) = place(scenarios, offset) {
+    let file = match place(scenarios, offset) {
+        Some(AtCursor::Program(_)) => Some(Arc::clone(&program.name)),
+        Some(AtCursor::Plant(plant)) => {
+            let file = Files::of(scenarios).and_then(|files| files.plant(plant));
+            file.map(|file| Arc::clone(&file.name))
+        }
+        _ => None,
+    };
+    if let Some(file) = file {
         let begin = TextRange::empty(TextSize::new(0));
         return vec![Target {
-            file: Arc::clone(&program.name),
+            file,
             range: begin,
             focus: begin,
         }];

@@ -1,8 +1,8 @@
 //! What is at an offset of a scenario file.
 
 use super::file::Scenarios;
-use super::naming::{Naming, expressions, operands};
-use ladder_simulator::scenario::{Property, Row, Scenario, Suite, TimeRow};
+use super::naming::{Naming, expressions, operands, side};
+use ladder_simulator::scenario::{PlantLine, Property, Row, Scenario, Suite, TimeRow};
 use ladder_syntax::{TextRange, TextSize, line_around};
 
 /// What the cursor is at.
@@ -10,6 +10,10 @@ use ladder_syntax::{TextRange, TextSize, line_around};
 pub(super) enum AtCursor<'s> {
     /// The program's name.
     Program(TextRange),
+    /// A plant.
+    Plant(&'s PlantLine),
+    /// A side of a connection.
+    Side(Naming<'s>),
     /// The name of a scenario.
     Scenario(&'s Scenario),
     /// The tag of a row.
@@ -33,6 +37,14 @@ pub(super) fn place<'s>(scenarios: &Scenarios<'s>, offset: TextSize) -> Option<A
         && range.contains_inclusive(offset)
     {
         return Some(AtCursor::Program(*range));
+    }
+    let mut plants = suite.plants.iter();
+    if let Some(plant) = plants.find(|it| it.range.contains_inclusive(offset)) {
+        return Some(AtCursor::Plant(plant));
+    }
+    let mut sides = suite.connects.iter().flat_map(|connect| &connect.sides);
+    if let Some(found) = sides.find(|it| it.range.contains_inclusive(offset)) {
+        return Some(AtCursor::Side(side(found)));
     }
     let mut named = suite.properties.iter().filter(|it| it.range != it.place);
     if let Some(property) = named.find(|it| it.range.contains_inclusive(offset)) {

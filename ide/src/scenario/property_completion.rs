@@ -163,7 +163,6 @@ fn values(
     (trigger, form): (Option<char>, &str),
     out: &mut Proposals,
 ) {
-    let Some(program) = scenarios.program else { return };
     if let Some(members) = Files::of(scenarios).and_then(|files| after_point(files, written)) {
         for it in members {
             out.add(
@@ -208,7 +207,7 @@ fn values(
             );
         }
     }
-    let mut found = nameable(program, scenarios.workspace);
+    let mut found = nameable(scenarios);
     best_first(&mut found, written);
     for it in found {
         out.add(

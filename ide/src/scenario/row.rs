@@ -38,13 +38,13 @@ impl Deref for File<'_> {
 
 /// The files of which a row can name something.
 #[derive(Clone, Copy)]
-pub(super) struct Files<'c> {
+pub(crate) struct Files<'c> {
     /// The program that the scenarios are about.
     program: &'c Context,
     /// A file that the workspace does not show, for it was asked about.
     own: &'c Context,
-    /// What runs beside the program, with the names that go before those of its tags.
-    plants: &'c [PlantLine],
+    /// What the scenarios say: of the plants, which names go before those of their tags.
+    pub(super) suite: &'c Suite,
     workspace: &'c dyn Workspace,
 }
 
@@ -54,7 +54,7 @@ impl<'c> Files<'c> {
         Some(Files {
             program,
             own: program,
-            plants: &scenarios.suite.plants,
+            suite: scenarios.suite,
             workspace: scenarios.workspace,
         })
     }
@@ -77,14 +77,38 @@ impl<'c> Files<'c> {
 
     /// The file whose tags have this before their names.
     fn with_stem(&self, stem: &Name, tag: &Name) -> Option<File<'c>> {
-        let plant = self.plants.iter().find(|plant| Name::new(&plant.name) == *stem);
-        let stem = plant.map_or_else(|| stem.clone(), |plant| Name::new(stem_of(&plant.file)));
-        let is_it = |file: &Context| Name::new(stem_of(&file.name)) == stem;
+        let mut plants = self.suite.plants.iter();
+        if let Some(plant) = plants.find(|plant| Name::new(&plant.name) == *stem) {
+            return self.plant(plant);
+        }
+        self.of_stem(stem, Which::Mentioning(std::slice::from_ref(tag)))
+    }
+
+    fn of_stem(&self, stem: &Name, which: Which<'_>) -> Option<File<'c>> {
+        let is_it = |file: &Context| Name::new(stem_of(&file.name)) == *stem;
         if is_it(self.own) && !self.program.is_called(&self.own.name) {
             return Some(File::Known(self.own));
         }
-        let which = Which::Mentioning(std::slice::from_ref(tag));
         first_that(self.workspace, which, is_it).map(File::Other)
+    }
+
+    /// What runs beside the program.
+    pub(crate) fn plants(&self) -> impl Iterator<Item = (&'c PlantLine, File<'c>)> + '_ {
+        let plants = self.suite.plants.iter();
+        plants.filter_map(|plant| Some((plant, self.plant(plant)?)))
+    }
+
+    /// The file of a plant: named as the program is, or else one that is called so.
+    pub(super) fn plant(&self, plant: &PlantLine) -> Option<File<'c>> {
+        let (program, _) = self.suite.program.as_ref()?;
+        let beside = self.program.name.strip_suffix(program.as_str());
+        let beside = beside.and_then(|folder| self.named(&format!("{folder}{}", plant.file)));
+        beside.or_else(|| self.of_stem(&Name::new(stem_of(&plant.file)), Which::All))
+    }
+
+    /// The program that the scenarios are about.
+    pub(crate) fn program(&self) -> &'c Context {
+        self.program
     }
 }
 
@@ -344,6 +368,30 @@ fn names_in<'s>(suite: &'s Suite, files: Files<'_>, symbol: &Symbol) -> Vec<Foun
     found.collect()
 }
 
+/// The files of which a file of scenarios can name something, for one who asks about `own`, a file that the workspace does not
+/// show. None: its program is not there.
+pub(crate) fn with_files<T>(
+    file: &ScenarioFile,
+    own: &Context,
+    workspace: &dyn Workspace,
+    ask: impl FnOnce(Files<'_>) -> T,
+) -> Option<T> {
+    let program = file.program.as_ref()?;
+    let other;
+    let program = if own.is_called(program) {
+        own
+    } else {
+        other = workspace.file(program)?;
+        &other
+    };
+    Some(ask(Files {
+        program,
+        own,
+        suite: &file.suite,
+        workspace,
+    }))
+}
+
 /// Shows each name in a file of scenarios, with what it names, to one who asks about `own`, a file that the workspace does not
 /// show. Nothing of a file that has none of these names.
 pub(crate) fn each_name<'s>(
@@ -353,32 +401,17 @@ pub(crate) fn each_name<'s>(
     workspace: &dyn Workspace,
     look: &mut dyn FnMut(Naming<'s>, &Named<'_>),
 ) {
-    let Some(program) = &file.program else { return };
     // To know a program takes time.
     if !names.iter().any(|name| mentions(&file.text, name)) {
         return;
     }
-    let other;
-    let program = if own.is_called(program) {
-        own
-    } else {
-        other = workspace.file(program);
-        match &other {
-            Some(program) => program,
-            None => return,
+    with_files(file, own, workspace, |files| {
+        for naming in namings(&file.suite) {
+            if let Some(named) = named(files, naming.text) {
+                look(naming, &named);
+            }
         }
-    };
-    let files = Files {
-        program,
-        own,
-        plants: &file.suite.plants,
-        workspace,
-    };
-    for naming in namings(&file.suite) {
-        if let Some(named) = named(files, naming.text) {
-            look(naming, &named);
-        }
-    }
+    });
 }
 
 /// The rows and properties of a file of scenarios that name a symbol, for one who asks about `own`.

@@ -59,16 +59,21 @@ pub fn parse(text: &str) -> Suite {
 
 /// The name of a file, which may hold blanks, in quotes or not.
 fn file_of(words: &[Word]) -> Option<(String, TextRange)> {
+    let (name, range) = as_written(words)?;
+    Some((name.trim_matches('"').to_owned(), range))
+}
+
+/// Words with the blanks between them, and where they are.
+fn as_written(words: &[Word]) -> Option<(String, TextRange)> {
     let (from, to) = words.first().zip(words.last())?;
-    let mut name = String::new();
+    let mut text = String::new();
     let mut end = from.start;
     for word in words {
-        name.extend(std::iter::repeat_n(' ', word.start - end));
-        name.push_str(word.text);
+        text.extend(std::iter::repeat_n(' ', word.start - end));
+        text.push_str(word.text);
         end = word.end();
     }
-    let unquoted = name.trim_matches('"').to_owned();
-    Some((unquoted, range(from.start, to.end())))
+    Some((text, range(from.start, to.end())))
 }
 
 /// The words that begin a line before the first scenario.

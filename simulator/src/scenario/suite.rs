@@ -33,9 +33,9 @@ pub struct Suite {
 impl Suite {
     /// Both sides of each connection.
     pub fn connections(&self) -> Vec<(String, String)> {
-        self.connects
-            .iter()
-            .map(|connect| connect.sides.clone())
+        let sides = self.connects.iter().map(|connect| &connect.sides);
+        sides
+            .map(|[one, other]| (one.text.clone(), other.text.clone()))
             .collect()
     }
 }
@@ -55,7 +55,7 @@ pub struct PlantLine {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ConnectLine {
     /// What is on both sides of `=`; one is a tag of a plant.
-    pub sides: (String, String),
+    pub sides: [Written; 2],
     /// All after `connect`.
     pub range: TextRange,
 }
@@ -64,9 +64,9 @@ pub struct ConnectLine {
 pub const PLANT: &str = "plant";
 
 /// Both tags of a connection, which is written as `plant.sensor_1 = near`. None: a side is missing.
-pub fn connected(text: &str) -> Option<(String, String)> {
+pub fn connected(text: &str) -> Option<(&str, &str)> {
     let (one, other) = text.split_once('=')?;
-    let sides = (one.trim().to_owned(), other.trim().to_owned());
+    let sides = (one.trim(), other.trim());
     (!sides.0.is_empty() && !sides.1.is_empty()).then_some(sides)
 }
 

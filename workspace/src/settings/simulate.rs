@@ -116,7 +116,7 @@ pub(super) fn read(mut table: Table, folder: &Path, reader: &mut Reader) -> Simu
     if let Some(given) = reader.take(&mut table, &CONNECT) {
         for (range, text) in reader.text_or_texts(&given, CONNECT.example) {
             match connected(&text) {
-                Some(sides) => simulate.connects.push(sides),
+                Some((one, other)) => simulate.connects.push((one.to_owned(), other.to_owned())),
                 None => reader.wrong(
                     range,
                     format!(

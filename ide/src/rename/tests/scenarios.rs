@@ -273,3 +273,88 @@ fn members_of_types_in_other_files() {
         "#]],
     );
 }
+
+/// What was connected by its name stays connected, and nothing else becomes so.
+#[test]
+fn plants_stay_connected() {
+    let machine = "%% main.clad\nVAR_INPUT level, near : BOOL; END_VAR\nVAR_OUTPUT pump, lamp : BOOL; END_VAR\n+--[ ]( level )--[ ]( near )--( )( pump )--+\n\
+        %% tank.clad\nVAR_INPUT pump, stop : BOOL; END_VAR\nVAR_OUTPUT level, sensor : BOOL; END_VAR\n+--[ ]( pump )--[/]( stop )--( )( level )--+\n\
+        %% main.ladder-test\nprogram main.clad\nplant tank.clad as tank # the tank\nconnect tank.sensor = near\n\nscenario \"fills\"\ntank.level => _-\n\
+        %% alone.ladder-test\nprogram main.clad\n\nscenario \"alone\"\npump => _-\n";
+    let at = |place: &str| machine.replacen(place, &format!("{place}$0"), 1);
+    check(
+        &at("( )( pump"),
+        "motor",
+        expect![[r#"
+        %% main.clad
+        VAR_INPUT level, near : BOOL; END_VAR
+        VAR_OUTPUT motor, lamp : BOOL; END_VAR
+        +--[ ]( level )--[ ]( near )-------------------------------------( )( motor )--+
+        %% main.ladder-test
+        program main.clad
+        plant tank.clad as tank # the tank
+        connect tank.sensor = near
+        connect tank.pump = motor
+
+        scenario "fills"
+        tank.level => _-
+        %% alone.ladder-test
+        program main.clad
+
+        scenario "alone"
+        motor => _-
+    "#]],
+    );
+    check(
+        &at("[ ]( near"),
+        "close",
+        expect![[r#"
+        %% main.clad
+        VAR_INPUT level, close : BOOL; END_VAR
+        VAR_OUTPUT pump, lamp : BOOL; END_VAR
+        +--[ ]( level )--[ ]( close )-------------------------------------( )( pump )--+
+        %% main.ladder-test
+        program main.clad
+        plant tank.clad as tank # the tank
+        connect tank.sensor = close
+
+        scenario "fills"
+        tank.level => _-
+    "#]],
+    );
+    check(
+        &at("( )( level"),
+        "height",
+        expect![[r#"
+        %% tank.clad
+        VAR_INPUT pump, stop : BOOL; END_VAR
+        VAR_OUTPUT height, sensor : BOOL; END_VAR
+        +--[ ]( pump )--[/]( stop )-------------------------------------( )( height )--+
+        %% main.ladder-test
+        program main.clad
+        plant tank.clad as tank # the tank
+        connect tank.sensor = near
+        connect tank.height = level
+
+        scenario "fills"
+        tank.height => _-
+    "#]],
+    );
+    check(
+        &at("VAR_OUTPUT pump, lamp"),
+        "stop",
+        expect![[r#"
+        refused: tank.clad has a tag `stop`, too, with which it would be connected as a plant
+    "#]],
+    );
+    check(
+        &at("VAR_OUTPUT pump, lamp"),
+        "sensor",
+        expect![[r#"
+        %% main.clad
+        VAR_INPUT level, near : BOOL; END_VAR
+        VAR_OUTPUT pump, sensor : BOOL; END_VAR
+        +--[ ]( level )--[ ]( near )--( )( pump )--+
+    "#]],
+    );
+}

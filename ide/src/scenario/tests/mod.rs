@@ -3,6 +3,7 @@
 mod completion;
 mod hover;
 mod places;
+mod plants;
 mod properties;
 
 use super::{Scenarios, scenario_completions};

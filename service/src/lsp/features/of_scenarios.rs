@@ -12,8 +12,8 @@ use ladder_ide::{Alone, Scenarios, SceneAttribute};
 use ladder_notations::of_workspaces;
 use ladder_picture::scene;
 use ladder_simulator::Simulation;
-use ladder_simulator::scenario::{self, Suite};
-use ladder_syntax::TextSize;
+use ladder_simulator::scenario::{self, PlantLine, Suite};
+use ladder_syntax::{TextRange, TextSize};
 use ladder_workspace::shown::path as shown_path;
 use tower_lsp::jsonrpc;
 use tower_lsp::ls_types::{Position, Uri};
@@ -97,8 +97,14 @@ pub(crate) async fn about_scenarios<T: Send + 'static>(
             return None;
         }
         let text = revision.text();
-        let suite = read(&revision, &text);
+        let mut suite = read(&revision, &text);
         let program = program(&shared, &revision, &suite, cancel);
+        if revision.kind() == Kind::Scene
+            && suite.plants.is_empty()
+            && let Some(place) = program.as_ref().and_then(|program| program.revision.place())
+        {
+            suite.plants = plants_of_settings(&shared, &place.path);
+        }
         job(&AskedScenarios {
             revision,
             text,
@@ -107,6 +113,18 @@ pub(crate) async fn about_scenarios<T: Send + 'static>(
         })
     })
     .await
+}
+
+/// The plants that the settings have for a program, as lines of nowhere: a scene shows what is simulated, which runs with these.
+fn plants_of_settings(shared: &Shared, program: &Path) -> Vec<PlantLine> {
+    let settings = shared.neighbours.simulate(program);
+    let plants = settings.plants_of(program).iter();
+    let line = plants.map(|plant| PlantLine {
+        file: plant.file.path().to_string_lossy().into_owned(),
+        range: TextRange::default(),
+        name: plant.name.clone(),
+    });
+    line.collect()
 }
 
 /// The program that a scenario file names.

@@ -1,6 +1,7 @@
 //! The models of the machine that run beside the program, and what is connected.
 
-use super::{Reader, file_of};
+use super::{Reader, as_written, file_of};
+use crate::scenario::property::Written;
 use crate::scenario::suite::{ConnectLine, PlantLine, connected, plant_named};
 use crate::scenario::words::{Word, range};
 
@@ -27,13 +28,17 @@ impl Reader {
     /// `connect plant.sensor_1 = near`
     pub(super) fn connect(&mut self, first: Word, rest: &[Word]) {
         const EXAMPLE: &str = "write it as in: connect plant.sensor_1 = near";
-        let written: Vec<&str> = rest.iter().map(|word| word.text).collect();
-        let written = written.join(" ");
-        let end = rest.last().map_or(first.end(), Word::end);
-        let place = range(rest.first().map_or(first.start, |word| word.start), end);
-        match connected(&written) {
-            Some(sides) => self.suite.connects.push(ConnectLine { sides, range: place }),
-            None => self.error(place, "a connection is between two tags", EXAMPLE),
-        }
+        let (written, place) = as_written(rest).unwrap_or((String::new(), first.range()));
+        let Some((one, other)) = connected(&written) else {
+            return self.error(place, "a connection is between two tags", EXAMPLE);
+        };
+        let start = usize::from(place.start());
+        let other_start = start + written.len() - other.len();
+        let side = |text: &str, start: usize| Written {
+            text: text.to_owned(),
+            range: range(start, start + text.len()),
+        };
+        let sides = [side(one, start), side(other, other_start)];
+        self.suite.connects.push(ConnectLine { sides, range: place });
     }
 }
