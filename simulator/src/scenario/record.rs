@@ -7,6 +7,7 @@
 use super::bind::{MOST_SCANS, bind};
 use super::monitor::Watched;
 use super::parse::parse;
+use super::plants::lines_of;
 use super::played::{Choice, Played};
 use super::run::{MOST_BLOCKS, run};
 use super::run_text::{self, Lengths, RunCell, RunRow};
@@ -102,19 +103,18 @@ pub fn record(session: &Session, wanted: Wanted<'_>) -> Result<Recorded, String>
             );
             continue;
         };
-        let Some(text) = written(value, found.ty) else {
-            continue;
-        };
+        let text = value.map_or(Some("~".to_owned()), |value| written(value, found.ty));
+        let Some(text) = text else { continue };
         let row = rows.entry(found.name.clone()).or_insert_with(|| {
             order.push(found.name.clone());
             Row {
                 before: simulation.value(&found),
+                is_overwritten: simulation.is_driven(&found),
                 point: found,
                 cells: BTreeMap::new(),
-                is_overwritten: false,
             }
         });
-        row.cells.insert(scan, (value.clone(), text));
+        row.cells.insert(scan, (value.cloned(), text));
         moments.insert(scan);
     }
     let (outputs, choice) = match wanted.outputs {
@@ -176,8 +176,9 @@ pub fn record(session: &Session, wanted: Wanted<'_>) -> Result<Recorded, String>
     };
     Ok(Recorded {
         text: format!(
-            "{}{}",
+            "{}{}{}",
             program_line(wanted.program),
+            lines_of(simulation.program()),
             run_text::text(&all, lengths, wanted.name)
         ),
         expected: played
@@ -262,11 +263,11 @@ pub fn recorded_file(program: &str) -> String {
 
 struct Row {
     point: Point,
-    /// By scan: what was given before it, and as it is written.
-    cells: BTreeMap<u64, (Value, String)>,
+    /// By scan: what was given before it, none where it was given back to the plant, and as it is written.
+    cells: BTreeMap<u64, (Option<Value>, String)>,
     /// What it holds in a cold start.
     before: Value,
-    /// The program writes it too.
+    /// The program writes it too, or a plant.
     is_overwritten: bool,
 }
 
@@ -305,7 +306,12 @@ fn push_once(notes: &mut Vec<String>, note: String) {
 /// What a scenario checks: the outputs, then what else the program has, but for members.
 fn outputs(simulation: &Simulation) -> Vec<Point> {
     let points = simulation.points().iter();
-    let points = points.filter(|point| !point.read_only && !point.is_input);
+    // What a plant does is the machine's matter.
+    let is_own =
+        |point: &&Point| simulation.program().plant_of(&point.name).is_none() && !simulation.is_driven(point);
+    let points = points
+        .filter(|point| !point.read_only && !point.is_input)
+        .filter(is_own);
     let (outputs, others): (Vec<&Point>, Vec<&Point>) = points.partition(|point| point.role == Role::Output);
     let others = others.into_iter().filter(|point| !point.name.contains('.'));
     outputs.into_iter().chain(others).cloned().collect()
@@ -322,9 +328,11 @@ fn play(
     let begun = simulation.work();
     for scan in 0..scans {
         for row in rows.values() {
-            if let Some((value, _)) = row.cells.get(&scan) {
+            match row.cells.get(&scan) {
                 // It is of the tag's type.
-                let _ = simulation.set(&row.point, value.clone());
+                Some((Some(value), _)) => drop(simulation.set(&row.point, value.clone())),
+                Some((None, _)) => simulation.unforce(&row.point),
+                None => {}
             }
         }
         if simulation.status() != Status::Ready || !simulation.scan() {
@@ -338,7 +346,9 @@ fn play(
         }
         for row in rows.values_mut() {
             let given = row.cells.range(..=scan).next_back();
-            let given = given.map_or(&row.before, |(_, (value, _))| value);
+            let given = given.map_or(&row.before, |(_, (value, _))| {
+                value.as_ref().unwrap_or(&row.before)
+            });
             row.is_overwritten |= simulation.value(&row.point) != *given;
         }
         after(simulation, scan);

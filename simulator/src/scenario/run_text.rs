@@ -48,6 +48,7 @@ impl RunCell {
             RunCell::Nothing => return ".",
         };
         match text.as_str() {
+            "~" => "~",
             "TRUE" if is_level => "-",
             _ if is_level => "_",
             text => text.strip_prefix("T#").unwrap_or(text),

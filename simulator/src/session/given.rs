@@ -22,7 +22,8 @@ struct One {
     at_change: bool,
     /// Among the points that anything was given to.
     point: usize,
-    value: Value,
+    /// None: it is given back to the plant that drives it.
+    value: Option<Value>,
 }
 
 /// Why it is not known what was given.
@@ -66,11 +67,11 @@ impl AllGiven {
         all
     }
 
-    /// Before which scans what was given to which points, the oldest first.
-    pub(crate) fn values(&self) -> impl Iterator<Item = (u64, &Point, &Value)> {
+    /// Before which scans what was given to which points, the oldest first. No value: the point is given back to the plant.
+    pub(crate) fn values(&self) -> impl Iterator<Item = (u64, &Point, Option<&Value>)> {
         self.values
             .iter()
-            .map(|one| (one.scan, &self.points[one.point], &one.value))
+            .map(|one| (one.scan, &self.points[one.point], one.value.as_ref()))
     }
 
     /// A scan begins: what is known of it and of later ones happened on a way that is not gone any more.
@@ -90,26 +91,56 @@ impl AllGiven {
         before: impl Fn(&'a Point) -> Option<(&'a Point, &'a Memory)>,
     ) {
         let memory = &simulation.machine.memory;
+        for point in simulation.points() {
+            if before(point).is_none_or(|before| point.is_as(memory, before)) || simulation.is_driven(point) {
+                continue;
+            }
+            self.push(simulation, at_change, point, Some(point.read(memory)));
+        }
+    }
+
+    /// Takes the supply of power, and what holds against the plants, or does not any more: its value need not differ from theirs.
+    fn take_held(&mut self, simulation: &Simulation) {
+        let power = crate::tags::power();
+        let has_power = simulation.value(&power);
+        if *self.last(&power).unwrap_or(&Value::Bool(true)) != has_power {
+            self.push(simulation, false, &power, Some(has_power));
+        }
+        if simulation.program().plants.is_empty() {
+            return;
+        }
+        let points = simulation.points().iter();
+        for point in points.filter(|point| simulation.is_driven(point)) {
+            let held = simulation.is_forced(point);
+            let held = held.then(|| point.read(&simulation.machine.memory));
+            if self.last(point) != held.as_ref() {
+                self.push(simulation, false, point, held);
+            }
+        }
+    }
+
+    /// What was given last to a point, and not given back.
+    fn last(&mut self, point: &Point) -> Option<&Value> {
+        let index = self.index_of(point);
+        let mut values = self.values.iter().rev();
+        values.find(|one| one.point == index)?.value.as_ref()
+    }
+
+    fn push(&mut self, simulation: &Simulation, at_change: bool, point: &Point, value: Option<Value>) {
+        if self.values.len() == MOST_GIVEN {
+            self.not_known = Some(NotKnown::TooMany);
+            self.values = Vec::new();
+        }
         if self.not_known.is_some() {
             return;
         }
-        for point in simulation.points() {
-            if before(point).is_none_or(|before| point.is_as(memory, before)) {
-                continue;
-            }
-            if self.values.len() == MOST_GIVEN {
-                self.not_known = Some(NotKnown::TooMany);
-                self.values = Vec::new();
-                return;
-            }
-            let index = self.index_of(point);
-            self.values.push(One {
-                scan: simulation.machine.scan as u64,
-                at_change,
-                point: index,
-                value: point.read(memory),
-            });
-        }
+        let index = self.index_of(point);
+        self.values.push(One {
+            scan: simulation.machine.scan as u64,
+            at_change,
+            point: index,
+            value,
+        });
     }
 
     fn index_of(&mut self, point: &Point) -> usize {
@@ -138,6 +169,7 @@ impl Session {
             let before = &self.history.banks.memory;
             self.given
                 .take(&self.simulation, false, |point| Some((point, before)));
+            self.given.take_held(&self.simulation);
         }
     }
 

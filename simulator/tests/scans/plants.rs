@@ -2,20 +2,31 @@
 
 use crate::support::{get, set, simulation, trace};
 use expect_test::expect;
+use ladder_analysis::values::value::Value;
 use ladder_analysis::{PlantFile, analyze, link_with_plants};
+use ladder_simulator::scenario::{Wanted, passes, record};
 use ladder_simulator::{HistoryLimits, Options, Session, Simulation};
 use ladder_syntax::parse;
 use std::sync::Arc;
 
 /// A program beside a plant, which is called `plant`.
 fn beside(program: &str, plant: &str) -> Simulation {
+    connected(("own.clad", program), ("machine.clad", plant, "plant"), &[])
+}
+
+/// A program beside a plant, with what is connected by hand.
+fn connected(
+    (own, program): (&str, &str),
+    (file, plant, name): (&str, &str, &str),
+    connects: &[(String, String)],
+) -> Simulation {
     let analysis = |text: &str, name: &str| Arc::new(analyze(&Arc::new(parse(text)), name));
     let plants = [PlantFile {
-        analysis: analysis(plant, "machine.clad"),
-        name: "plant".to_owned(),
+        analysis: analysis(plant, file),
+        name: name.to_owned(),
     }];
-    let own = analysis(program, "own.clad");
-    let linked = link_with_plants(&own, &[], (&plants, &[]), &|_| None);
+    let own = analysis(program, own);
+    let linked = link_with_plants(&own, &[], (&plants, connects), &|_| None);
     let (linked, errors) = linked.expect("both have no errors");
     assert_eq!(errors, []);
     Simulation::new(linked.program, Options::default()).expect("it compiles")
@@ -167,4 +178,74 @@ fn a_session_steps_back_in_both_and_says_why_through_the_connection() {
         (session.simulation().scans(), both(&session)),
         (2, ["1".to_owned(), "1".to_owned()])
     );
+}
+
+#[test]
+fn a_recording_has_the_plant() {
+    let program = FOLLOWS
+        .replace("seen : BOOL", "at_end, stop : BOOL")
+        .replace("[/]( seen )", "[/]( at_end )--[/]( stop )");
+    let connects = [("machine.seen".to_owned(), "at_end".to_owned())];
+    for (own, file) in [
+        ("own.clad", "machine.clad"),
+        ("press/own.clad", "press/machine.clad"),
+        ("press/left/own.clad", "press/models/machine.clad"),
+    ] {
+        let simulation = connected((own, &program), (file, MACHINE, "machine"), &connects);
+        let mut session = Session::of(simulation, HistoryLimits::default());
+        session.scan();
+        for (tag, value) in [
+            ("stop", Some(true)),
+            ("at_end", Some(true)),
+            ("stop", Some(false)),
+            ("at_end", None),
+            // As it is anyway.
+            ("at_end", Some(false)),
+            ("at_end", None),
+        ] {
+            let point = session.simulation().resolve(tag).unwrap();
+            match value {
+                Some(value) => session.set(&point, Value::Bool(value)).unwrap(),
+                None => session.unforce(&point),
+            }
+            session.scan();
+        }
+        session.warm_restart();
+        for _ in 0..4 {
+            session.scan();
+        }
+        let wanted = Wanted {
+            program: "own.clad",
+            name: "to the end",
+            outputs: None,
+        };
+        let recorded = record(&session, wanted).unwrap();
+        assert!(passes(&session, &recorded), "{}", recorded.text);
+        let shown = format!("{}{}\n", recorded.text, recorded.notes.join("\n"));
+        if own == "own.clad" {
+            expect![[r#"
+                program own.clad
+                plant machine.clad as machine
+                connect machine.seen = at_end
+                step 10ms
+                interval 10ms
+
+                scenario "to the end"
+                stop         _--_________
+                at_end       ..-.~_~.....
+                SYS.POWER    -------_----
+                moves     => -___--______
+
+            "#]]
+            .assert_eq(&shown);
+        } else {
+            let plant = shown.lines().nth(1).unwrap();
+            let wanted = if own.contains("left") {
+                "plant ../models/machine.clad as machine"
+            } else {
+                "plant machine.clad as machine"
+            };
+            assert_eq!(plant, wanted);
+        }
+    }
 }
