@@ -92,12 +92,7 @@ impl Asked {
                 plant.name.clone(),
             )
         });
-        let connects = scenario
-            .suite
-            .connects
-            .iter()
-            .map(|connect| connect.sides.clone());
-        (plants.collect(), connects.collect())
+        (plants.collect(), scenario.suite.connections())
     }
 
     /// Whether a scenario is to be run.

@@ -25,6 +25,17 @@ pub(crate) struct Plants {
 }
 
 impl Plants {
+    /// The program beside those that are named; what the settings say does not count: values of a real machine come from no model.
+    ///
+    /// # Errors
+    /// As [`Plants::beside`].
+    pub(crate) fn named_beside(&self, source: Source) -> Result<Source, Failure> {
+        if self.plant.is_empty() && self.connect.is_empty() {
+            return Ok(source);
+        }
+        self.beside(source)
+    }
+
     /// The program beside them.
     ///
     /// # Errors

@@ -486,3 +486,47 @@ fn the_settings_name_the_plant_of_a_workspace() {
             .to_string(),
     );
 }
+
+/// What a table has is followed through the connection, where a plant is named.
+#[test]
+fn why_goes_through_the_connection() {
+    let folder = Folder::with(&[
+        (
+            "lamp.clad",
+            "VAR_INPUT high : BOOL; END_VAR\n+--[ ]( high )--( )( lamp )--+\n",
+        ),
+        (
+            "tank.clad",
+            "VAR_INPUT level : INT; END_VAR\nVAR_OUTPUT full : BOOL; END_VAR\n+--[GE]( level, 800 )--( )( full )--+\n",
+        ),
+        ("values.csv", "plant.level,810\nplant.full,1\nhigh,1\nlamp,1\n"),
+        (
+            "ladder.toml",
+            "[simulate]\nplant = \"tank.clad\"\nconnect = [\"plant.full = high\"]\n",
+        ),
+    ]);
+    let why = ["why", "lamp.clad", "lamp", "--tags", "values.csv"];
+    expect![[r#"
+        exit status 0
+        -- stdout
+        lamp is 1: line 2, ( )( lamp ) writes 1; power came through [ ]( high ) (line 2, column 4): high is 1
+          high is 1: it is an input
+
+        │  high                                                                lamp   │
+        ┝━━┥━━━┝━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━(━━━)━━┥
+
+        in the table, and not in the program: plant.level (line 1), plant.full (line 2)
+    "#]].assert_eq(&folder.ladder(&why).to_string());
+    let beside = ["--plant", "tank.clad", "--connect", "plant.full=high"];
+    expect![[r#"
+        exit status 0
+        -- stdout
+        lamp is 1: line 2, ( )( lamp ) writes 1; power came through [ ]( high ) (line 2, column 4): high is 1
+          high is 1: line 2 of tank.clad, full writes 1; power came straight from the rail
+            plant.full is 1: line 3 of tank.clad, ( )( full ) writes 1; power came through [GE]( level, 800 ) (line 3 of tank.clad, column 4): plant.level is 810
+              plant.level is 810: it is an input
+
+        │  high                                                                lamp   │
+        ┝━━┥━━━┝━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━(━━━)━━┥
+    "#]].assert_eq(&folder.ladder(&[&why[..], &beside[..]].concat()).to_string());
+}

@@ -193,13 +193,15 @@ fn a_failed_scenario_shows_the_machine_in_its_step() {
     assert_eq!(folder.names_in("failed"), ["pump.1.pump.svg"]);
     let still = folder.read("failed/pump.1.pump.svg");
     assert!(still.contains(">0 l<"), "{still}");
-    let json = folder.ladder(&[
-        "test",
-        "pump.ladder-test",
-        "--pictures",
-        "failed",
-        "--format",
-        "json",
-    ]);
-    assert!(json.stdout.contains("failed/pump.1.pump.svg"), "{json}");
+    for (format, named) in [
+        ("json", "\"failed/pump.1.pump.svg\""),
+        (
+            "junit",
+            "<system-out>[[ATTACHMENT|failed/pump.1.pump.svg]]</system-out>",
+        ),
+    ] {
+        let run = ["test", "pump.ladder-test", "--pictures", "failed", "--format", format];
+        let run = folder.ladder(&run);
+        assert!(run.stdout.contains(named), "{run}");
+    }
 }

@@ -298,3 +298,21 @@ async fn nothing_outside_is_read() {
     assert_eq!(rest["program"], Value::Null);
     assert_eq!(rest["slots"], json!([]));
 }
+
+#[tokio::test]
+async fn the_plants_of_the_settings_are_known_in_a_scene() {
+    let text = scene("l:program='main.clad'", "<g l:move-x='tank.level'/>");
+    let plant = Plant::with(&[
+        ("main.clad", PROGRAM),
+        ("tank.clad", MACHINE),
+        ("ladder.toml", "[simulate]\nplant = \"tank.clad as tank\"\n"),
+        ("main.scene.svg", &text),
+    ]);
+    let mut client = Client::new().await;
+    let uri = plant.uri("main.scene.svg");
+    open(&mut client, &uri, "svg", &text).await;
+    let found = ask(&mut client, "definition", &uri, (3, 18), json!({})).await;
+    assert_eq!(found[0]["uri"], plant.uri("tank.clad"), "{found}");
+    let found = ask(&mut client, "completion", &uri, (3, 14), json!({})).await;
+    assert!(found.to_string().contains("\"tank.level\""), "{found}");
+}

@@ -22,6 +22,7 @@ import { PENNED, pen } from './pen.mjs';
 import { files as PROPERTIES, proofs } from './proofs.mjs';
 import { PROGRAMS, running } from './running.mjs';
 import { FILE as SCENARIO_FILE, files as SCENARIOS, scenarios } from './scenarios.mjs';
+import { MACHINE, scene } from './scene.mjs';
 import { failures, step, tell, whenFailed } from './steps.mjs';
 import { CROOKED, lines, NAME, RUNG, SAVED, typing } from './typing.mjs';
 
@@ -57,7 +58,7 @@ function prepare() {
     writeFileSync(join(scratch, 'project', DRAWN), DRAWN_TEXT);
     comparedProgram(join(scratch, 'project'));
     emptyFiles(join(scratch, 'project'));
-    for (const [name, text] of Object.entries({ ...programs, ...PENNED, ...PROGRAMS, ...SCENARIOS, ...PROPERTIES })) {
+    for (const [name, text] of Object.entries({ ...programs, ...PENNED, ...MACHINE, ...PROGRAMS, ...SCENARIOS, ...PROPERTIES })) {
         writeFileSync(join(scratch, 'project', name), text);
     }
 }
@@ -373,6 +374,7 @@ const parts = (page) => ({
     typing: () => typing(page, { step, until, screenshot, project: join(scratch, 'project') }),
     drawing: () => drawing(page, { step, until }),
     pen: () => pen(page, { step, until, screenshot }),
+    scene: () => scene(page, { step, until, screenshot }),
     foreign: () => foreign(page, { step, until, screenshot }),
     dying: () => dying(page, { step, until, screenshot, scratch, answer }),
     book: () => book(page, { step, until, project: join(scratch, 'project') }),

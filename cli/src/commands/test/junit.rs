@@ -136,6 +136,12 @@ impl Junit {
                     escaped(&case.drawn())
                 )?;
             }
+            if !case.pictures.is_empty() {
+                // As GitLab and a plugin of Jenkins read it.
+                let attached = case.pictures.iter().map(|file| format!("[[ATTACHMENT|{file}]]"));
+                let attached = attached.collect::<Vec<_>>().join("\n");
+                writeln!(out, "      <system-out>{}</system-out>", escaped(&attached))?;
+            }
             if !told.is_empty() {
                 writeln!(
                     out,

@@ -7,7 +7,7 @@ use crate::findings::Source;
 use crate::form::Notation;
 use crate::json::to_writer_pretty;
 use crate::outcome::{Failure, Outcome};
-use crate::run::program;
+use crate::run::{Plants, program};
 use crate::terminal::Stdout;
 use crate::values::Given;
 use clap::{Args, ValueEnum};
@@ -54,6 +54,9 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     from: Notation,
 
+    #[command(flatten)]
+    plants: Plants,
+
     /// How the answer is written
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -69,6 +72,7 @@ enum Format {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let source = Source::read(&arguments.file, arguments.from.form())?;
+    let source = arguments.plants.named_beside(source)?;
     let Some(program) = program(&source) else {
         return Ok(Outcome::Findings);
     };

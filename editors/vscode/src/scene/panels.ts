@@ -12,6 +12,13 @@ const ENDING = '.scene.svg';
 /** A drawing that is edited is shown again so long after the last key. In milliseconds. */
 const REST = 300;
 
+/** What is in front: a text, or a drawing that is shown as a picture. */
+function inFront(): vscode.Uri | undefined {
+    const input = vscode.window.tabGroups.activeTabGroup.activeTab?.input;
+    const isCustom = input instanceof vscode.TabInputCustom;
+    return isCustom ? input.uri : vscode.window.activeTextEditor?.document.uri;
+}
+
 export class ScenePanels implements vscode.Disposable {
     readonly #extension: vscode.Uri;
     readonly #server: Server;
@@ -26,7 +33,7 @@ export class ScenePanels implements vscode.Disposable {
 
     /** Opens a scene: the one that is named or in front, else those next to the program that is in front. */
     async open(given?: unknown): Promise<void> {
-        const uri = given instanceof vscode.Uri ? given : vscode.window.activeTextEditor?.document.uri;
+        const uri = given instanceof vscode.Uri ? given : inFront();
         const scene = uri?.path.endsWith(ENDING) ? uri : uri && (await this.#nextTo(uri));
         if (!scene) {
             void vscode.window.showWarningMessage('Open a scene (NAME.scene.svg), or a program that has one in its folder.');
@@ -79,7 +86,8 @@ export class ScenePanels implements vscode.Disposable {
                     const document = await opened(program);
                     if (document) {
                         simulation.lookAt(document);
-                        await (simulation.of(document) ? simulation.run() : simulation.start(document));
+                        // Who presses *Run* wants it to run, also where a simulation is to begin paused.
+                        await (simulation.of(document) ? simulation.run() : simulation.start(document, () => Promise.resolve(true)));
                     }
                 },
                 pause: () => simulation.pause(),
