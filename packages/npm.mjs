@@ -64,6 +64,8 @@ function launcher() {
     return {
         name: 'ladder-logic',
         description: 'Ladder logic as plain text: checker, formatter, simulator and language server',
+        // By which the registry of tools for assistants knows that packages/server.json is about this package.
+        mcpName: `io.github.${ask('project', 'owner')}/ladder`,
         ...common,
         keywords: ['plc', 'ladder', 'iec61131', 'lsp', 'simulator'],
         bin: { ladder: 'bin/ladder.cjs', ldfmt: 'bin/ldfmt.cjs' },

@@ -33,6 +33,8 @@ export function absolute(text, repository, version) {
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
-    const repository = execFileSync('bash', ['packages/project', 'repository'], { cwd: ROOT, encoding: 'utf8' }).trim();
-    process.stdout.write(absolute(readFileSync(join(ROOT, 'README.md'), 'utf8'), repository, process.argv[2]));
+    const valueOf = (name) => execFileSync('bash', ['packages/project', name], { cwd: ROOT, encoding: 'utf8' }).trim();
+    process.stdout.write(absolute(readFileSync(join(ROOT, 'README.md'), 'utf8'), valueOf('repository'), process.argv[2]));
+    // By which the registry of tools for assistants knows that packages/server.json is about the package on PyPI.
+    process.stdout.write(`\n<!-- mcp-name: io.github.${valueOf('owner')}/ladder -->\n`);
 }

@@ -1,5 +1,7 @@
 //! What is on the command line.
 
+#[cfg(feature = "mcp")]
+use crate::commands::mcp;
 #[cfg(feature = "run")]
 use crate::commands::run;
 use crate::commands::{
@@ -7,7 +9,7 @@ use crate::commands::{
 };
 #[cfg(feature = "pages")]
 use crate::commands::{completions, man, pages};
-#[cfg(not(all(feature = "pages", feature = "run")))]
+#[cfg(not(all(feature = "mcp", feature = "pages", feature = "run")))]
 use crate::features::{Feature, LeftOut};
 use crate::outcome::exit;
 #[cfg(feature = "pages")]
@@ -69,6 +71,11 @@ enum Command {
     Explain(explain::Arguments),
     Lsp(lsp::Arguments),
     Dap(dap::Arguments),
+    #[cfg(feature = "mcp")]
+    Mcp(mcp::Arguments),
+    /// Be a server of tools for assistants (not in this build)
+    #[cfg(not(feature = "mcp"))]
+    Mcp(LeftOut),
     Tree(tree::Arguments),
     #[cfg(feature = "pages")]
     Completions(completions::Arguments),
@@ -96,6 +103,10 @@ impl Ladder {
             Command::Run(arguments) => run::run(&arguments),
             #[cfg(not(feature = "run"))]
             Command::Run(_) => Err(Feature::Run.left_out()),
+            #[cfg(feature = "mcp")]
+            Command::Mcp(arguments) => mcp::run(&arguments),
+            #[cfg(not(feature = "mcp"))]
+            Command::Mcp(_) => Err(Feature::Mcp.left_out()),
             Command::Test(arguments) => test::run(&arguments),
             Command::Prove(arguments) => prove::run(&arguments),
             Command::Render(arguments) => render::run(&arguments),

@@ -9,13 +9,14 @@ pub(crate) enum Feature {
     Server,
     Screen,
     Run,
+    Mcp,
     Png,
     Pdf,
     Pages,
 }
 
 /// The arguments of a command that is left out: whatever is given.
-#[cfg(not(all(feature = "pages", feature = "run")))]
+#[cfg(not(all(feature = "mcp", feature = "pages", feature = "run")))]
 #[derive(Debug, clap::Args)]
 pub(crate) struct LeftOut {
     #[arg(hide = true, trailing_var_arg = true, allow_hyphen_values = true)]
@@ -29,6 +30,7 @@ impl Feature {
             Feature::Server => ("the language server", "server"),
             Feature::Screen => ("the interactive screen", "screen"),
             Feature::Run => ("programs in real time", "run"),
+            Feature::Mcp => ("the server for assistants", "mcp"),
             Feature::Png => ("PNG pictures", "png"),
             Feature::Pdf => ("PDF pictures", "pdf"),
             Feature::Pages => ("completions and manual pages", "pages"),
@@ -51,6 +53,7 @@ mod tests {
             Feature::Server,
             Feature::Screen,
             Feature::Run,
+            Feature::Mcp,
             Feature::Png,
             Feature::Pdf,
             Feature::Pages,
@@ -60,6 +63,7 @@ mod tests {
             this `ladder` was built without the language server; build it with `--features server`, or install it whole with `cargo install --path cli`
             this `ladder` was built without the interactive screen; build it with `--features screen`, or install it whole with `cargo install --path cli`
             this `ladder` was built without programs in real time; build it with `--features run`, or install it whole with `cargo install --path cli`
+            this `ladder` was built without the server for assistants; build it with `--features mcp`, or install it whole with `cargo install --path cli`
             this `ladder` was built without PNG pictures; build it with `--features png`, or install it whole with `cargo install --path cli`
             this `ladder` was built without PDF pictures; build it with `--features pdf`, or install it whole with `cargo install --path cli`
             this `ladder` was built without completions and manual pages; build it with `--features pages`, or install it whole with `cargo install --path cli`"#]].assert_eq(&messages.join("\n"));

@@ -12,6 +12,8 @@ pub(crate) mod git;
 pub(crate) mod lsp;
 #[cfg(feature = "pages")]
 pub(crate) mod man;
+#[cfg(feature = "mcp")]
+pub(crate) mod mcp;
 pub(crate) mod merge;
 pub(crate) mod new;
 #[cfg(feature = "pages")]

@@ -28,7 +28,7 @@ pub(crate) struct Arguments {
 }
 
 /// The files, with the words that [`filled_in`] fills in, in their names too.
-const TEMPLATE: [(&str, &str); 11] = [
+const TEMPLATE: [(&str, &str); 12] = [
     ("NAME.clad", include_str!("../../template/NAME.clad")),
     (
         "NAME.ladder-test",
@@ -36,6 +36,7 @@ const TEMPLATE: [(&str, &str); 11] = [
     ),
     ("ladder.toml", include_str!("../../template/ladder.toml")),
     ("README.md", include_str!("../../template/README.md")),
+    ("AGENTS.md", include_str!("../../template/AGENTS.md")),
     (
         ".github/workflows/ladder.yml",
         include_str!("../../template/.github/workflows/ladder.yml"),

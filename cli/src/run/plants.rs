@@ -25,6 +25,15 @@ pub(crate) struct Plants {
 }
 
 impl Plants {
+    /// One that is named, if any is.
+    #[cfg(feature = "mcp")]
+    pub(crate) fn named(plant: Option<String>) -> Plants {
+        Plants {
+            plant: Vec::from_iter(plant),
+            connect: Vec::new(),
+        }
+    }
+
     /// The program beside those that are named; what the settings say does not count: values of a real machine come from no model.
     ///
     /// # Errors

@@ -4,7 +4,7 @@ use crate::harness::Folder;
 use expect_test::expect_file;
 
 /// Every command of `ladder`.
-const COMMANDS: [&str; 17] = [
+const COMMANDS: [&str; 18] = [
     "new",
     "check",
     "fmt",
@@ -17,6 +17,7 @@ const COMMANDS: [&str; 17] = [
     "git",
     "explain",
     "lsp",
+    "mcp",
     "tags",
     "why",
     "tree",

@@ -24,6 +24,7 @@ mod logix;
 mod lsp;
 mod lsp_ending;
 mod lsp_recording;
+mod mcp;
 mod merge;
 mod mutation;
 mod new;

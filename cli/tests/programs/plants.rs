@@ -516,7 +516,8 @@ fn why_goes_through_the_connection() {
         ┝━━┥━━━┝━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━(━━━)━━┥
 
         in the table, and not in the program: plant.level (line 1), plant.full (line 2)
-    "#]].assert_eq(&folder.ladder(&why).to_string());
+    "#]]
+    .assert_eq(&folder.ladder(&why).to_string());
     let beside = ["--plant", "tank.clad", "--connect", "plant.full=high"];
     expect![[r#"
         exit status 0

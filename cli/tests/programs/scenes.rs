@@ -200,7 +200,14 @@ fn a_failed_scenario_shows_the_machine_in_its_step() {
             "<system-out>[[ATTACHMENT|failed/pump.1.pump.svg]]</system-out>",
         ),
     ] {
-        let run = ["test", "pump.ladder-test", "--pictures", "failed", "--format", format];
+        let run = [
+            "test",
+            "pump.ladder-test",
+            "--pictures",
+            "failed",
+            "--format",
+            format,
+        ];
         let run = folder.ladder(&run);
         assert!(run.stdout.contains(named), "{run}");
     }

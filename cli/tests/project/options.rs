@@ -4,7 +4,7 @@ use ladder_tests::{book, project};
 use std::collections::BTreeSet;
 use std::process::Command;
 
-const COMMANDS: [&str; 17] = [
+const COMMANDS: [&str; 18] = [
     "check",
     "fmt",
     "sim",
@@ -19,6 +19,7 @@ const COMMANDS: [&str; 17] = [
     "git",
     "explain",
     "lsp",
+    "mcp",
     "tree",
     "why",
     "completions",

@@ -3,6 +3,7 @@ import * as vscode from 'vscode';
 
 import type { MarkedLine } from '../../../panels/compare/marks.ts';
 import type { State } from '../../../panels/protocol.ts';
+import { offerTools } from './assistants.ts';
 import { Click } from './click.ts';
 import { registerCommands } from './commands.ts';
 import { Comparisons } from './compare/comparisons.ts';
@@ -90,6 +91,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         new FilledSnippet(),
         showRulePages(server),
         showLibraryBlocks(server),
+        offerTools(server),
         vscode.workspace.onDidGrantWorkspaceTrust(() => server?.start()),
         vscode.workspace.onDidChangeConfiguration((event) => {
             if (event.affectsConfiguration('ladder.server.path')) {
