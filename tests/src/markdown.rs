@@ -1,6 +1,6 @@
 //! What the tests want to know of a Markdown text.
 
-use pulldown_cmark::{CodeBlockKind, CowStr, Event, Options, Parser, Tag, TagEnd};
+use pulldown_cmark::{CodeBlockKind, CowStr, Event, LinkType, Options, Parser, Tag, TagEnd};
 use std::collections::HashSet;
 use std::ops::Range;
 
@@ -54,6 +54,11 @@ pub fn read(text: &str) -> Markdown {
                 let anchor = anchor(&heading.take().unwrap_or_default());
                 markdown.add_anchor(&anchor);
             }
+            Event::Start(Tag::Link {
+                link_type: LinkType::Email,
+                dest_url,
+                ..
+            }) => markdown.links.push(format!("mailto:{dest_url}")),
             Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
                 markdown.links.push(dest_url.into_string());
             }

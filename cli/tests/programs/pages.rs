@@ -83,6 +83,7 @@ fn manual_pages() {
         ladder-git.1
         ladder-lsp.1
         ladder-man.1
+        ladder-mcp.1
         ladder-merge.1
         ladder-new.1
         ladder-prove.1

@@ -57,7 +57,9 @@ fn still_connected(
     let Suite { plants, connects, .. } = &*scenarios.suite;
     let of_connects = connects.iter().map(|connect| connect.range.end());
     let of_plants = plants.iter().map(|plant| plant.range.end());
-    if plants.is_empty() || symbol.name().is_none_or(|name| *name == Name::new(new)) {
+    // A scene has no place for such a line.
+    let is_scene = scenarios.name.ends_with(".svg");
+    if is_scene || plants.is_empty() || symbol.name().is_none_or(|name| *name == Name::new(new)) {
         return Ok(None);
     }
     let lines = with_files(scenarios, own, workspace, |files| lines(files, symbol, new));
@@ -65,19 +67,12 @@ fn still_connected(
     let (Some(last), false) = (of_connects.chain(of_plants).max(), lines.is_empty()) else {
         return Ok(None);
     };
-    // A scene has no place for the line.
-    if scenarios.name.ends_with(".svg") {
-        return Err(RenameRefused(format!(
-            "{} connects it with a plant by its name, and has no line `connect`",
-            scenarios.name
-        )));
-    }
     let line = line_around(&scenarios.text, last);
     let ends_in_cr = scenarios.text[usize::from(line.end())..].starts_with('\r');
     let end = if ends_in_cr { "\r\n" } else { "\n" };
     Ok(Some(Edit {
         range: TextRange::empty(line.end()),
-        text: lines.iter().map(|line| format!("{end}{line}")).collect(),
+        text: format!("{end}{}", lines.join(end)),
     }))
 }
 

@@ -92,7 +92,7 @@ fn wired(kind: &str, id: usize, from: &str, tag: &str) -> String {
 #[test]
 fn an_element_of_very_many_attributes() {
     let many = (0..200_000)
-        .map(|n| format!(" a{n}=''"))
+        .map(|n| format!("\na{n}=''"))
         .collect::<Vec<_>>()
         .concat();
     let error = "an element of the file has more than 256 attributes; projects do not";

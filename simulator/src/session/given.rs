@@ -2,9 +2,9 @@
 //! presses much more seldom than scans run.
 
 use super::Session;
-use crate::memory::Memory;
+use crate::memory::{Bit, Memory};
 use crate::simulation::Simulation;
-use crate::tags::Point;
+use crate::tags::{Point, power};
 use ladder_analysis::program::Program;
 use ladder_analysis::values::value::Value;
 use std::collections::HashMap;
@@ -45,6 +45,8 @@ pub(crate) struct AllGiven {
     by_name: HashMap<String, usize>,
     /// The oldest first.
     values: Vec<One>,
+    /// Of points that a plant drives, which of the values are theirs.
+    held: HashMap<usize, Vec<usize>>,
     not_known: Option<NotKnown>,
 }
 
@@ -55,6 +57,7 @@ impl AllGiven {
             points: Vec::new(),
             by_name: HashMap::new(),
             values: Vec::new(),
+            held: HashMap::new(),
             not_known: match () {
                 () if !has_history => Some(NotKnown::NoHistory),
                 () if simulation.machine.scan != 0 => Some(NotKnown::LateStart),
@@ -77,8 +80,9 @@ impl AllGiven {
     /// A scan begins: what is known of it and of later ones happened on a way that is not gone any more.
     fn forget_from(&mut self, scan: u64) {
         let is_gone = |last: &One| last.scan > scan || (last.scan == scan && !last.at_change);
-        while self.values.last().is_some_and(is_gone) {
-            self.values.pop();
+        while let Some(last) = self.values.pop_if(|last| is_gone(last)) {
+            let own = self.held.get_mut(&last.point);
+            own.and_then(|values| values.pop_if(|value| *value == self.values.len()));
         }
     }
 
@@ -101,35 +105,32 @@ impl AllGiven {
 
     /// Takes the supply of power, and what holds against the plants, or does not any more: its value need not differ from theirs.
     fn take_held(&mut self, simulation: &Simulation) {
-        let power = crate::tags::power();
-        let has_power = simulation.value(&power);
-        if *self.last(&power).unwrap_or(&Value::Bool(true)) != has_power {
-            self.push(simulation, false, &power, Some(has_power));
+        let memory = &simulation.machine.memory;
+        let has_power = memory.bit(Bit::POWER);
+        if has_power != memory.bit(Bit::HAD_POWER) {
+            self.push(simulation, false, &power(), Some(Value::Bool(has_power)));
         }
         if simulation.program().plants.is_empty() {
             return;
         }
         let points = simulation.points().iter();
         for point in points.filter(|point| simulation.is_driven(point)) {
-            let held = simulation.is_forced(point);
-            let held = held.then(|| point.read(&simulation.machine.memory));
-            if self.last(point) != held.as_ref() {
+            let held = simulation.is_forced(point).then(|| point.read(memory));
+            let index = self.index_of(point);
+            let last = self.held.get(&index).and_then(|values| values.last());
+            let last = last.and_then(|last| self.values[*last].value.as_ref());
+            if last != held.as_ref() && self.not_known.is_none() {
+                self.held.entry(index).or_default().push(self.values.len());
                 self.push(simulation, false, point, held);
             }
         }
-    }
-
-    /// What was given last to a point, and not given back.
-    fn last(&mut self, point: &Point) -> Option<&Value> {
-        let index = self.index_of(point);
-        let mut values = self.values.iter().rev();
-        values.find(|one| one.point == index)?.value.as_ref()
     }
 
     fn push(&mut self, simulation: &Simulation, at_change: bool, point: &Point, value: Option<Value>) {
         if self.values.len() == MOST_GIVEN {
             self.not_known = Some(NotKnown::TooMany);
             self.values = Vec::new();
+            self.held = HashMap::new();
         }
         if self.not_known.is_some() {
             return;

@@ -26,9 +26,9 @@ fn rules_that_the_book_names_exist() {
         let mut words = NOTATIONS.iter().map(|notation| notation.name());
         words.any(|name| code.strip_prefix(name).is_some_and(|rest| rest.starts_with('-')))
     };
-    // The protocol has words of its own, and so have other editors.
+    // The protocol has words of its own, and so have other editors and packages.
     let has_own_words = |path: &Path| {
-        ["protocol.md", "other-editors.md"]
+        ["protocol.md", "other-editors.md", "releasing.md"]
             .iter()
             .any(|name| path.ends_with(name))
     };

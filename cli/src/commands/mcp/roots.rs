@@ -130,11 +130,7 @@ impl Roots {
     }
 
     fn named(&self) -> String {
-        let named: Vec<String> = self
-            .folders
-            .iter()
-            .map(|root| shown::path(root).to_string())
-            .collect();
+        let named: Vec<String> = self.folders.iter().map(|root| shown::path(root)).collect();
         named.join(", ")
     }
 }
@@ -181,7 +177,7 @@ mod tests {
             std::fs::write(folder.join("a.clad"), "").unwrap();
         }
         std::fs::write(inside.join("-o"), "").unwrap();
-        let mut roots = Roots::of_arguments(&[outside.clone()]).unwrap();
+        let mut roots = Roots::of_arguments(std::slice::from_ref(&outside)).unwrap();
         let address = format!("file://{}", inside.display()).replace(' ', "%20");
         roots.become_those_of(&[address]);
         assert_eq!(roots.there("a.clad").unwrap().argument(), "a.clad");

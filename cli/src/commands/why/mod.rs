@@ -33,13 +33,17 @@ A header may say which columns they are in: `name` or `tag`, `value` or `Monitor
 Exit status: 0 the program explains the value, 1 the values contradict it, some that are needed are not there, or the
 program has errors, 2 a file cannot be read, or there is no such tag.";
 
+/// What the settings say does not count here, as it does for a run.
+const NAMED_PLANT: &str = "A model of the machine, which is asked, too: what comes from it is followed through the connection. `FILE as NAME` calls it otherwise than \
+                           `plant`; may be given again";
+
 /// Say why a tag holds what it holds, from values that were taken from a controller
 ///
 /// The networks that write the tag are run once, each from the values of the table, and drawn with their power: no time passes, and no
 /// edge comes through. What decides is followed back to other tags. Values that contradict the program are said, and which are needed and
 /// not in the table.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, mut_arg("plant", |plant| plant.long_help(NAMED_PLANT)))]
 pub(crate) struct Arguments {
     /// The program
     file: PathBuf,

@@ -39,6 +39,7 @@ fn ask<T>(text: &str, question: impl FnOnce(&Fixture, &Scenarios<'_>, TextSize) 
 
 #[test]
 fn completion_of_plants_and_connections() {
+    const HEAD: &str = "program main.clad\nplant tank.clad as tank\n";
     let check = |text: &str, expected: Expect| {
         let programs = ["main.clad".to_owned(), "tank.clad".to_owned()];
         let found = ask(text, |_, scenarios, offset| {
@@ -63,7 +64,6 @@ fn completion_of_plants_and_connections() {
         as|another name before its tags|as
     "#]],
     );
-    const HEAD: &str = "program main.clad\nplant tank.clad as tank\n";
     check(
         &format!("{HEAD}connect $0\n"),
         expect![[r#"
