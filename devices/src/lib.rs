@@ -15,7 +15,7 @@
 //!   program between two scans. It also asks devices, whose inputs and outputs are the program's.
 //! - [`system`] is what the operating system is asked and told: to wake up in time, and that the program runs.
 //!
-//! Nothing in here builds for WebAssembly; nothing outside of `ladder run` uses it.
+//! Nothing in here builds for WebAssembly; only `ladder run` uses it, and what checks and writes its settings.
 #![forbid(unsafe_code)]
 
 pub mod lateness;

@@ -2,12 +2,14 @@
 
 mod plants;
 mod program;
+mod reasons;
 mod retention;
 mod stimulus;
 pub(crate) mod unread;
 
 pub(crate) use plants::{Plants, note_undriven};
 pub(crate) use program::{place, program, show_errors, simulation};
+pub(crate) use reasons::with_wording;
 pub(crate) use retention::{KeptIn, Retention};
 pub(crate) use stimulus::Stimulus;
 

@@ -4,15 +4,15 @@ use super::operands;
 use super::sheet::{Block, Operand, Sheet};
 use crate::findings::Source;
 use crate::outcome::Failure;
-use crate::run::Retention;
+use crate::run::{Retention, with_wording};
 use ladder_analysis::Cancel;
-use ladder_analysis::program::{Location, Program};
+use ladder_analysis::program::Program;
 use ladder_analysis::values::value::Value;
 use ladder_simulator::chart::{Recorder, Track};
 use ladder_simulator::scenario::{self, Recordable, Recorded, Wanted};
 use ladder_simulator::{
     Breakpoint, Changeover, CompileError, Fault, Hit, Inputs, Point, Session, Simulation, Status, Stepped,
-    Stop, Wording,
+    Stop,
 };
 use ladder_workspace::Member;
 use std::borrow::Cow;
@@ -190,13 +190,7 @@ impl Plant {
     pub(super) fn why(&mut self, point: &Point) -> String {
         let why = self.session.why(point);
         let files = &self.session.simulation().program().files;
-        let texts: Vec<&str> = self.members.iter().map(Member::ladder).collect();
-        let places = |block: Location| {
-            self.members
-                .get(block.file as usize)?
-                .translated_place(block.range)
-        };
-        Wording::new(&texts, files).with_places(&places).text(&why)
+        with_wording(&self.members, files, |wording| wording.text(&why))
     }
 
     /// What was done so far, as a scenario of the program's file that expects something of these tags.

@@ -87,6 +87,17 @@ pub struct Map {
 }
 
 #[cfg(test)]
+impl Wrong {
+    /// What is wrong, a line each, with where it is written.
+    pub(super) fn lines(wrong: &[Wrong]) -> Vec<String> {
+        let lines = wrong.iter();
+        lines
+            .map(|wrong| format!("{}: {}", wrong.at.start, wrong.message))
+            .collect()
+    }
+}
+
+#[cfg(test)]
 impl Named {
     /// Places and tags, written at 1, 2, 3.
     pub(super) fn list(list: &[(&str, &str)]) -> Vec<Named> {
@@ -390,10 +401,7 @@ mod tests {
                     format!("{place} {}{star}", point.name)
                 })
                 .collect(),
-            Err(wrong) => wrong
-                .iter()
-                .map(|wrong| format!("{}: {}", wrong.at.start, wrong.message))
-                .collect(),
+            Err(wrong) => Wrong::lines(&wrong),
         };
         expected.assert_eq(&(shown.join("\n") + "\n"));
     }

@@ -7,13 +7,13 @@ use crate::findings::Source;
 use crate::form::Notation;
 use crate::json::to_writer_pretty;
 use crate::outcome::{Failure, Outcome};
-use crate::run::{Plants, program};
+use crate::run::{Plants, program, with_wording};
 use crate::terminal::Stdout;
 use crate::values::Given;
 use clap::{Args, ValueEnum};
-use ladder_analysis::program::{Location, Program};
+use ladder_analysis::program::Program;
 use ladder_simulator::{Judged, Moment, Options, Simulation, Wording};
-use ladder_workspace::{Member, shown};
+use ladder_workspace::shown;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
@@ -108,18 +108,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Format::Json => {
             let program = moment.simulation().program();
             let members = source.members(&program.files);
-            let texts: Vec<&str> = members.iter().map(Member::ladder).collect();
-            to_writer_pretty(
-                &mut out,
-                &json::Answer::of(
-                    &judged,
-                    &given,
-                    unread_writers(program, &judged),
-                    &Wording::new(&texts, &program.files).with_places(&|block| {
-                        members.get(block.file as usize)?.translated_place(block.range)
-                    }),
-                ),
-            )?;
+            let unread = unread_writers(program, &judged);
+            let answer = with_wording(&members, &program.files, |wording| {
+                json::Answer::of(&judged, &given, unread, wording)
+            });
+            to_writer_pretty(&mut out, &answer)?;
             writeln!(out)?;
         }
     }
@@ -177,11 +170,10 @@ fn people(
 ) -> io::Result<()> {
     let program = moment.simulation().program();
     let members = source.members(&program.files);
-    let texts: Vec<&str> = members.iter().map(Member::ladder).collect();
     let mut lines = Vec::new();
-    let places = |block: Location| members.get(block.file as usize)?.translated_place(block.range);
-    let wording = Wording::new(&texts, &program.files).with_places(&places);
-    reasons(&wording, judged, 0, &mut lines);
+    with_wording(&members, &program.files, |wording| {
+        reasons(wording, judged, 0, &mut lines);
+    });
     for line in &lines {
         writeln!(out, "{}", shown::line(line))?;
     }

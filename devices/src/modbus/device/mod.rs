@@ -218,10 +218,7 @@ mod tests {
                         .chain(blocks.map(|block| format!("= {block}")))
                         .collect()
                 }
-                Err(wrong) => wrong
-                    .iter()
-                    .map(|wrong| format!("{}: {}", wrong.at.start, wrong.message))
-                    .collect(),
+                Err(wrong) => Wrong::lines(&wrong),
             };
         expected.assert_eq(&(shown.join("\n") + "\n"));
     }
