@@ -40,8 +40,9 @@ impl Workspaces {
 
     /// Those that can be used, each with its folder.
     #[cfg(feature = "run")]
-    pub(crate) fn loaded(&self) -> impl Iterator<Item = (&Path, &Workspace)> {
+    pub(crate) fn loaded(&self) -> Vec<(PathBuf, Arc<Workspace>)> {
         let loaded = self.loaded.iter();
-        loaded.filter_map(|(folder, workspace)| Some((folder.as_path(), workspace.as_deref()?)))
+        let usable = loaded.filter_map(|(folder, workspace)| Some((folder.clone(), workspace.clone()?)));
+        usable.collect()
     }
 }

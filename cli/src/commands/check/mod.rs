@@ -210,7 +210,7 @@ fn check_files(arguments: &Arguments) -> Result<Round, Failure> {
     let (tally, nobody_reads) = report.finish()?;
     #[cfg(feature = "run")]
     for (folder, workspace) in workspaces.loaded() {
-        if let Some(failure) = wires::failure_in(folder, workspace.settings()) {
+        if let Some(failure) = wires::failure_in(&folder, workspace.settings(), &mut workspaces) {
             failure.show();
             outcome = Outcome::Failed;
         }
