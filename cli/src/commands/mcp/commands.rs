@@ -7,7 +7,7 @@ use super::roots::{Roots, Within};
 use super::tools::Tool;
 use base64::Engine;
 use serde_json::{Value, json};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
 use std::path::PathBuf;
 use tempfile::NamedTempFile;
@@ -73,11 +73,6 @@ impl Call<'_> {
         self.roots.there(self.given.needed(name)?)
     }
 
-    fn from(&self) -> usize {
-        let from = self.given.number("from").unwrap_or(0);
-        usize::try_from(from).unwrap_or(usize::MAX)
-    }
-
     /// What a command prints for people: with what it says on stderr where that is all, or worth a note.
     fn told(&self, done: &Done) -> Answer {
         let stdout = String::from_utf8_lossy(&done.stdout);
@@ -87,7 +82,7 @@ impl Call<'_> {
             (out, notes) => format!("{out}\n\n{notes}"),
         };
         let text = if text.is_empty() { "done".to_owned() } else { text };
-        Answer::text(done.status == 0, &text, self.from())
+        Answer::text(done.status == 0, &text, self.given.from())
     }
 
     async fn check(&self) -> Result<Answer, String> {
@@ -96,7 +91,12 @@ impl Call<'_> {
         let done = finished(&path, &line).await?;
         let found = json_of(&done)?;
         let found = found.as_array().cloned().unwrap_or_default();
-        Ok(Answer::list(done.status == 0, "findings", found, self.from()))
+        Ok(Answer::list(
+            done.status == 0,
+            "findings",
+            found,
+            self.given.from(),
+        ))
     }
 
     /// Files are changed where that is asked for; else it is shown what would change.
@@ -160,7 +160,7 @@ impl Call<'_> {
         let done = finished(&path, &line.then(&[path.argument()])).await?;
         let mut trace = json_of(&done)?;
         let scans = trace["scans"].take().as_array().cloned().unwrap_or_default();
-        let answer = Answer::list(done.status == 0, "scans", scans, self.from());
+        let answer = Answer::list(done.status == 0, "scans", scans, self.given.from());
         let answer = answer
             .with("tags", trace["tags"].take())
             .with("interval_ms", trace["interval_ms"].take());
@@ -179,7 +179,7 @@ impl Call<'_> {
         let done = finished(&path, &line.then(&[path.argument()])).await?;
         let mut report = json_of(&done)?;
         let (scenarios, errors) = of_files(&report, "scenarios");
-        let answer = Answer::list(done.status == 0, "scenarios", scenarios, self.from());
+        let answer = Answer::list(done.status == 0, "scenarios", scenarios, self.given.from());
         Ok(answer
             .with("errors", Value::Array(errors))
             .with("summary", report["summary"].take()))
@@ -194,7 +194,7 @@ impl Call<'_> {
         let done = finished(&path, &line.then(&[path.argument()])).await?;
         let report = json_of(&done)?;
         let (properties, errors) = of_files(&report, "properties");
-        let answer = Answer::list(done.status == 0, "properties", properties, self.from());
+        let answer = Answer::list(done.status == 0, "properties", properties, self.given.from());
         Ok(answer.with("errors", Value::Array(errors)))
     }
 
@@ -302,24 +302,19 @@ fn of_files(report: &Value, key: &str) -> (Vec<Value>, Vec<Value>) {
 }
 
 /// A table of inputs: a column a tag, a row a scan.
-fn inputs_table(inputs: &[(u64, Vec<(String, String)>)]) -> Result<NamedTempFile, String> {
+fn inputs_table(inputs: &BTreeMap<u64, BTreeMap<String, String>>) -> Result<NamedTempFile, String> {
     /// More rows make a file that nobody means.
     const MOST_SCANS: u64 = 100_000;
-    let last = inputs.iter().map(|(scan, _)| *scan).max().unwrap_or(0);
+    let last = inputs.keys().next_back().copied().unwrap_or(0);
     if last > MOST_SCANS {
         return Err(format!("`inputs` are for the first {MOST_SCANS} scans"));
     }
-    let names = inputs.iter().flat_map(|(_, values)| values).map(|(name, _)| name);
-    let names: BTreeSet<&String> = names.collect();
+    let names: BTreeSet<&String> = inputs.values().flat_map(BTreeMap::keys).collect();
     let head = names.iter().map(|name| (*name).clone()).collect();
     let rows = (0..=last).map(|scan| {
-        let given = inputs.iter().filter(|(of, _)| *of == scan);
-        let given: Vec<&(String, String)> = given.flat_map(|(_, values)| values).collect();
-        let cell = |name: &&String| {
-            let last = given.iter().rev().find(|(of, _)| of == *name);
-            last.map_or(String::new(), |(_, value)| value.clone())
-        };
-        names.iter().map(cell).collect()
+        let given = inputs.get(&scan);
+        let cell = |name: &&String| given.and_then(|given| given.get(*name)).cloned();
+        names.iter().map(|name| cell(name).unwrap_or_default()).collect()
     });
     table(std::iter::once(head).chain(rows))
 }

@@ -1,6 +1,7 @@
 //! The arguments of a call, as the client has them.
 
 use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 
 /// What a call brings.
 #[derive(Debug, Clone, Default)]
@@ -22,6 +23,12 @@ impl Given {
         self.0.get(name)?.as_u64()
     }
 
+    /// Where an answer begins.
+    pub(super) fn from(&self) -> usize {
+        let from = self.number("from").unwrap_or(0);
+        usize::try_from(from).unwrap_or(usize::MAX)
+    }
+
     /// Whether a word is given.
     pub(super) fn is_asked(&self, name: &str) -> bool {
         self.0.get(name).and_then(Value::as_bool).unwrap_or(false)
@@ -41,18 +48,16 @@ impl Given {
     }
 
     /// What is given before which scan: a list of objects with `scan` and the values of tags.
-    pub(super) fn by_scan(&self, name: &str) -> Vec<(u64, Vec<(String, String)>)> {
+    pub(super) fn by_scan(&self, name: &str) -> BTreeMap<u64, BTreeMap<String, String>> {
         let list = self.0.get(name).and_then(Value::as_array);
-        let rows = list.into_iter().flatten().filter_map(|row| {
-            let row = row.as_object()?;
-            let scan = row.get("scan")?.as_u64()?;
-            let values = row.get("values")?.as_object()?.iter();
-            Some((
-                scan,
-                values.map(|(name, value)| (name.clone(), plain(value))).collect(),
-            ))
-        });
-        rows.collect()
+        let mut scans: BTreeMap<u64, BTreeMap<String, String>> = BTreeMap::new();
+        for row in list.into_iter().flatten() {
+            if let (Some(scan), Some(values)) = (row["scan"].as_u64(), row["values"].as_object()) {
+                let values = values.iter().map(|(name, value)| (name.clone(), plain(value)));
+                scans.entry(scan).or_default().extend(values);
+            }
+        }
+        scans
     }
 }
 

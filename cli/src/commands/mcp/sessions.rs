@@ -5,14 +5,13 @@ use super::pages::Answer;
 use super::roots::Roots;
 use crate::findings::Source;
 use crate::outcome::Failure;
-use crate::run::{Plants, program, simulation};
-use ladder_analysis::Cancel;
-use ladder_analysis::program::{Location, Role};
-use ladder_simulator::{HistoryLimits, Point, Session, Status, Wording, value_text};
-use ladder_workspace::{Member, Settings};
+use crate::run::{Plants, program, simulation, with_wording};
+use ladder_analysis::program::Role;
+use ladder_simulator::{HistoryLimits, Point, Session, Status, value_text};
+use ladder_workspace::Settings;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// So many go on at once: each keeps a history.
 const MOST: usize = 8;
@@ -20,8 +19,6 @@ const MOST: usize = 8;
 const MOST_SCANS: u64 = 100_000;
 /// So long the scans of one call may take.
 const LONGEST: Duration = Duration::from_secs(30);
-/// The values of so many tags are answered.
-const MOST_VALUES: usize = 50;
 
 /// See the module.
 #[derive(Default)]
@@ -119,23 +116,18 @@ impl Going {
         if scans > MOST_SCANS {
             return Err(format!("at most {MOST_SCANS} scans run in one call"));
         }
-        let cancel = Cancel::default();
-        let (alarm, ended) = std::sync::mpsc::channel::<()>();
-        let limit = cancel.clone();
-        let guard = std::thread::spawn(move || {
-            let waited = ended.recv_timeout(LONGEST);
-            if waited == Err(std::sync::mpsc::RecvTimeoutError::Timeout) {
-                limit.cancel();
+        let begun = Instant::now();
+        for _ in 0..scans {
+            // The watchdog ends a scan that takes long.
+            if begun.elapsed() > LONGEST {
+                let (scan, seconds) = (self.session.simulation().scans(), LONGEST.as_secs());
+                return Err(format!(
+                    "the scans took longer than {seconds} seconds; it is at scan {scan}: run fewer"
+                ));
             }
-        });
-        self.session.set_cancel(Some(cancel.clone()));
-        self.session.run(scans, &cancel);
-        drop(alarm);
-        let _ = guard.join();
-        self.session.set_cancel(None);
-        if cancel.is_cancelled() {
-            let seconds = LONGEST.as_secs();
-            return Err(format!("the scans took longer than {seconds} seconds: run fewer"));
+            if !self.session.scan() {
+                break;
+            }
         }
         Ok(())
     }
@@ -179,11 +171,7 @@ impl Going {
         let why = self.session.why(point);
         let program = self.session.simulation().program();
         let members = self.source.members(&program.files);
-        let texts: Vec<&str> = members.iter().map(Member::ladder).collect();
-        let places = |block: Location| members.get(block.file as usize)?.translated_place(block.range);
-        Wording::new(&texts, &program.files)
-            .with_places(&places)
-            .text(&why)
+        with_wording(&members, &program.files, |wording| wording.text(&why))
     }
 
     /// Where it is, with the values of the tags that are asked for.
@@ -194,7 +182,7 @@ impl Going {
         let mut points = asked.collect::<Result<Vec<Point>, String>>()?;
         if points.is_empty() {
             let seen = |point: &&Point| !point.read_only && (point.is_input || point.role == Role::Output);
-            points.extend(simulation.points().iter().filter(seen).take(MOST_VALUES).cloned());
+            points.extend(simulation.points().iter().filter(seen).cloned());
         }
         let value = |point: &Point| {
             json!({
@@ -206,7 +194,7 @@ impl Going {
         };
         let values: Vec<Value> = points.iter().map(value).collect();
         let is_ready = simulation.status() == Status::Ready;
-        let mut answer = Answer::list(is_ready, "values", values, 0)
+        let mut answer = Answer::list(is_ready, "values", values, given.from())
             .with("session", json!(number))
             .with("scan", json!(simulation.scans()));
         if let Some((fault, times)) = self.session.last_fault() {

@@ -197,6 +197,7 @@ pub(super) const TOOLS: [Tool; 12] = [
                 "for release; and which values are answered: inputs and outputs without it",
             ),
             optional("tag", Kind::Text, "for why: the tag that is explained"),
+            FROM,
         ],
         shape: Shape::List("values"),
         writes: false,
