@@ -8,7 +8,6 @@
 //! texts, each as a chain of revisions, [`neighbours`] the files next to them. A [`Kind`] tells programs from other texts; an
 //! [`Opened`] is a program of another system. Nothing here knows the protocol's types.
 
-pub mod address;
 mod byte_edit;
 pub mod edit;
 mod folder;
@@ -33,6 +32,7 @@ pub mod sweep;
 mod testing;
 
 pub use kind::Kind;
+pub use ladder_workspace::address;
 pub use language::Analysis;
 pub use lines::Lines;
 pub use opened::Opened;

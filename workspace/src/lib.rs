@@ -18,6 +18,7 @@
 //!   to it, and is a regular file.
 //! - [`write()`] puts a new text in a file's place in one step: a reader, or a power cut, sees the old text or the
 //!   new one, never a half.
+//! - [`address`] is a file's address as editors have it.
 //! - [`shown`] is what others wrote, on its way to a terminal or a log.
 //! - [`Root::of`] finds the folder that a program belongs to (LANGUAGE §4), which is where the settings file
 //!   [`SETTINGS_FILE`] is.
@@ -28,6 +29,7 @@
 //!
 //! Every error is a [`FileError`]: it names the file and says in plain words what is wrong with it.
 
+pub mod address;
 mod disk;
 mod error;
 mod excluded;

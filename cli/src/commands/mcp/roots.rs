@@ -1,6 +1,7 @@
 //! The folders that a client has opened: no path leads out of them.
 
 use crate::outcome::Failure;
+use ladder_workspace::address::path_of;
 use ladder_workspace::shown;
 use std::path::{Component, Path, PathBuf};
 use std::time::Duration;
@@ -73,8 +74,10 @@ impl Roots {
 
     /// Takes the addresses of a client's folders. If it names none that is here, those of the command line stay.
     pub(super) fn become_those_of(&mut self, addresses: &[String]) {
-        let named = addresses.iter().filter_map(|address| folder_of(address));
-        let named: Vec<PathBuf> = named.collect();
+        let named = addresses
+            .iter()
+            .filter_map(|address| path_of(address)?.canonicalize().ok());
+        let named: Vec<PathBuf> = named.filter(|folder| folder.is_dir()).collect();
         self.is_of_client = true;
         self.folders = if named.is_empty() {
             self.of_arguments.clone()
@@ -133,35 +136,6 @@ impl Roots {
         let named: Vec<String> = self.folders.iter().map(|root| shown::path(root)).collect();
         named.join(", ")
     }
-}
-
-/// The folder of an address `file://..`.
-fn folder_of(address: &str) -> Option<PathBuf> {
-    let path = address.strip_prefix("file://")?;
-    let path = decoded(path)?;
-    // `/C:/plant` on Windows.
-    let path = match path.as_bytes() {
-        [b'/', drive, b':', ..] if cfg!(windows) && drive.is_ascii_alphabetic() => &path[1..],
-        _ => &path,
-    };
-    Path::new(path).canonicalize().ok().filter(|real| real.is_dir())
-}
-
-/// With the characters that `%20` and its like stand for.
-fn decoded(text: &str) -> Option<String> {
-    let mut bytes = Vec::with_capacity(text.len());
-    let mut rest = text.as_bytes();
-    while let Some((first, after)) = rest.split_first() {
-        if *first != b'%' {
-            bytes.push(*first);
-            rest = after;
-            continue;
-        }
-        let digits = std::str::from_utf8(after.get(..2)?).ok()?;
-        bytes.push(u8::from_str_radix(digits, 16).ok()?);
-        rest = &after[2..];
-    }
-    String::from_utf8(bytes).ok()
 }
 
 #[cfg(test)]
