@@ -13,14 +13,17 @@
 //! - [`real`] is the loop. It is a plain function on a thread of its own: an asynchronous runtime wakes up by a clock of 1 ms.
 //! - [`modbus`] serves tags as coils and registers. Its requests see the image of one scan, and what they write is given to the
 //!   program between two scans. It also asks devices, whose inputs and outputs are the program's.
+//! - [`online`] watches running controllers: it reads them, and cannot write.
 //! - [`system`] is what the operating system is asked and told: to wake up in time, and that the program runs.
 //!
-//! Nothing in here builds for WebAssembly; only `ladder run` uses it, and what checks and writes its settings.
+//! Nothing in here builds for WebAssembly; only `ladder run` and `ladder online` use it, the server for *Go online*, and what checks and writes
+//! settings.
 #![forbid(unsafe_code)]
 
 pub mod lateness;
 #[cfg(feature = "modbus")]
 pub mod modbus;
+pub mod online;
 pub mod pace;
 pub mod real;
 pub mod system;

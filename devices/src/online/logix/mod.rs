@@ -1,0 +1,1 @@
+//! Logix controllers, by EtherNet/IP.

@@ -1,0 +1,51 @@
+//! Controllers that are watched: their values are read, and nothing is ever written.
+//!
+//! ```text
+//! program --wanted--> Source (Logix, Modbus) --snapshot, snapshot--> Watch --newest--> who shows them
+//!                        `-- socket behind a guard: reads, and nothing else
+//! ```
+//!
+//! The values of a snapshot are not of one scan of the controller: they come by several requests, between which it goes on.
+
+#[cfg(feature = "logix")]
+pub mod logix;
+mod watch;
+
+use ladder_analysis::values::value::Value;
+use ladder_simulator::Point;
+pub use watch::{Connection, Newest, Watch};
+
+/// A value of the program that a controller is asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wanted {
+    /// It, in the program.
+    pub point: Point,
+    /// What the controller calls it.
+    pub name: String,
+}
+
+/// What a controller has of something that is wanted.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Found {
+    /// It is there, as far as the controller tells.
+    Here,
+    /// It is not.
+    Missing,
+    /// It is of another type: the name of that.
+    OtherType(String),
+}
+
+/// A controller, as its protocol shows it. What it is asked for was said when it was made.
+pub trait Source: Send {
+    /// Connects, or connects again. What is there of what is wanted, in the order of that.
+    ///
+    /// # Errors
+    /// Why there is no connection: a sentence without a full stop that follows the controller's address.
+    fn connect(&mut self) -> Result<Vec<Found>, String>;
+
+    /// Reads all that is there once. None: the controller did not tell this one.
+    ///
+    /// # Errors
+    /// The connection is lost: why, as above.
+    fn read(&mut self) -> Result<Vec<Option<Value>>, String>;
+}
