@@ -61,6 +61,7 @@ mod machine;
 mod members;
 #[allow(missing_docs, reason = "operands and members are described at what has them")]
 mod memory;
+pub mod online;
 #[allow(missing_docs, reason = "operands and members are described at what has them")]
 mod operation;
 mod overlap;

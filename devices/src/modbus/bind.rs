@@ -18,6 +18,16 @@ pub enum Layout {
     FactoryIo,
 }
 
+impl Layout {
+    /// As a setting has it.
+    pub fn of_setting(set: Option<&str>) -> Layout {
+        match set {
+            Some("factory-io") => Layout::FactoryIo,
+            _ => Layout::OpenPlc,
+        }
+    }
+}
+
 /// What is served, as it was written.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Places {
@@ -43,6 +53,18 @@ pub struct Named {
     pub tag: String,
     /// Where that is written.
     pub at: Range<usize>,
+}
+
+impl Named {
+    /// As settings have them.
+    pub fn of_settings(placed: &[ladder_workspace::Placed]) -> Vec<Named> {
+        let named = placed.iter().map(|placed| Named {
+            place: placed.place.clone(),
+            tag: placed.tag.clone(),
+            at: placed.range.clone(),
+        });
+        named.collect()
+    }
 }
 
 /// Places that a client asks for with one request.

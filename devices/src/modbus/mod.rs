@@ -3,18 +3,22 @@
 //! ```text
 //! [serve.modbus] --Places--> Map (which tag is where, what may be written) --Image (values of one scan)--> Server
 //! [[device]] --Device--> Wired (which tag is where) --Devices (one task each)--> other servers
+//! [online] --Map--> Modbus --guard: functions 1 to 4--> a controller that is watched
 //! ```
 //!
 //! Numbers of places are those of the protocol, from 0. Functions 1 to 6, 15 and 16 are served, and nothing else.
 
 mod bind;
 mod blocks;
+mod client;
 mod device;
 mod freeze;
+mod guard;
 mod image;
 mod place;
 mod registers;
 mod server;
+mod watched;
 
 pub use bind::{Layout, Map, Named, Places, Reading, Wrong};
 pub use device::{Device, Devices, Wired, bind};
@@ -23,3 +27,4 @@ pub use image::{Hold, Image, Refused, TIMEOUT};
 pub use place::{Place, Table};
 pub use registers::Words;
 pub use server::{ADDRESS, Listening, Rules, Subnet, serve};
+pub use watched::Modbus;

@@ -13,6 +13,16 @@ pub enum Words {
     Little,
 }
 
+impl Words {
+    /// As a setting has it.
+    pub fn of_setting(set: Option<&str>) -> Words {
+        match set {
+            Some("little") => Words::Little,
+            _ => Words::Big,
+        }
+    }
+}
+
 /// How many nanoseconds a unit of a time is on the wire.
 const MILLISECOND: i64 = 1_000_000;
 

@@ -7,33 +7,15 @@
 //!
 //! The values of a snapshot are not of one scan of the controller: they come by several requests, between which it goes on.
 
+mod controller;
 #[cfg(feature = "logix")]
 pub mod logix;
 mod watch;
 
 use ladder_analysis::values::value::Value;
-use ladder_simulator::Point;
-pub use watch::{Connection, Newest, Watch};
-
-/// A value of the program that a controller is asked for.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Wanted {
-    /// It, in the program.
-    pub point: Point,
-    /// What the controller calls it.
-    pub name: String,
-}
-
-/// What a controller has of something that is wanted.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Found {
-    /// It is there, as far as the controller tells.
-    Here,
-    /// It is not.
-    Missing,
-    /// It is of another type: the name of that.
-    OtherType(String),
-}
+pub use ladder_simulator::online::{Found, Wanted};
+pub use controller::{Controller, Wrong};
+pub use watch::Watch;
 
 /// A controller, as its protocol shows it. What it is asked for was said when it was made.
 pub trait Source: Send {

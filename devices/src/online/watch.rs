@@ -1,7 +1,7 @@
 //! The thread that reads a controller again and again, and what it has read last.
 
-use super::{Found, Source};
-use ladder_analysis::values::value::Value;
+use super::Source;
+use ladder_simulator::online::{Connection, Newest, Wanted, Watched};
 use std::io;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -10,38 +10,11 @@ use std::time::{Duration, Instant};
 /// After a failure it is tried again after the first time, and after twice as long each time up to the last.
 const WAITS: [Duration; 2] = [Duration::from_secs(1), Duration::from_secs(30)];
 
-/// Whether a controller answers.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Connection {
-    /// Not yet, and nothing has failed.
-    Opening,
-    /// It does.
-    Open,
-    /// It does not, and why; it is tried again.
-    Lost(String),
-}
-
-/// What is known of a controller.
-#[derive(Debug, Clone)]
-pub struct Newest {
-    /// Whether it answers.
-    pub connection: Connection,
-    /// What it has of what is wanted, in the order of that; nothing before it was first connected.
-    pub found: Arc<[Found]>,
-    /// How many snapshots have come.
-    pub snapshots: u64,
-    /// The values of the last one, in the order of what is wanted.
-    pub values: Arc<[Option<Value>]>,
-    /// When that was complete.
-    pub at: Option<Instant>,
-    /// How long it took to read.
-    pub took: Duration,
-}
-
 /// A controller that is watched until this is dropped.
 #[derive(Debug)]
 pub struct Watch {
-    newest: Arc<Mutex<Newest>>,
+    wanted: Vec<Wanted>,
+    newest: Arc<Mutex<(Newest, Option<Instant>)>>,
     _ending: Sender<()>,
 }
 
@@ -52,17 +25,19 @@ impl Watch {
     /// There is no thread for it.
     pub fn start(
         mut source: Box<dyn Source>,
+        wanted: Vec<Wanted>,
         every: Duration,
         wake: impl Fn() + Send + 'static,
     ) -> io::Result<Watch> {
-        let newest = Arc::new(Mutex::new(Newest {
+        let nothing = Newest {
             connection: Connection::Opening,
             found: Arc::new([]),
             snapshots: 0,
             values: Arc::new([]),
-            at: None,
+            age: None,
             took: Duration::ZERO,
-        }));
+        };
+        let newest = Arc::new(Mutex::new((nothing, None)));
         let (ending, ended) = channel::<()>();
         let shared = newest.clone();
         let is_over = move |wait| ended.recv_timeout(wait) == Err(RecvTimeoutError::Disconnected);
@@ -72,7 +47,7 @@ impl Watch {
                 let Err(lost) = attend(source.as_mut(), every, &shared, &wake, &is_over, &mut wait) else {
                     return;
                 };
-                lock(&shared).connection = Connection::Lost(lost);
+                lock(&shared).0.connection = Connection::Lost(lost);
                 wake();
                 if is_over(wait) {
                     return;
@@ -84,14 +59,24 @@ impl Watch {
             .name("controller".to_owned())
             .spawn(work)?;
         Ok(Watch {
+            wanted,
             newest,
             _ending: ending,
         })
     }
+}
 
-    /// What is known now.
-    pub fn newest(&self) -> Newest {
-        lock(&self.newest).clone()
+impl Watched for Watch {
+    fn wanted(&self) -> &[Wanted] {
+        &self.wanted
+    }
+
+    fn newest(&self) -> Newest {
+        let (newest, at) = lock(&self.newest).clone();
+        Newest {
+            age: at.map(|at| at.elapsed()),
+            ..newest
+        }
     }
 }
 
@@ -99,23 +84,23 @@ impl Watch {
 fn attend(
     source: &mut dyn Source,
     every: Duration,
-    shared: &Mutex<Newest>,
+    shared: &Mutex<(Newest, Option<Instant>)>,
     wake: &dyn Fn(),
     is_over: &dyn Fn(Duration) -> bool,
     wait: &mut Duration,
 ) -> Result<(), String> {
     let found = source.connect()?;
-    lock(shared).found = found.into();
+    lock(shared).0.found = found.into();
     loop {
         let began = Instant::now();
         let values = source.read()?;
         *wait = WAITS[0];
         {
-            let mut newest = lock(shared);
+            let (newest, at) = &mut *lock(shared);
             newest.connection = Connection::Open;
             newest.snapshots += 1;
             newest.values = values.into();
-            newest.at = Some(Instant::now());
+            *at = Some(Instant::now());
             newest.took = began.elapsed();
         }
         wake();
@@ -126,6 +111,6 @@ fn attend(
     }
 }
 
-fn lock(newest: &Mutex<Newest>) -> MutexGuard<'_, Newest> {
+fn lock<T>(newest: &Mutex<T>) -> MutexGuard<'_, T> {
     newest.lock().unwrap_or_else(PoisonError::into_inner)
 }

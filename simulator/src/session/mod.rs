@@ -134,6 +134,14 @@ impl Session {
         &self.simulation
     }
 
+    /// Holds what another simulation of the same program holds, and its power: for a session that shows what is watched. It has
+    /// no history. `time` is its clock from now on, in nanoseconds.
+    pub fn mirror(&mut self, other: &Simulation, time: i64) {
+        if self.simulation.restore(&other.state()) {
+            self.simulation.machine.now = time;
+        }
+    }
+
     /// Sets a tag to a value before the next scan, as the world outside does.
     ///
     /// # Errors

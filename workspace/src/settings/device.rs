@@ -116,13 +116,13 @@ fn device(mut table: Table, reader: &mut Reader) -> Option<Device> {
 }
 
 /// A host and a port.
-fn address(table: &mut Table, reader: &mut Reader) -> Option<String> {
+pub(super) fn address(table: &mut Table, reader: &mut Reader) -> Option<String> {
     let given = reader.take(table, &AT_MODBUS)?;
     let text = reader.text(&given, AT_MODBUS.example)?;
     let (host, port) = text.rsplit_once(':').unwrap_or_default();
     if host.is_empty() || !port.parse::<u16>().is_ok_and(|port| port > 0) {
         let message = format!(
-            "`{text}` is not the address of a device with its port, for example {}",
+            "`{text}` is not an address with its port, for example {}",
             AT_MODBUS.example
         );
         reader.wrong(given.range, message);
@@ -131,14 +131,14 @@ fn address(table: &mut Table, reader: &mut Reader) -> Option<String> {
     Some(text)
 }
 
-/// A table of places and their tags.
+/// A table of places and their tags, or of other pairs.
 pub(super) fn places(table: &mut Table, setting: &Setting, reader: &mut Reader) -> Vec<Placed> {
     let Some(given) = reader.take(table, setting) else {
         return Vec::new();
     };
     let Value::Table(entries) = given.value else {
         let (key, example) = (setting.key, setting.example);
-        let message = format!("`{key}` is a table of places and tags, for example {key} = {example}");
+        let message = format!("`{key}` is a table of {}, for example {key} = {example}", setting.kind.entries());
         reader.wrong(given.range, message);
         return Vec::new();
     };

@@ -9,6 +9,7 @@ mod files;
 mod format;
 mod given;
 mod lint;
+mod online;
 mod project;
 mod reader;
 mod serve;
@@ -24,6 +25,7 @@ pub use files::Files;
 pub(crate) use files::LibraryFolder;
 pub use given::Tree;
 pub use lint::{Levels, Lint};
+pub use online::Online;
 pub use project::Project;
 pub use serve::{Run, ServeModbus};
 pub use simulate::{Plant, Simulate};
@@ -36,6 +38,7 @@ use crate::root::Root;
 use ladder_analysis::rules::rule_named;
 use ladder_analysis::{Level, RuleSettings};
 use ladder_syntax::{LineIndex, TextRange, TextSize};
+use online::ONLINE;
 use reader::{Reader, Source, Table};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -57,6 +60,8 @@ pub struct Settings {
     pub modbus: Option<ServeModbus>,
     /// `[[device]]`: what is at the other end of a network.
     pub devices: Vec<Device>,
+    /// `[online]`: the controller that programs are watched on, if there is one.
+    pub online: Option<Online>,
     /// `[workspace]`: which files belong to it.
     pub files: Files,
     /// `[project]`: what the project is.
@@ -212,6 +217,9 @@ impl Settings {
         }
         let devices = reader.sections(top, &DEVICE);
         settings.devices = device::read(devices, reader);
+        if let Some(table) = reader.section(top, &ONLINE) {
+            settings.online = Some(online::read(table, reader));
+        }
         if let Some(table) = reader.section(top, &WORKSPACE) {
             settings.files = files::read(table, folder, reader);
         }

@@ -78,6 +78,18 @@ pub enum Kind {
     Units,
     /// A table whose keys are places and whose values are tags.
     Places,
+    /// A table whose keys are tags and whose values are what a controller calls them.
+    Names,
+}
+
+impl Kind {
+    /// What the entries of a table of such a kind are.
+    pub fn entries(self) -> &'static str {
+        match self {
+            Kind::Names => "tags and names",
+            _ => "places and tags",
+        }
+    }
 }
 
 /// Who may set a setting.
@@ -609,6 +621,7 @@ pub const SECTIONS: &[Section] = &[
     RUN,
     MODBUS,
     DEVICE,
+    super::online::ONLINE,
     WORKSPACE,
     PROJECT,
     Section {

@@ -6,7 +6,7 @@ use ladder_devices::modbus::{
     ADDRESS, Hold, Layout, Map, Named, Places, Rules, Subnet, TIMEOUT, Words, Wrong,
 };
 use ladder_simulator::Simulation;
-use ladder_workspace::{Placed, ServeModbus, Settings};
+use ladder_workspace::{ServeModbus, Settings};
 use std::net::SocketAddr;
 use std::path::Path;
 use std::time::Duration;
@@ -71,22 +71,6 @@ pub(super) fn nanoseconds(time: i64) -> Duration {
     Duration::from_nanos(time.unsigned_abs())
 }
 
-pub(super) fn words(set: Option<&str>) -> Words {
-    match set {
-        Some("little") => Words::Little,
-        _ => Words::Big,
-    }
-}
-
-pub(super) fn named(placed: &[Placed]) -> Vec<Named> {
-    let named = placed.iter().map(|placed| Named {
-        place: placed.place.clone(),
-        tag: placed.tag.clone(),
-        at: placed.range.clone(),
-    });
-    named.collect()
-}
-
 /// From where connections are taken.
 pub(super) fn allowed(asked: &ServeModbus) -> Result<Vec<Subnet>, Wrong> {
     let allowed = asked.allow.iter().map(|(text, at)| {
@@ -101,12 +85,9 @@ pub(super) fn allowed(asked: &ServeModbus) -> Result<Vec<Subnet>, Wrong> {
 /// What is asked to be where.
 pub(super) fn places(asked: &ServeModbus) -> Places {
     Places {
-        layout: match asked.layout {
-            Some("factory-io") => Layout::FactoryIo,
-            _ => Layout::OpenPlc,
-        },
-        words: words(asked.words),
-        named: named(&asked.map),
+        layout: Layout::of_setting(asked.layout),
+        words: Words::of_setting(asked.words),
+        named: Named::of_settings(&asked.map),
         write: asked.write.clone(),
         at: asked.range.clone(),
     }

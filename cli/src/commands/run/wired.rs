@@ -1,9 +1,9 @@
 //! What `[[device]]` asks to be connected.
 
 use super::Arguments;
-use super::served::{Served, failure, named, nanoseconds, words};
+use super::served::{Served, failure, nanoseconds};
 use crate::outcome::Failure;
-use ladder_devices::modbus::{Device, Wired, bind};
+use ladder_devices::modbus::{Device, Named, Wired, Words, bind};
 use ladder_simulator::Simulation;
 use ladder_workspace::Settings;
 
@@ -33,15 +33,15 @@ fn device(set: &ladder_workspace::Device) -> Device {
     let usual = Device::new(&set.name, &set.modbus);
     Device {
         unit: set.unit.unwrap_or(usual.unit),
-        words: words(set.words),
+        words: Words::of_setting(set.words),
         poll: set.poll.map_or(usual.poll, nanoseconds),
         repeat: set.repeat.map_or(usual.repeat, nanoseconds),
         timeout: set.timeout.map_or(usual.timeout, nanoseconds),
         gap: set.gap.unwrap_or(usual.gap),
         ok: set.ok.clone(),
         age: set.age.clone(),
-        read: named(&set.read),
-        write: named(&set.write),
+        read: Named::of_settings(&set.read),
+        write: Named::of_settings(&set.write),
         ..usual
     }
 }

@@ -29,6 +29,14 @@ const DEEPEST: usize = 4;
 pub struct Moment {
     simulation: Simulation,
     writers: Writers,
+    /// Before the program has done anything.
+    initial: State,
+    /// The first instruction of each network outside of the bodies of blocks.
+    starts: HashMap<u32, usize>,
+    /// Of each network whether it goes on with the values of those that ran before it.
+    goes_on: Vec<bool>,
+    /// The names of what functions read which several blocks call.
+    shared: HashSet<String>,
     given: Vec<(Point, Value)>,
     /// The timers of which something was given.
     timers: Vec<(Timer, StateType)>,
@@ -37,15 +45,15 @@ pub struct Moment {
     written: HashMap<usize, Vec<usize>>,
     /// The given values in the states of blocks.
     inside: Vec<usize>,
-    /// The first instruction of each network outside of the bodies of blocks.
-    starts: HashMap<u32, usize>,
-    /// Of each network whether it goes on with the values of those that ran before it.
-    goes_on: Vec<bool>,
     /// The given values that several networks write and a function reads which several blocks call: what it is called with.
     /// They are not put back.
     parameters: HashSet<usize>,
     /// Inputs of bodies that were not given, and that blocks make of what was given.
     handed_over: HashSet<String>,
+    /// The given values that a network leaves as others, with that network.
+    others: Vec<(usize, usize)>,
+    /// How many moments there were.
+    moments: i64,
     /// Before the scan in which the networks are seen.
     settled: State,
 }
@@ -112,75 +120,95 @@ impl Moment {
     /// With these values it does not come through a scan: its faults.
     pub fn new(mut simulation: Simulation, given: Vec<(Point, Value)>) -> Result<Moment, Vec<Fault>> {
         let writers = Writers::of(&simulation);
-        let mut written: HashMap<usize, Vec<usize>> = HashMap::new();
-        let mut inside = Vec::new();
-        let mut timers = Vec::new();
-        let mut last = None;
-        for (index, (point, _)) in given.iter().enumerate() {
-            if point.within == Within::Block {
-                inside.push(index);
-            }
-            let tag = place::tag_of(&simulation, point);
-            if let Some(Home::State { state, bits, words }) =
-                tag.map(|tag| simulation.compiled.homes[tag.0 as usize])
-                && state.is_timer()
-                && last != tag
-            {
-                timers.push((Timer { bits, words }, state));
-                last = tag;
-            }
-            let mut networks: Vec<usize> = writers
-                .of_point(&simulation, point)
-                .iter()
-                .map(|at| at.network)
-                .collect();
-            networks.dedup();
-            for network in networks {
-                written.entry(network).or_default().push(index);
-            }
-        }
-        let stretches = simulation.compiled.stretches.iter().enumerate();
         let program = simulation.program();
         let is_of_body = networks_of_bodies(program);
+        let stretches = simulation.compiled.stretches.iter().enumerate();
         let starts =
             stretches.filter(|(network, stretch)| stretch.start < stretch.end && !is_of_body[*network]);
         let starts = starts
             .map(|(network, stretch)| (stretch.start, network))
             .collect();
         let goes_on = networks_that_go_on(program);
-        let read = read_in_shared_functions(&simulation, &goes_on);
-        let is_parameter = |(index, (point, _)): (usize, &(Point, Value))| {
-            let tag = place::tag_of(&simulation, point).filter(|_| read.contains(&point.name))?;
-            let mut networks = writers.of_tag(Some(tag)).iter().map(|at| at.network);
-            let first = networks.next()?;
-            networks.any(|other| other != first).then_some(index)
-        };
-        let parameters = given.iter().enumerate().filter_map(is_parameter).collect();
-        let settled = simulation.state();
+        let shared = read_in_shared_functions(&simulation, &goes_on);
         simulation.set_cancel(None);
+        let initial = simulation.state();
         let mut moment = Moment {
-            names: given.iter().map(|(point, _)| point.name.clone()).collect(),
             simulation,
             writers,
-            given,
-            timers,
-            written,
-            inside,
+            settled: initial.clone(),
+            initial,
             starts,
             goes_on,
-            parameters,
+            shared,
+            given: Vec::new(),
+            timers: Vec::new(),
+            names: HashSet::new(),
+            written: HashMap::new(),
+            inside: Vec::new(),
+            parameters: HashSet::new(),
             handed_over: HashSet::new(),
-            settled,
+            others: Vec::new(),
+            moments: 0,
         };
-        // Edges and timers get to know the values.
-        if let Some(any) = moment.simulation.points().first().cloned() {
-            moment.see(&any, &[]);
-        }
-        if moment.simulation.status == Status::Faulted {
-            return Err(moment.simulation.take_faults());
-        }
-        moment.settled = moment.simulation.state();
+        moment.become_another(given)?;
         Ok(moment)
+    }
+
+    /// The values of another moment. Nothing of the one before is left; moments count as scans.
+    ///
+    /// # Errors
+    /// As for the first.
+    pub fn become_another(&mut self, given: Vec<(Point, Value)>) -> Result<(), Vec<Fault>> {
+        self.note(given);
+        self.moments += 1;
+        self.settled.clone_from(&self.initial);
+        // Edges and timers get to know the values.
+        self.see_all();
+        if self.simulation.status == Status::Faulted {
+            return Err(self.simulation.take_faults());
+        }
+        self.simulation.machine.scan = self.moments;
+        self.settled = self.simulation.state();
+        self.see_all();
+        Ok(())
+    }
+
+    /// What is known of values before they are seen.
+    fn note(&mut self, given: Vec<(Point, Value)>) {
+        self.written.clear();
+        self.inside.clear();
+        self.timers.clear();
+        self.parameters.clear();
+        self.handed_over.clear();
+        let simulation = &self.simulation;
+        let mut last = None;
+        for (index, (point, _)) in given.iter().enumerate() {
+            if point.within == Within::Block {
+                self.inside.push(index);
+            }
+            let tag = place::tag_of(simulation, point);
+            if let Some(Home::State { state, bits, words }) =
+                tag.map(|tag| simulation.compiled.homes[tag.0 as usize])
+                && state.is_timer()
+                && last != tag
+            {
+                self.timers.push((Timer { bits, words }, state));
+                last = tag;
+            }
+            let writers = self.writers.of_point(simulation, point);
+            let mut networks: Vec<usize> = writers.iter().map(|at| at.network).collect();
+            networks.dedup();
+            for network in &networks {
+                self.written.entry(*network).or_default().push(index);
+            }
+            let mut of_tag = self.writers.of_tag(tag).iter().map(|at| at.network);
+            let first = of_tag.next();
+            if self.shared.contains(&point.name) && of_tag.any(|other| Some(other) != first) {
+                self.parameters.insert(index);
+            }
+        }
+        self.names = given.iter().map(|(point, _)| point.name.clone()).collect();
+        self.given = given;
     }
 
     /// The program after a scan in which each network was run from the values, which are all there again.
@@ -284,8 +312,26 @@ impl Moment {
         }
     }
 
+    /// The networks outside of bodies that read what was not given, but constants and what the system keeps.
+    pub(crate) fn open_networks(&self) -> Vec<usize> {
+        let scope = Scope::default();
+        let is_open = |(point, _): &(Point, Value)| {
+            !point.is_constant() && !point.is_system() && !self.is_given(point)
+        };
+        let reads_open = |network: &usize| {
+            let blocks = &self.simulation.program().networks[*network].blocks;
+            let mut read = blocks
+                .iter()
+                .flat_map(|block| place::values_read(&self.simulation, &scope, block));
+            read.any(|read| is_open(&read))
+        };
+        let mut networks: Vec<usize> = self.starts.values().copied().filter(reads_open).collect();
+        networks.sort_unstable();
+        networks
+    }
+
     /// Whether its value was given, or that of the number that it is a bit of.
-    fn is_given(&self, point: &Point) -> bool {
+    pub(crate) fn is_given(&self, point: &Point) -> bool {
         let number = point.bit_of().map(|(number, _)| number);
         self.names.contains(&point.name) || number.is_some_and(|number| self.names.contains(number))
     }
@@ -301,6 +347,36 @@ impl Moment {
         })
     }
 
+    /// Runs the scan.
+    fn see_all(&mut self) {
+        if let Some(any) = self.simulation.points().first().cloned() {
+            self.see(&any, &[]);
+        }
+    }
+
+    /// The values that contradict the program, in the order in which they were given, up to so many: each with the network that
+    /// is the last to write it.
+    pub fn contradictions(&mut self, most: usize) -> Vec<(Point, usize)> {
+        let mut others = std::mem::take(&mut self.others);
+        others.sort_unstable();
+        others.retain(|(value, network)| {
+            let writers = self.writers.of_point(&self.simulation, &self.given[*value].0);
+            writers.last().is_some_and(|last| last.network == *network)
+        });
+        let mut found = Vec::new();
+        for (value, network) in others {
+            if found.len() == most {
+                break;
+            }
+            let point = self.given[value].0.clone();
+            let judged = self.judge(&point, 0, &mut HashSet::new(), &mut Vec::new());
+            if judged.contradiction().is_some() {
+                found.push((point, network));
+            }
+        }
+        found
+    }
+
     /// Runs the scan; what each of these blocks does to a point, in their order.
     fn see(&mut self, point: &Point, blocks: &[BlockAt]) -> Vec<(Traced, bool, Value)> {
         let Moment {
@@ -313,11 +389,13 @@ impl Moment {
             starts,
             goes_on,
             parameters,
+            others,
             settled,
             ..
         } = self;
         simulation.restore(settled);
         simulation.machine.faults.clear();
+        others.clear();
         let put_all = |simulation: &mut Simulation, but: &HashSet<usize>| {
             let all = given.iter().enumerate();
             for (_, (point, value)) in all.filter(|(index, _)| !but.contains(index)) {
@@ -332,9 +410,18 @@ impl Moment {
         let asked: HashSet<usize> = blocks.iter().map(|at| at.network).collect();
         let also: Vec<u32> = starts.keys().copied().collect();
         let mut last: Option<usize> = None;
+        let mut compare = |simulation: &Simulation, network: usize| {
+            let own = written.get(&network).filter(|_| !goes_on[network]);
+            let differs = |index: &&usize| simulation.value(&given[**index].0) != given[**index].1;
+            let differs = own.into_iter().flatten().filter(differs);
+            others.extend(differs.map(|&index| (index, network)));
+        };
         let mut halted = |simulation: &mut Simulation, pc: u32| {
             let Some(&network) = starts.get(&pc) else { return };
             let before = last.replace(network);
+            if let Some(before) = before {
+                compare(simulation, before);
+            }
             if goes_on[network] {
                 return;
             }
@@ -374,6 +461,9 @@ impl Moment {
             &mut halted,
             &mut note,
         );
+        if let Some(last) = last {
+            compare(simulation, last);
+        }
         put_all(simulation, &HashSet::new());
         found
     }

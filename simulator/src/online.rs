@@ -1,0 +1,204 @@
+//! A running controller beside its program: its values, and the power that they say.
+//!
+//! The values of a snapshot are not of one scan: the controller goes on between the requests that bring them. So a value that
+//! contradicts the program is at first only marked, and reported when it does so several times in a row.
+
+use crate::members::members_of;
+use crate::session::{Judged, Moment};
+use crate::simulation::{Options, Simulation};
+use crate::tags::Point;
+use ladder_analysis::program::Program;
+use ladder_analysis::values::types::Type;
+use ladder_analysis::values::value::Value;
+use std::collections::HashSet;
+use std::sync::Arc;
+use std::time::Duration;
+
+/// So many snapshots in a row a value has to contradict the program in until that is reported.
+const PATIENCE: u32 = 3;
+
+/// So many values are judged in a snapshot.
+const MOST: usize = 100;
+
+/// A value of the program that a controller is asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wanted {
+    /// It, in the program.
+    pub point: Point,
+    /// What the controller calls it, or where it is there.
+    pub name: String,
+}
+
+/// What a controller has of something that is wanted.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Found {
+    /// It is there, as far as the controller tells.
+    Here,
+    /// It is not.
+    Missing,
+    /// It is of another type: the name of that.
+    OtherType(String),
+}
+
+/// Whether a controller answers.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Connection {
+    /// Not yet, and nothing has failed.
+    Opening,
+    /// It does.
+    Open,
+    /// It does not, and why; it is tried again.
+    Lost(String),
+}
+
+/// What is known of a controller.
+#[derive(Debug, Clone)]
+pub struct Newest {
+    /// Whether it answers.
+    pub connection: Connection,
+    /// What it has of what is wanted, in the order of that; nothing before it was first connected.
+    pub found: Arc<[Found]>,
+    /// How many snapshots have come.
+    pub snapshots: u64,
+    /// The values of the last one, in the order of what is wanted. None: it could not be read.
+    pub values: Arc<[Option<Value>]>,
+    /// How long ago that was complete.
+    pub age: Option<Duration>,
+    /// How long it took to read.
+    pub took: Duration,
+}
+
+/// A controller that is watched until this is dropped.
+pub trait Watched: Send {
+    /// What is asked for. It stays the same.
+    fn wanted(&self) -> &[Wanted];
+
+    /// What is known now.
+    fn newest(&self) -> Newest;
+}
+
+/// A program, and what a controller that runs it is doing.
+#[derive(Debug)]
+pub struct Online {
+    moment: Moment,
+    /// What contradicts the program.
+    doubts: Vec<Doubt>,
+}
+
+/// A value that contradicts the program.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Doubt {
+    /// It.
+    pub point: Point,
+    /// The network that would write another value.
+    pub network: usize,
+    /// In how many snapshots in a row.
+    pub times: u32,
+}
+
+impl Doubt {
+    /// It has been so for longer than a read between two scans explains.
+    pub fn is_reported(&self) -> bool {
+        self.times >= PATIENCE
+    }
+}
+
+impl Online {
+    /// A program of which nothing is known yet.
+    ///
+    /// # Errors
+    /// It needs more memory than there is, or does not come through a scan: a sentence.
+    pub fn new(program: Arc<Program>) -> Result<Online, String> {
+        // No time passes.
+        let options = Options {
+            interval: 0,
+            ..Options::default()
+        };
+        let simulation = Simulation::new(program, options).map_err(|error| error.message)?;
+        let moment = Moment::new(simulation, Vec::new()).map_err(|faults| told(&faults))?;
+        Ok(Online {
+            moment,
+            doubts: Vec::new(),
+        })
+    }
+
+    /// What there is to know of a running controller: all but constants and what the system keeps. Of timers and counters every
+    /// member, for those decide what they do.
+    pub fn points(&self) -> Vec<Point> {
+        let simulation = self.simulation();
+        let tags = simulation.program().tags.iter().filter(|tag| tag.block.is_none());
+        let members = tags.filter_map(|tag| match tag.ty {
+            Type::State(state) => Some(members_of(state).map(|member| format!("{}.{member}", tag.name))),
+            _ => None,
+        });
+        let members = members.flatten().filter_map(|name| simulation.resolve(&name).ok());
+        let listed: HashSet<&str> = simulation.points().iter().map(|it| it.name.as_str()).collect();
+        let others = members.filter(|point| !listed.contains(point.name.as_str()));
+        let mut points = simulation.points().to_vec();
+        points.extend(others);
+        points.retain(|point| !point.read_only);
+        points
+    }
+
+    /// The values of a snapshot, in the order of what was wanted.
+    ///
+    /// # Errors
+    /// With these values the program does not come through a scan: a sentence.
+    pub fn see(&mut self, wanted: &[Wanted], values: &[Option<Value>]) -> Result<(), String> {
+        let given = wanted.iter().zip(values);
+        let given = given.filter_map(|(wanted, value)| Some((wanted.point.clone(), value.clone()?)));
+        let given: Vec<(Point, Value)> = given.collect();
+        let seen = self.moment.become_another(given);
+        seen.map_err(|faults| {
+            format!(
+                "with these values the program does not come through a scan: {}",
+                told(&faults)
+            )
+        })?;
+        let before = std::mem::take(&mut self.doubts);
+        let now = self.moment.contradictions(MOST).into_iter();
+        self.doubts = now
+            .map(|(point, network)| {
+                let before = before.iter().find(|doubt| doubt.point == point);
+                Doubt {
+                    times: before.map_or(0, |doubt| doubt.times) + 1,
+                    point,
+                    network,
+                }
+            })
+            .collect();
+        Ok(())
+    }
+
+    /// The program with the values, and the power that they say.
+    pub fn simulation(&self) -> &Simulation {
+        self.moment.simulation()
+    }
+
+    /// What contradicts the program now.
+    pub fn doubts(&self) -> &[Doubt] {
+        &self.doubts
+    }
+
+    /// Whether the last snapshot had a value; without it the program has the one that it begins with.
+    pub fn is_known(&self, point: &Point) -> bool {
+        self.moment.is_given(point)
+    }
+
+    /// The networks whose power the last snapshot does not say: they read what it had not.
+    pub fn unknown(&self) -> Vec<usize> {
+        self.moment.open_networks()
+    }
+
+    /// Why a tag holds what it holds, by the values of the last snapshot.
+    pub fn why(&mut self, point: &Point) -> Judged {
+        self.moment.why(point)
+    }
+}
+
+/// What went wrong first.
+fn told(faults: &[crate::fault::Fault]) -> String {
+    faults
+        .first()
+        .map_or_else(String::new, |fault| fault.message.clone())
+}
