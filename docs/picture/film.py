@@ -40,6 +40,8 @@ def main():
             pictures += [sheet.crop((0, height * n, width, height * (n + 1))) for n in range(len(shown))]
     ends = [*begun[1 : len(pictures)], 100.0]
     lengths = [round((end - start) / 100 * total) for start, end in zip(begun, ends)]
+    # As the recording it begins with its end.
+    pictures, lengths = pictures[-1:] + pictures[:-1], lengths[-1:] + lengths[:-1]
     pictures[0].save(film, save_all=True, append_images=pictures[1:], duration=lengths, loop=0, lossless=True, method=6)
 
 

@@ -109,7 +109,8 @@ def main():
         steps.append(f"{begun / total * 100:.3f}%{{transform:translateX({-number * width:.1f}px)}}")
         begun += seconds
     steps.append(f"100%{{transform:translateX({-(len(frames) - 1) * width:.1f}px)}}")
-    print(f"<style>@keyframes play{{{''.join(steps)}}}#film{{animation:play {total:.2f}s steps(1,end) infinite}}")
+    # It begins with its end, the program that runs: an empty editor tells nobody what this is.
+    print(f"<style>@keyframes play{{{''.join(steps)}}}#film{{animation:play {total:.2f}s steps(1,end) {END - total:.2f}s infinite}}")
     # Who wants nothing to move sees how it ends.
     print(f"@media(prefers-reduced-motion){{#film{{animation:none;transform:translateX({-(len(frames) - 1) * width:.1f}px)}}}}</style>")
     print('<g id="film">')
