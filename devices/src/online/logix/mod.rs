@@ -1,25 +1,155 @@
 //! Logix controllers, by EtherNet/IP.
+//!
+//! ```text
+//! wanted --plan: whole tags--> driver (ciplink) --frames--> guard --allowed--> socket
+//!        <--values: their parts-- answers <---------------- bounded in size and time
+//! ```
+//!
+//! A controller is asked for few large things rather than for many small ones: that is how it answers fastest.
+
+mod address;
+mod allowed;
+mod guard;
+mod path;
+mod plan;
+mod values;
 
 use super::{Found, Source, Wanted};
+use ciplink::Error;
+use ciplink::cip::CipOptions;
+use ciplink::logix::driver::{LogixDriver, LogixOptions};
+use guard::Terms;
 use ladder_analysis::values::value::Value;
+use plan::{Ask, plan};
+use std::fmt;
 use std::time::Duration;
 
-/// Not there yet.
-pub struct Logix;
+/// Connecting, with the list of all tags and types, takes no longer and brings no more.
+const CONNECTING: (Duration, usize) = (Duration::from_secs(60), 16 << 20);
+/// A snapshot, likewise.
+const READING: (Duration, usize) = (Duration::from_secs(20), 32 << 20);
+/// Saying good-bye.
+const CLOSING: (Duration, usize) = (Duration::ZERO, 4 << 10);
+
+/// A Logix controller.
+pub struct Logix {
+    // It is kept from connection to connection: it knows by then whether the controller takes large packets.
+    driver: LogixDriver,
+    terms: Terms,
+    program: Option<String>,
+    wanted: Vec<Wanted>,
+    asks: Vec<Ask>,
+    /// Of which state of the controller's tags that is.
+    version: u64,
+}
+
+impl fmt::Debug for Logix {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Logix")
+            .field("wanted", &self.wanted.len())
+            .finish_non_exhaustive()
+    }
+}
 
 impl Logix {
-    #[allow(missing_docs, clippy::missing_errors_doc, clippy::needless_pass_by_value)]
-    pub fn new(_: &str, _: Option<String>, _: Vec<Wanted>, _: Duration) -> Result<Logix, String> {
-        Ok(Logix)
+    /// A controller at `HOST`, `HOST/SLOT` or through a route: `HOST/bp/1/enet/10.1.1.1/bp/0`. Wanted names without a program are
+    /// those of `program` where it has them, else those of the controller. An answer may take `timeout`.
+    ///
+    /// # Errors
+    /// The address is not one: what it should be.
+    pub fn new(
+        address: &str,
+        program: Option<String>,
+        wanted: Vec<Wanted>,
+        timeout: Duration,
+    ) -> Result<Logix, String> {
+        address::check(address)?;
+        let terms = Terms::new(timeout);
+        let options = LogixOptions {
+            cip: CipOptions {
+                // Those are agreed with the guard.
+                socket_timeout: None,
+                ..CipOptions::default()
+            },
+            ..LogixOptions::default()
+        };
+        let driver = LogixDriver::with_connector(address, options, guard::connector(terms.clone()))
+            .map_err(|error| address::wrong(address, &error.to_string()))?;
+        Ok(Logix {
+            driver,
+            terms,
+            program,
+            wanted,
+            asks: Vec::new(),
+            version: 0,
+        })
+    }
+
+    /// Why something failed, in the guard's words if it knows.
+    fn why(&self, error: &Error) -> String {
+        self.terms.failure().unwrap_or_else(|| match error {
+            Error::Response { message, .. } if message == "Failed to get PLC info" => {
+                "it answers, but not as a controller does: check the slot of the processor".to_owned()
+            }
+            error => format!("it does not tell its tags: {error}"),
+        })
+    }
+
+    fn close(&self) {
+        if self.driver.connected() {
+            self.terms.begin(CLOSING.0, CLOSING.1);
+            // It is gone either way.
+            let _ = self.driver.close();
+        }
     }
 }
 
 impl Source for Logix {
     fn connect(&mut self) -> Result<Vec<Found>, String> {
-        Err("is not there yet".to_owned())
+        self.close();
+        self.terms.begin(CONNECTING.0, CONNECTING.1);
+        let is_open = self.driver.open().map_err(|error| self.why(&error))?;
+        if !is_open {
+            return Err("it opens no session: too many may be open already".to_owned());
+        }
+        let definitions = self.driver.definitions();
+        self.version = definitions.version;
+        let (found, asks) = plan(&definitions, self.program.as_deref(), &self.wanted);
+        self.asks = asks;
+        Ok(found)
     }
 
     fn read(&mut self) -> Result<Vec<Option<Value>>, String> {
-        Err("is not there yet".to_owned())
+        self.terms.begin(READING.0, READING.1);
+        let requests: Vec<&str> = self.asks.iter().map(|ask| ask.request.as_str()).collect();
+        let results = self.driver.read(&requests).map_err(|error| self.why(&error))?;
+        if self.driver.definitions_version() != self.version {
+            return Err("its tags were changed; they are compared again".to_owned());
+        }
+        let mut values = vec![None; self.wanted.len()];
+        let mut refused = Vec::new();
+        for (nth, (ask, result)) in self.asks.iter().zip(results).enumerate() {
+            if let Some(answer) = result.value.filter(|_| result.error.is_none()) {
+                for part in &ask.parts {
+                    let ty = self.wanted[part.wanted].point.ty;
+                    values[part.wanted] = values::value(&answer, &part.steps, ty);
+                }
+            } else if !ask.is_single && result.error.is_some_and(|error| error.status.is_some()) {
+                refused.push(nth);
+            }
+        }
+        // A structure that has a member which is not shown is refused as a whole.
+        for nth in refused.into_iter().rev() {
+            let ask = self.asks.swap_remove(nth);
+            self.asks.extend(ask.singles());
+        }
+        Ok(values)
+    }
+}
+
+impl Drop for Logix {
+    fn drop(&mut self) {
+        // A controller keeps what is not closed for minutes, and has room for few.
+        self.close();
     }
 }
