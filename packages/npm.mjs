@@ -68,7 +68,8 @@ function launcher() {
         mcpName: `io.github.${ask('project', 'owner')}/ladder`,
         ...common,
         keywords: ['plc', 'ladder', 'iec61131', 'lsp', 'simulator'],
-        bin: { ladder: 'bin/ladder.cjs', ldfmt: 'bin/ldfmt.cjs' },
+        // The last is what `npx ladder-logic` looks for.
+        bin: { ladder: 'bin/ladder.cjs', ldfmt: 'bin/ldfmt.cjs', 'ladder-logic': 'bin/ladder.cjs' },
         man: readdirSync(join(scratch, 'man')).map((file) => `man/${file}`),
         engines: { node: '>=18' },
         optionalDependencies: Object.fromEntries(PLATFORMS.map((name) => [`${scope}/${name}`, version])),

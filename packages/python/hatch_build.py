@@ -16,6 +16,7 @@ class WheelHook(BuildHookInterface):
     def initialize(self, version, build_data):
         staged = Path(self.root, "staged")
         build_data["pure_python"] = False
+        build_data["force_include"]["ladder_logic.py"] = "ladder_logic.py"
         build_data["tag"] = os.environ["LADDER_WHEEL_TAG"]
         # Where an environment has programs, and where its system finds manual pages and completions.
         build_data["shared_scripts"] = files(staged / "bin", Path())
