@@ -62,7 +62,11 @@ impl<S: AsyncWrite + Unpin> Guard<S> {
 }
 
 impl<S: AsyncWrite + Unpin> AsyncWrite for Guard<S> {
-    fn poll_write(mut self: Pin<&mut Self>, context: &mut Context<'_>, bytes: &[u8]) -> Poll<io::Result<usize>> {
+    fn poll_write(
+        mut self: Pin<&mut Self>,
+        context: &mut Context<'_>,
+        bytes: &[u8],
+    ) -> Poll<io::Result<usize>> {
         check(bytes)?;
         if self.checked.len() + bytes.len() > MOST_WAITING {
             ready!(self.send(context))?;
@@ -121,7 +125,11 @@ mod tests {
             let frame = request(function);
             let (sent, all) = sent(&[&frame]);
             let reads = matches!(function, 1..=4);
-            assert_eq!((all, sent.len()), (reads, if reads { REQUEST } else { 0 }), "{function}");
+            assert_eq!(
+                (all, sent.len()),
+                (reads, if reads { REQUEST } else { 0 }),
+                "{function}"
+            );
         }
     }
 
@@ -139,7 +147,10 @@ mod tests {
             assert_eq!(sent(&[refused]), (Vec::new(), false), "{refused:?}");
         }
         // What follows a part of a request is not its rest.
-        assert_eq!(sent(&[&read, &read[..4], &request(6)[4..]]), (read.to_vec(), false));
+        assert_eq!(
+            sent(&[&read, &read[..4], &request(6)[4..]]),
+            (read.to_vec(), false)
+        );
     }
 
     proptest! {

@@ -118,11 +118,7 @@ impl Controller {
     }
 
     #[cfg(feature = "modbus")]
-    fn modbus(
-        &self,
-        address: &str,
-        program: &Online,
-    ) -> Result<(Box<dyn Source>, Vec<Wanted>), Vec<Wrong>> {
+    fn modbus(&self, address: &str, program: &Online) -> Result<(Box<dyn Source>, Vec<Wanted>), Vec<Wrong>> {
         use crate::modbus::{Layout, Map, Modbus, Named, Places, Words};
         let asked = &self.asked;
         let places = Places {
@@ -161,18 +157,14 @@ impl Controller {
         });
         let wanted: Vec<Wanted> = wanted.collect();
         let program = self.asked.program.as_deref().unwrap_or(stem);
-        let source = super::logix::Logix::new(address, Some(program.to_owned()), wanted.clone(), self.patience());
+        let source =
+            super::logix::Logix::new(address, Some(program.to_owned()), wanted.clone(), self.patience());
         let source = source.map_err(|message| self.wrong(&message))?;
         Ok((Box::new(source), wanted))
     }
 
     #[cfg(not(feature = "logix"))]
-    fn logix(
-        &self,
-        _: &str,
-        _: &str,
-        _: Vec<Point>,
-    ) -> Result<(Box<dyn Source>, Vec<Wanted>), Vec<Wrong>> {
+    fn logix(&self, _: &str, _: &str, _: Vec<Point>) -> Result<(Box<dyn Source>, Vec<Wanted>), Vec<Wrong>> {
         Err(self.wrong("this `ladder` was built without Logix controllers"))
     }
 
@@ -209,11 +201,18 @@ mod tests {
 
     #[test]
     fn a_controller_is_written_with_its_kind() {
-        let shown = ["logix:10.0.0.5", "logix:10.0.0.5/2", "modbus:plc:502", "modbus:plc", "logix:", "10.0.0.5"]
-            .map(|text| match Controller::parse(text, None) {
-                Ok(controller) => controller.to_string(),
-                Err(message) => message,
-            });
+        let shown = [
+            "logix:10.0.0.5",
+            "logix:10.0.0.5/2",
+            "modbus:plc:502",
+            "modbus:plc",
+            "logix:",
+            "10.0.0.5",
+        ]
+        .map(|text| match Controller::parse(text, None) {
+            Ok(controller) => controller.to_string(),
+            Err(message) => message,
+        });
         expect![""].assert_eq(&(shown.join("\n") + "\n"));
     }
 
@@ -229,7 +228,11 @@ mod tests {
             ..Asked::default()
         };
         let controller = Controller::parse("logix:h", Some(&asked)).unwrap();
-        let shown = ["Pump.on", "pump.speed", "pumps", "a[3].b", "run"].map(|name| controller.name_there(name));
-        assert_eq!(shown, ["Program:Main.P1.on", "Speed", "pumps", "Rows[3].b", "run"]);
+        let shown =
+            ["Pump.on", "pump.speed", "pumps", "a[3].b", "run"].map(|name| controller.name_there(name));
+        assert_eq!(
+            shown,
+            ["Program:Main.P1.on", "Speed", "pumps", "Rows[3].b", "run"]
+        );
     }
 }

@@ -12,9 +12,9 @@ mod controller;
 pub mod logix;
 mod watch;
 
+pub use controller::{Controller, Wrong};
 use ladder_analysis::values::value::Value;
 pub use ladder_simulator::online::{Found, Wanted};
-pub use controller::{Controller, Wrong};
 pub use watch::Watch;
 
 /// A controller, as its protocol shows it. What it is asked for was said when it was made.

@@ -68,7 +68,7 @@ impl Terms {
 
     fn spend(&self, bytes: usize) -> Result<(), String> {
         let mut state = self.lock();
-        state.left = (state.left.checked_sub(bytes)).ok_or("it sends more than a controller has to tell")?;
+        state.left = (state.left.checked_sub(bytes)).ok_or("sends more than a controller has to tell")?;
         Ok(())
     }
 
@@ -103,7 +103,7 @@ struct Guard {
 impl Transport for Guard {
     fn send(&mut self, frame: &[u8]) -> ciplink::Result<()> {
         check(frame)
-            .map_err(|why| format!("a frame that does not only read was not sent: {why}"))
+            .map_err(|why| format!("was not asked: a frame that does not only read was kept from it ({why})"))
             .and_then(|()| self.write(frame))
             .map_err(|why| self.terms.failed(why))
     }
@@ -144,7 +144,7 @@ impl Guard {
             if let Some(length) = self.received.get(2..4) {
                 let whole = HEADER_SIZE + usize::from(u16::from_le_bytes([length[0], length[1]]));
                 if self.received.len() > whole {
-                    return Err("it sends more than it was asked for".to_owned());
+                    return Err("sends more than it was asked for".to_owned());
                 }
                 if self.received.len() == whole {
                     let answer = std::mem::take(&mut self.received);
@@ -169,7 +169,7 @@ impl Guard {
 
 /// Whether an answer is to what was asked: to another question its values would be those of other tags.
 fn belongs(answer: &[u8], asked: &[u8]) -> Result<(), String> {
-    let of_other = || Err("it answers something that it was not asked".to_owned());
+    let of_other = || Err("answers something that it was not asked".to_owned());
     if answer.get(..2) != asked.get(..2) {
         return of_other();
     }
@@ -194,14 +194,14 @@ fn belongs(answer: &[u8], asked: &[u8]) -> Result<(), String> {
     if is_right { Ok(()) } else { of_other() }
 }
 
-const CLOSED: &str = "it has closed the connection";
-const CUT: &str = "its answer is cut";
+const CLOSED: &str = "has closed the connection";
+const CUT: &str = "sends half an answer";
 
 /// How long there is until then.
 fn left(due: Instant) -> Result<Duration, String> {
     let left = due.saturating_duration_since(Instant::now());
     if left.is_zero() {
-        Err("it does not answer in time".to_owned())
+        Err("does not answer in time".to_owned())
     } else {
         Ok(left)
     }
@@ -209,20 +209,20 @@ fn left(due: Instant) -> Result<Duration, String> {
 
 fn lost(error: io::Error) -> String {
     match error.kind() {
-        ErrorKind::WouldBlock | ErrorKind::TimedOut => "it does not answer in time".to_owned(),
+        ErrorKind::WouldBlock | ErrorKind::TimedOut => "does not answer in time".to_owned(),
         ErrorKind::ConnectionReset | ErrorKind::ConnectionAborted | ErrorKind::BrokenPipe => {
             CLOSED.to_owned()
         }
-        _ => format!("the connection is lost: {error}"),
+        _ => format!("cannot be reached any more: {error}"),
     }
 }
 
 fn connect(to: (&str, u16), terms: &Terms) -> Result<TcpStream, String> {
     let addresses = to
         .to_socket_addrs()
-        .map_err(|error| format!("there is no address of that name in the network: {error}"))?;
+        .map_err(|error| format!("cannot be reached: there is no such name in the network ({error})"))?;
     let due = terms.due();
-    let mut why = "there is no address of that name in the network".to_owned();
+    let mut why = "cannot be reached: there is no such name in the network".to_owned();
     for address in addresses {
         match TcpStream::connect_timeout(&address, left(due)?) {
             Ok(stream) => {
@@ -239,12 +239,14 @@ fn connect(to: (&str, u16), terms: &Terms) -> Result<TcpStream, String> {
 fn unreachable(error: &io::Error, port: u16) -> String {
     match error.kind() {
         ErrorKind::ConnectionRefused => {
-            format!("nothing there listens on port {port}: check the address (EtherNet/IP has port 44818)")
+            format!(
+                "cannot be reached: nothing listens on port {port} there; check the address (EtherNet/IP has port 44818)"
+            )
         }
         ErrorKind::WouldBlock | ErrorKind::TimedOut => {
-            "it cannot be reached in time: check the address, the cable and the network".to_owned()
+            "cannot be reached in time: check the address, the cable and the network".to_owned()
         }
-        _ => format!("it cannot be reached: {error}"),
+        _ => format!("cannot be reached: {error}"),
     }
 }
 

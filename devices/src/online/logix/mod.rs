@@ -89,9 +89,9 @@ impl Logix {
     fn why(&self, error: &Error) -> String {
         self.terms.failure().unwrap_or_else(|| match error {
             Error::Response { message, .. } if message == "Failed to get PLC info" => {
-                "it answers, but not as a controller does: check the slot of the processor".to_owned()
+                "answers, but not as a controller does: check the slot of the processor".to_owned()
             }
-            error => format!("it does not tell its tags: {error}"),
+            error => format!("does not tell its tags: {error}"),
         })
     }
 
@@ -110,7 +110,7 @@ impl Source for Logix {
         self.terms.begin(CONNECTING.0, CONNECTING.1);
         let is_open = self.driver.open().map_err(|error| self.why(&error))?;
         if !is_open {
-            return Err("it opens no session: too many may be open already".to_owned());
+            return Err("opens no session: too many may be open already".to_owned());
         }
         let definitions = self.driver.definitions();
         self.version = definitions.version;
@@ -124,7 +124,7 @@ impl Source for Logix {
         let requests: Vec<&str> = self.asks.iter().map(|ask| ask.request.as_str()).collect();
         let results = self.driver.read(&requests).map_err(|error| self.why(&error))?;
         if self.driver.definitions_version() != self.version {
-            return Err("its tags were changed; they are compared again".to_owned());
+            return Err("has other tags now; they are compared again".to_owned());
         }
         let mut values = vec![None; self.wanted.len()];
         let mut refused = Vec::new();

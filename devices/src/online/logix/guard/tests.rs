@@ -65,7 +65,7 @@ fn half_an_answer_and_none() {
         vec![0x63, 0, 0xFF, 0xFF],
     ] {
         let (answer, took) = exchange(24, says(answer));
-        assert_eq!(answer, Err("it does not answer in time".to_owned()));
+        assert_eq!(answer, Err("does not answer in time".to_owned()));
         assert!(took < SHORT * 5, "{took:?}");
     }
 }
@@ -77,7 +77,7 @@ fn a_byte_now_and_then_does_not_prolong_it() {
             std::thread::sleep(SHORT / 10);
         }
     });
-    assert_eq!(answer, Err("it does not answer in time".to_owned()));
+    assert_eq!(answer, Err("does not answer in time".to_owned()));
     assert!(took < SHORT * 5, "{took:?}");
 }
 
@@ -87,12 +87,12 @@ fn more_than_was_agreed() {
     large[..4].copy_from_slice(&[0x63, 0, 0x60, 0xEA]);
     assert_eq!(
         exchange(50_000, says(large)).0,
-        Err("it sends more than a controller has to tell".to_owned())
+        Err("sends more than a controller has to tell".to_owned())
     );
     let two = [LIST_IDENTITY, LIST_IDENTITY].concat();
     assert_eq!(
         exchange(4096, says(two)).0,
-        Err("it sends more than it was asked for".to_owned())
+        Err("sends more than it was asked for".to_owned())
     );
 }
 
@@ -102,7 +102,7 @@ fn an_answer_to_something_else() {
     other[0] = 0x65;
     assert_eq!(
         exchange(4096, says(other)).0,
-        Err("it answers something that it was not asked".to_owned())
+        Err("answers something that it was not asked".to_owned())
     );
 }
 
@@ -118,7 +118,7 @@ fn answers_on_a_connection_have_the_number_of_the_question() {
     for other in [frame(6, 0xCC), frame(7, 0xCD)] {
         assert_eq!(
             belongs(&other, &asked),
-            Err("it answers something that it was not asked".to_owned())
+            Err("answers something that it was not asked".to_owned())
         );
     }
     assert_eq!(belongs(&frame(7, 0xCC)[..45], &asked), Err(CUT.to_owned()));
@@ -144,7 +144,7 @@ fn nothing_is_sent_of_a_refused_frame() {
     assert!(guard.send(&write).is_err());
     assert_eq!(
         terms.failure().as_deref(),
-        Some("a frame that does not only read was not sent: command 64")
+        Some("was not asked: a frame that does not only read was kept from it (command 64)")
     );
     drop(guard);
     server.join().expect("a server without panic");
@@ -161,7 +161,9 @@ fn nobody_there() {
     assert!(connector(terms.clone())("127.0.0.1", port, None).is_err());
     let why = terms.failure().expect("why it failed");
     assert!(
-        why.starts_with(&format!("nothing there listens on port {port}")),
+        why.starts_with(&format!(
+            "cannot be reached: nothing listens on port {port} there"
+        )),
         "{why}"
     );
 }
