@@ -24,7 +24,7 @@ ATOMIC = {"BOOL": (0xC1, 1), "SINT": (0xC2, 1), "INT": (0xC3, 2), "DINT": (0xC4,
           "REAL": (0xCA, 4), "LREAL": (0xCB, 8), "DWORD": (0xD3, 4)}
 PACK = {"BOOL": "<?", "SINT": "<b", "INT": "<h", "DINT": "<i", "LINT": "<q", "USINT": "<B", "REAL": "<f", "LREAL": "<d", "DWORD": "<I"}
 
-PARTIAL, PATH_UNKNOWN, NOT_SUPPORTED, REFUSED = 0x06, 0x05, 0x08, 0x01
+PARTIAL, PATH_UNKNOWN, NOT_SUPPORTED, REFUSED, NOT_SHOWN = 0x06, 0x05, 0x08, 0x01, 0x0F
 BASE_TAG = 1 << 26
 
 
@@ -36,6 +36,8 @@ class Structure:
     name: str
     size: int
     members: list
+    # Of one a member is not shown, so it is refused as a whole.
+    is_shown: bool = True
 
     def definition(self):
         codes = (
@@ -177,6 +179,8 @@ class Controller(LogixDispatcher):
                 return self.error(service, PATH_UNKNOWN)
             kind, at, bit = member[1], at + member[3], member[2] if member[1] == "BOOL" else None
         count, start = (struct.unpack("<H", data)[0], 0) if service == 0x4C else struct.unpack("<HI", data)
+        if not getattr(kind, "is_shown", True):
+            return self.error(service, NOT_SHOWN)
         if bit is not None:
             return CipServiceResponse.success(service, type_code("BOOL") + bytes([tag.data[at] >> bit & 1]))
         whole = tag.data[at : at + count * (kind.size if isinstance(kind, Structure) else ATOMIC[kind][1])]
@@ -216,6 +220,7 @@ def machine():
         ("past", "INT", 4, 8), ("delay", timer, 0, 16), ("flags", "DWORD", 2, 28),
     ])
     line = Structure(0x102, "Line", 88, [("number", "SINT", 0, 0), ("motors", motor, 2, 4)])
+    closed = Structure(0x103, "Closed", 8, [("open", "DINT", 0, 0), ("secret", "DINT", 0, 4)], is_shown=False)
     text = Tag("recipe", string).put("DINT", 0, 5)
     text.data[4:9] = "grün!".encode("latin-1")
     tags = [
@@ -232,10 +237,11 @@ def machine():
         Tag("pump", motor).put("REAL", 0, 3.5).put("INT", 4, 42).put("USINT", 6, 0b10).put("INT", 8, 1, 2, 3, 4).put("DINT", 20, 2000, 2000)
         .put("USINT", 19, 0x20).put("DWORD", 28, 0, 1 << 3),
         Tag("lines", line, (4,)).put("SINT", 2 * 88, 3).put("INT", 2 * 88 + 4 + 40 + 4, 9),
+        Tag("safe", closed).put("DINT", 0, 77, 88),
         Tag("Program:Main.step", "DINT").put("DINT", 0, 20), Tag("Program:Main.run", "BOOL"), Tag("Program:Main.wait", timer).put("DINT", 4, 100, 7),
         Tag("Program:Other.step", "DINT").put("DINT", 0, 99),
     ]
-    return {structure.number: structure for structure in (timer, counter, string, motor, line)}, tags
+    return {structure.number: structure for structure in (timer, counter, string, motor, line, closed)}, tags
 
 
 async def main():

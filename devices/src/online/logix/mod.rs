@@ -15,9 +15,9 @@ mod plan;
 mod values;
 
 use super::{Found, Source, Wanted};
-use ciplink::Error;
 use ciplink::cip::CipOptions;
 use ciplink::logix::driver::{LogixDriver, LogixOptions};
+use ciplink::{Error, ErrorKind};
 use guard::Terms;
 use ladder_analysis::values::value::Value;
 use plan::{Ask, plan};
@@ -95,6 +95,33 @@ impl Logix {
         })
     }
 
+    /// Reads values. Which of what was asked for is refused as a whole.
+    fn ask(&self, asks: &[Ask], values: &mut [Option<Value>]) -> Result<Vec<usize>, String> {
+        let requests: Vec<&str> = asks.iter().map(|ask| ask.request.as_str()).collect();
+        let results = self.driver.read(&requests).map_err(|error| self.why(&error))?;
+        if self.driver.definitions_version() != self.version {
+            return Err("has other tags now; they are compared again".to_owned());
+        }
+        let mut refused = Vec::new();
+        for (nth, (ask, result)) in asks.iter().zip(results).enumerate() {
+            match (result.value, result.error) {
+                (Some(answer), None) => {
+                    for part in &ask.parts {
+                        let ty = self.wanted[part.wanted].point.ty;
+                        values[part.wanted] = values::value(&answer, &part.steps, ty);
+                    }
+                }
+                (_, Some(error)) if error.status.is_some() && !ask.is_single => {
+                    if matches!(error.kind, ErrorKind::Access | ErrorKind::NotFound) {
+                        refused.push(nth);
+                    }
+                }
+                _ => {}
+            }
+        }
+        Ok(refused)
+    }
+
     fn close(&self) {
         if self.driver.connected() {
             self.terms.begin(CLOSING.0, CLOSING.1);
@@ -121,28 +148,13 @@ impl Source for Logix {
 
     fn read(&mut self) -> Result<Vec<Option<Value>>, String> {
         self.terms.begin(READING.0, READING.1);
-        let requests: Vec<&str> = self.asks.iter().map(|ask| ask.request.as_str()).collect();
-        let results = self.driver.read(&requests).map_err(|error| self.why(&error))?;
-        if self.driver.definitions_version() != self.version {
-            return Err("has other tags now; they are compared again".to_owned());
-        }
         let mut values = vec![None; self.wanted.len()];
-        let mut refused = Vec::new();
-        for (nth, (ask, result)) in self.asks.iter().zip(results).enumerate() {
-            if let Some(answer) = result.value.filter(|_| result.error.is_none()) {
-                for part in &ask.parts {
-                    let ty = self.wanted[part.wanted].point.ty;
-                    values[part.wanted] = values::value(&answer, &part.steps, ty);
-                }
-            } else if !ask.is_single && result.error.is_some_and(|error| error.status.is_some()) {
-                refused.push(nth);
-            }
-        }
-        // A structure that has a member which is not shown is refused as a whole.
-        for nth in refused.into_iter().rev() {
-            let ask = self.asks.swap_remove(nth);
-            self.asks.extend(ask.singles());
-        }
+        let refused = self.ask(&self.asks, &mut values)?;
+        // A structure with a member that is not shown is refused as a whole: its members are asked for from now on.
+        let refused = refused.into_iter().rev().map(|nth| self.asks.swap_remove(nth));
+        let singles: Vec<Ask> = refused.flat_map(Ask::singles).collect();
+        self.ask(&singles, &mut values)?;
+        self.asks.extend(singles);
         Ok(values)
     }
 }
