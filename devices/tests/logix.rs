@@ -282,6 +282,44 @@ fn values_of_an_old_controller() {
     assert_eq!(large_openings(&recording), 1);
 }
 
+/// Why there is no connection to a controller that refuses services of its connection manager.
+fn refusing(services: &'static [u8]) -> String {
+    let text = Recording::of("large").text();
+    let (listener, port) = listen();
+    let server = std::thread::spawn(move || {
+        let mut stream = listener.accept().expect("a connection").0;
+        let mut answers = text.lines().filter_map(|line| line.strip_prefix("< ")).map(bytes);
+        while let Some(asked) = receive(&mut stream).filter(|asked| asked[0] != 0x66) {
+            let answer = if asked[0] == 0x6F && services.contains(&asked[40]) {
+                let mut answer = asked[..40].to_vec();
+                (answer[2], answer[3], answer[38], answer[39]) = (20, 0, 4, 0);
+                answer.extend([asked[40] | 0x80, 0, 1, 0]);
+                answer
+            } else {
+                answers.next().expect("an answer")
+            };
+            stream.write_all(&answer).expect("a client that reads");
+        }
+    });
+    let mut logix = Logix::new(&format!("127.0.0.1:{port}"), None, wanted(), PATIENCE).expect("an address");
+    let why = logix.connect().expect_err("a refusal");
+    drop(logix);
+    server.join().expect("a server without panic");
+    why
+}
+
+#[test]
+fn a_slot_without_a_controller() {
+    let why = "answers, but not as a controller does: check the slot of the processor";
+    assert_eq!(refusing(&[0x52]), why);
+}
+
+#[test]
+fn a_controller_with_too_many_connections() {
+    let why = "takes no more connections: end other programs that are connected to it";
+    assert_eq!(refusing(&[0x54, 0x5B]), why);
+}
+
 /// A controller whose answers are not what they were: bytes changed, cut, or more of them.
 fn hostile(changes: Vec<(usize, usize, u8)>, length: Option<(usize, u16)>) {
     let text = Recording::of("large").text();

@@ -87,12 +87,7 @@ impl Logix {
 
     /// Why something failed, in the guard's words if it knows.
     fn why(&self, error: &Error) -> String {
-        self.terms.failure().unwrap_or_else(|| match error {
-            Error::Response { message, .. } if message == "Failed to get PLC info" => {
-                "answers, but not as a controller does: check the slot of the processor".to_owned()
-            }
-            error => format!("does not tell its tags: {error}"),
-        })
+        self.terms.failure().unwrap_or_else(|| told(error))
     }
 
     /// Reads values. Which of what was asked for is refused as a whole.
@@ -157,6 +152,18 @@ impl Source for Logix {
         self.asks.extend(singles);
         Ok(values)
     }
+}
+
+/// What the driver tells, in other words where its own say little.
+fn told(error: &Error) -> String {
+    let message = error.to_string();
+    if message.contains("Failed to get PLC info") {
+        return "answers, but not as a controller does: check the slot of the processor".to_owned();
+    }
+    if message.starts_with("Target did not connected") {
+        return "takes no more connections: end other programs that are connected to it".to_owned();
+    }
+    format!("does not tell its tags: {message}")
 }
 
 impl Drop for Logix {

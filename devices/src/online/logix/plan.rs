@@ -239,12 +239,12 @@ fn find<'t>(
     let path = Path::parse(name).ok_or(Found::Missing)?;
     let own = tags.get(&path.tag.to_lowercase());
     let of_program = program.filter(|_| !is_of_program(name)).and_then(|program| {
-        let program = if is_of_program(program) {
-            &program["Program:".len()..]
+        let scope = if is_of_program(program) {
+            program.to_owned()
         } else {
-            program
+            format!("Program:{program}")
         };
-        tags.get(&format!("program:{}.{}", program, path.tag).to_lowercase())
+        tags.get(&format!("{scope}.{}", path.tag).to_lowercase())
     });
     let tag = of_program.or(own).copied().ok_or(Found::Missing)?;
     let mut place = Place {
