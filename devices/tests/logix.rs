@@ -282,7 +282,7 @@ fn values_of_an_old_controller() {
     assert_eq!(large_openings(&recording), 1);
 }
 
-/// Why there is no connection to a controller that refuses services of its connection manager.
+/// What is told of a controller that refuses services of its connection manager.
 fn refusing(services: &'static [u8]) -> String {
     let text = Recording::of("large").text();
     let (listener, port) = listen();

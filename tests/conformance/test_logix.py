@@ -69,9 +69,9 @@ def host(request):
     host = subprocess.Popen([sys.executable, script, "--tags", "1000", *request.param], stdout=subprocess.PIPE, text=True)
     yield int(host.stdout.readline())
     host.terminate()
-    said = host.stdout.read()
+    told = host.stdout.read()
     host.wait(PATIENCE)
-    assert said == "", said
+    assert told == "", told
 
 
 def test_values(host, tmp_path):

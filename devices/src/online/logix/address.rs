@@ -10,7 +10,7 @@ pub(super) fn check(address: &str) -> Result<(), String> {
     let (host, _, route) =
         parse_connection_path(address, true).map_err(|error| wrong(address, &error.to_string()))?;
     if host.is_empty() || address.contains(|letter: char| letter.is_whitespace() || letter.is_control()) {
-        return Err(wrong(address, "there is no name or number of a host"));
+        return Err(wrong(address, "it names no host"));
     }
     encode_epath(&route, true, true, true)
         .map(|_| ())

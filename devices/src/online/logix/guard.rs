@@ -220,9 +220,9 @@ fn lost(error: io::Error) -> String {
 fn connect(to: (&str, u16), terms: &Terms) -> Result<TcpStream, String> {
     let addresses = to
         .to_socket_addrs()
-        .map_err(|error| format!("cannot be reached: there is no such name in the network ({error})"))?;
+        .map_err(|error| format!("cannot be reached: the network does not know that name ({error})"))?;
     let due = terms.due();
-    let mut why = "cannot be reached: there is no such name in the network".to_owned();
+    let mut why = "cannot be reached: the network does not know that name".to_owned();
     for address in addresses {
         match TcpStream::connect_timeout(&address, left(due)?) {
             Ok(stream) => {

@@ -21,7 +21,7 @@ pub(super) struct Ask {
     /// As the driver takes it: `pump`, `line[2]{3}`.
     pub(super) request: String,
     pub(super) parts: Vec<Part>,
-    /// It is no larger than what is wanted.
+    /// It is one wanted value, and nothing around it.
     pub(super) is_single: bool,
 }
 

@@ -232,7 +232,7 @@ fn what_changes_something() {
 #[test]
 fn connections_that_could_move_something() {
     let opens = |rest: &str| unconnected(&hex(&format!("5B 02 2006 2401 {OPEN} {rest}")));
-    // Class 1: inputs and outputs. An assembly. Behind the router there is something else.
+    // Class 1: inputs and outputs. An assembly. Something after the router.
     check(
         &opens("01 03 0100 2002 2401"),
         expect!["a connection that is not for requests"],
