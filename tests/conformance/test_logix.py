@@ -13,7 +13,7 @@ LADDER = os.environ["LADDER_BIN"]
 # Longer than the slowest machine needs, in seconds.
 PATIENCE = 60
 
-# `step` is first of all the program's that is called as the file.
+# `run` and `step` are first of all those of the program that is called as the file.
 PROGRAM = """\
 # ladder: profile logix #
 TYPE
@@ -45,7 +45,7 @@ END_VAR
 """
 
 VALUES = {
-    "run": "TRUE",
+    "run": "FALSE",
     "level": "12.5",
     "count": "-7",
     "grid[1, 2]": "12",
