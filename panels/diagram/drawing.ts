@@ -372,6 +372,6 @@ export class Drawing {
     /** The middle of a part, from the upper left corner of the diagram. */
     spotOf({ kind, box, mark }: Part, top: number, scale: number): Spot {
         const y = mark ? mark.y + 8 : PLACES.includes(kind) ? box.y + box.height / 2 : box.y + 29;
-        return { x: (box.x + box.width / 2) * scale, y: top + y * scale };
+        return { x: (box.x + box.width / 2) * scale, y: top + y * scale, isBetween: kind === 'join' };
     }
 }

@@ -6,6 +6,7 @@ import type { Drag } from './draw/drag.ts';
 import { CONTACT } from './draw/palette.ts';
 import { actionOf, type Tools } from './draw/actions.ts';
 import type { Band } from './draw/band.ts';
+import { isField } from './draw/field.ts';
 import { keyOf } from './draw/keyOf.ts';
 import { aboutOf } from './draw/selection.ts';
 import { type Direction, neighbour } from './neighbours.ts';
@@ -170,6 +171,10 @@ export class Hands {
         this.#page.select(found, false);
         const isName = found.part.operands.some(({ node }) => node === event.target);
         const pressed = () => {
+            if (!found.part.node.isConnected) {
+                // What was written meanwhile has changed the drawing.
+                return;
+            }
             if (wasHere && (!isName || this.#isTouch)) {
                 // The second press of a double one draws, and is no menu.
                 this.#later = setTimeout(() => tools.menu(found), this.#isTouch ? 0 : DOUBLE);
@@ -232,7 +237,7 @@ export class Hands {
 
     #clipboard(type: 'copy' | 'cut' | 'paste', event: ClipboardEvent): void {
         const { tools, mode } = this.#drawing;
-        if (!mode.isDraw || event.target instanceof HTMLInputElement) {
+        if (!mode.isDraw || isField(event.target)) {
             return;
         }
         event.preventDefault();
@@ -245,7 +250,7 @@ export class Hands {
 
     #key(event: KeyboardEvent): void {
         const { tools, mode } = this.#drawing;
-        if (event.target instanceof HTMLInputElement) {
+        if (isField(event.target)) {
             return;
         }
         const isPlain = !(event.ctrlKey || event.metaKey || event.altKey);
@@ -343,14 +348,10 @@ export class Hands {
                 document.querySelector<HTMLElement>('.inspector input[type="text"], .inspector button')?.focus();
                 return true;
             case 'Home':
-            case 'End': {
-                const part = key === 'Home' ? found.drawing.parts[0] : found.drawing.parts.at(-1);
-                if (part) {
-                    this.#page.select({ drawing: found.drawing, part });
-                    this.#selected();
-                }
+            case 'End':
+                this.#page.select(this.#page.endOfLine(found, key === 'Home' ? -1 : 1));
+                this.#selected();
                 return true;
-            }
             default:
                 return false;
         }

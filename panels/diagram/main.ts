@@ -1,6 +1,7 @@
 // The page of the diagram: puts its parts together and talks with the extension.
 import type { FromPage, ToPage } from './messages.ts';
 import type { Tools } from './draw/actions.ts';
+import { Aim } from './draw/aim.ts';
 import { Asker } from './draw/asker.ts';
 import { Band } from './draw/band.ts';
 import { Clipboard } from './draw/clipboard.ts';
@@ -77,7 +78,8 @@ const inspector = new Inspector(strip, send);
 const toolbar = new Toolbar(bar, send, zoom);
 
 const asker = new Asker(send);
-const drag = new Drag(page, canvas);
+const aim = new Aim(page, canvas);
+const drag = new Drag(page, canvas, aim);
 const voice = {
     said(text: string): void {
         refusal.hidden = true;
@@ -88,7 +90,7 @@ const voice = {
         refusal.hidden = false;
     },
 };
-const pen = new Pen(page, new Field(canvas), asker.ask, voice, send);
+const pen = new Pen(page, new Field(canvas), aim, asker.ask, voice, send);
 const menu = new Menu(document.body, voice.refused);
 const declarations = new DeclarationsTable(asker.ask, pen, (by) => void findings.go(by));
 const findings: Findings = new Findings(page, asker.ask, menu, voice, (finding) => declarations.focusOn(finding));
@@ -96,21 +98,19 @@ strip.before(findings.node);
 view.before(declarations.node);
 
 /** Draws something where the focus is. */
-function drawHere(row: DrawableRow): boolean {
+async function drawHere(row: DrawableRow): Promise<void> {
+    await pen.settled;
     const found = page.selection;
     if (!found) {
         voice.refused('Choose a place first: a wire, or an element');
-        return false;
+        return;
     }
     palette.used(row);
-    void (row.block === '( )' ? pen.coil(found) : pen.draw(row, found));
-    return true;
+    await (row.block === '( )' ? pen.coil(found) : pen.draw(row, found));
 }
 
 const palette = new Palette(asker.ask, {
-    chosen: (row) => {
-        drawHere(row);
-    },
+    chosen: (row) => void drawHere(row),
     pressed: (row, event) =>
         drag.begin(
             event,
@@ -120,9 +120,9 @@ const palette = new Palette(asker.ask, {
                 const other = isShifted ? { '[ ]': '[/]', '( )': '(/)' }[row.block] : undefined;
                 void pen.draw(other === undefined ? row : { ...row, block: other }, found, target);
             },
-            () => drawHere(row),
+            () => void drawHere(row),
         ),
-    branch: () => void pen.branch(CONTACT, 'below'),
+    branch: () => void pen.settled.then(() => pen.branch(CONTACT, 'below')),
 });
 
 const tools: Tools = {
@@ -163,10 +163,7 @@ new Hands(view, page, live, send, inspect, {
     band: new Band(page, canvas, pen.selection),
     reorder: (event, drawing) => beginReorder(event, { drawing }, page, canvas, pen),
     mode,
-    favourite: (number) => {
-        const row = palette.favourite(number);
-        return row !== undefined && drawHere(row);
-    },
+    favourite: (number) => palette.favourite(number),
 });
 
 /** The size that a person has chosen; without one the diagram fits to the width of the page. */
@@ -237,6 +234,7 @@ function receive(message: ToPage): void {
             view.setAttribute('aria-label', `Ladder diagram of ${message.name}`);
             empty.textContent = '';
             palette.named(message.names ?? 'iec');
+            void palette.load();
             page.open(message.version, message.lineCount, message.line);
             declarations.open();
             break;

@@ -4,15 +4,18 @@
 export interface Spot {
     readonly x: number;
     readonly y: number;
+    /** It is between the rungs: up and down come to it only from what is right above or below. */
+    readonly isBetween?: boolean;
 }
 
 export type Direction = 'left' | 'right' | 'up' | 'down';
 
 /** Elements on one rung are at the same height, but for a pixel. */
-const SAME_RUNG = 4;
+export const SAME_RUNG = 4;
 
 /** Going up and down prefers what is near to what is straight ahead by this much. */
 const SLANT = 0.3;
+const SLANT_BETWEEN = 2;
 
 function along(spots: readonly Spot[], from: Spot, sign: number): number {
     const order = (a: Spot, b: Spot) => (Math.abs(a.y - b.y) > SAME_RUNG ? a.y - b.y : a.x - b.x);
@@ -31,7 +34,7 @@ function across(spots: readonly Spot[], from: Spot, sign: number): number {
     let least = Infinity;
     spots.forEach((spot, index) => {
         const far = sign * (spot.y - from.y);
-        const cost = far + SLANT * Math.abs(spot.x - from.x);
+        const cost = far + (spot.isBetween ? SLANT_BETWEEN : SLANT) * Math.abs(spot.x - from.x);
         if (far > SAME_RUNG && cost < least) {
             best = index;
             least = cost;

@@ -1,7 +1,9 @@
 // The scrolling part of the page: asks for what comes into sight, and keeps only that on the page.
 import type { Drawn, Finding, FromPage, LineChange, Place } from './messages.ts';
+import { isField } from './draw/field.ts';
 import { Drawing, type Part } from './drawing.ts';
 import { Layout, moved } from './layout.ts';
+import { SAME_RUNG, type Spot } from './neighbours.ts';
 import type { Changed, Live } from './live.ts';
 
 /** Pieces are kept ready so far above and below what is seen, in pixels. */
@@ -17,6 +19,8 @@ const LETTER = 8;
 const NEXT_TO = 80;
 /** Where line numbers are, to the left of each drawing: `--gutter` of the style. In pixels. */
 const GUTTER = 44;
+/** How far from there a field for a network is, and how high it is, in pixels. */
+const [INDENT, FIELD] = [16, 26];
 /** The right rail is where the page ends, but no further left or right than this, in letters. */
 const RAILS = [44, 110] as const;
 
@@ -29,6 +33,16 @@ const SHOWN_AS_NEW = 600;
 export interface Found {
     readonly drawing: Drawing;
     readonly part: Part;
+}
+
+/** What is to get the focus when it is drawn. */
+interface Soon {
+    readonly places: readonly Place[];
+    /** Of the text that has it. */
+    readonly version: number;
+    readonly isPoint?: boolean;
+    /** Something else was pressed meanwhile: it keeps the focus. */
+    readonly isLeft?: boolean;
 }
 
 export class Page {
@@ -57,7 +71,7 @@ export class Page {
     #cursor: Place | undefined;
     #findings: readonly Finding[] = [];
     /** What is to get the focus, and is shown as new. */
-    #soon: { readonly places: readonly Place[]; readonly version: number; readonly isPoint: boolean; done(): void } | undefined;
+    #soon: (Soon & { done(): void }) | undefined;
 
     constructor(view: HTMLElement, canvas: HTMLElement, live: Live, send: (message: FromPage) => void) {
         this.#view = view;
@@ -137,10 +151,10 @@ export class Page {
     }
 
     /** What lies here gets the focus as soon as it is drawn: it is new in the text that comes. */
-    async focusSoon(places: readonly Place[], version: number, isPoint: boolean): Promise<void> {
+    async focusSoon(soon: Soon): Promise<void> {
         this.#soon?.done();
         await new Promise<void>((done) => {
-            this.#soon = { places, version, isPoint, done };
+            this.#soon = { ...soon, done };
             this.#focusNew();
             // Of a text that cannot be drawn nothing comes.
             setTimeout(done, PATIENCE);
@@ -153,19 +167,19 @@ export class Page {
         if (!soon || !first || this.layout.version < soon.version || this.layout.at(first.line)?.version !== this.layout.version) {
             return;
         }
-        const { places, isPoint } = soon;
+        const { places, isPoint, isLeft } = soon;
         this.#soon = undefined;
         soon.done();
-        this.selected = { ...first, isPoint };
-        const found = this.#selectedPart();
-        if (!found) {
-            return;
-        }
-        if (document.activeElement instanceof HTMLInputElement) {
-            // Who types already goes on typing.
-            this.hasFocus(found);
-        } else {
-            this.select(found);
+        const { activeElement } = document;
+        if (!(isLeft === true && this.find(activeElement))) {
+            this.selected = { ...first, isPoint: isPoint === true };
+            const found = this.#selectedPart();
+            if (found && (isLeft === true || isField(activeElement))) {
+                // Who types already goes on typing.
+                this.hasFocus(found);
+            } else if (found) {
+                this.select(found);
+            }
         }
         for (const { line, character } of places) {
             const isAt = ({ drawing, part }: Found) => drawing.first + part.at[0] === line && part.at[1] === character;
@@ -185,6 +199,12 @@ export class Page {
         const scale = this.layout.scale;
         const top = Number(drawing.node.dataset['top'] ?? 0) + box.y * scale;
         return { left: GUTTER + box.x * scale, top, width: box.width * scale, height: box.height * scale };
+    }
+
+    /** Where what is written above or below a network is. */
+    beside({ drawing: { node, piece } }: Found, place: 'above' | 'below'): { x: number; y: number } {
+        const top = Number(node.dataset['top'] ?? 0);
+        return { x: GUTTER + INDENT, y: place === 'above' ? top - FIELD : top + piece.height * this.layout.scale };
     }
 
     /** What is reported about the text, from top to bottom. */
@@ -363,7 +383,7 @@ export class Page {
     }
 
     /** All elements that are on the page, with their places there. */
-    spots(): { readonly found: Found; readonly x: number; readonly y: number }[] {
+    spots(): (Spot & { readonly found: Found })[] {
         const drawings = [...this.#drawings.values()].sort((a, b) => a.first - b.first);
         return drawings.flatMap((drawing) =>
             [...drawing.parts, ...(this.isDrawing ? drawing.points : [])].map((part) => {
@@ -371,6 +391,25 @@ export class Page {
                 return { found: { drawing, part }, ...drawing.spotOf(part, top, this.layout.scale) };
             }),
         );
+    }
+
+    /** The first or the last element on the line of a drawing that something is on. */
+    endOfLine({ drawing, part }: Found, sign: -1 | 1): Found {
+        const yOf = (part: Part) => drawing.spotOf(part, 0, 1).y;
+        const beside = drawing.parts.filter((other) => Math.abs(yOf(other) - yOf(part)) <= SAME_RUNG);
+        const last = beside.reduce((a, b) => ((b.box.x - a.box.x) * sign > 0 ? b : a), beside[0] ?? part);
+        return { drawing, part: last };
+    }
+
+    /** Goes to a network, so many further down; to the first or the last with infinity. */
+    async goToNetwork(by: number): Promise<void> {
+        const networks = this.networks();
+        const here = networks.findLastIndex((first) => first <= (this.selected?.line ?? -1));
+        const next = networks[Math.min(Math.max(here + by, 0), networks.length - 1)];
+        if (next !== undefined) {
+            this.#scrollTo(next);
+            await this.focusSoon({ places: [{ line: next, character: 0 }], version: this.layout.version });
+        }
     }
 
     /** The element that a node of the page belongs to. */
@@ -455,16 +494,21 @@ export class Page {
     /** The cursor of the text is here: its element is marked, and comes into sight. */
     cursorAt(place: Place): void {
         this.#cursor = place;
-        const segment = this.layout.at(place.line);
+        this.#scrollTo(place.line);
+        this.#markCursor(true);
+    }
+
+    /** A line that is not on the page comes into sight. */
+    #scrollTo(line: number): void {
+        const segment = this.layout.at(line);
         if (!segment?.piece || !this.#drawings.has(segment.piece.id)) {
-            const top = this.layout.topOf(place.line);
+            const top = this.layout.topOf(line);
             const isSeen = top >= this.#view.scrollTop && top < this.#view.scrollTop + this.#view.clientHeight - 40;
             if (!isSeen) {
                 this.#view.scrollTop = Math.max(top - this.#view.clientHeight / 3, 0);
                 this.update();
             }
         }
-        this.#markCursor(true);
     }
 
     #markCursor(scrolls: boolean): void {

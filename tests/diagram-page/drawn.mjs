@@ -30,7 +30,7 @@ export function diagrams() {
 
 function handsOf(diagram) {
     const { page } = diagram;
-    const field = page.locator('.field input');
+    const field = page.locator('.field :is(input, textarea)');
     const element = (kind, name) => page.locator(`g.element.${kind}`, { hasText: name }).first();
     return {
         ...diagram,

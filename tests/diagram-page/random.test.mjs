@@ -39,7 +39,7 @@ for (let number = 0; number < PAGES; number += 1) {
                 nodes[chosen % nodes.length]?.focus();
             }, chosen);
             await page.keyboard.press(key);
-            const field = page.locator('.field input');
+            const field = page.locator('.field :is(input, textarea)');
             await quiet();
             if ((await field.count()) > 0) {
                 await field.fill(key === 'n' ? 'XIC p OTE q' : key === '#' ? 'A note.' : `x${random(4)}`);

@@ -10,7 +10,7 @@ import { type About, rangeOf } from './selection.ts';
 export interface Tools {
     readonly pen: Pen;
     readonly clipboard: Clipboard;
-    readonly palette: Pick<Palette, 'open'>;
+    readonly palette: Pick<Palette, 'open' | 'titleOf'>;
     readonly findings: Pick<Findings, 'go' | 'menu'>;
     /** Shows something in the text. */
     reveal(found: Found): void;
@@ -42,6 +42,11 @@ const KINDS: readonly (readonly string[])[] = [['[ ]', '[/]', '[P]', '[N]'], ['(
 function nextKind(head: string): string | undefined {
     const kinds = KINDS.find((kinds) => kinds.includes(head));
     return kinds?.[(kinds.indexOf(head) + 1) % kinds.length];
+}
+
+/** What a contact or coil with this head can become. */
+export function kindsOf(head: string): readonly string[] {
+    return KINDS.find((kinds) => kinds.includes(head))?.filter((kind) => kind !== head) ?? [];
 }
 
 const isCoil = (head: string) => head.startsWith('(');
@@ -77,7 +82,7 @@ export const ACTIONS: readonly Action[] = [
         title: 'Change the comment…',
         on: ['note'],
         group: 'Change',
-        run: ({ pen }, found) => pen.line(found, 'Comment', found.part.name.replace(/^Comment /, ''), (text) => ({ op: 'comment', what: rangeOf(found), text })),
+        run: ({ pen }, found) => pen.line(found, { label: 'Comment', text: found.part.name.replace(/^Comment /, '') }, (text) => ({ op: 'comment', what: rangeOf(found), text })),
     },
     { keys: ['/'], title: 'Open or closed', on: ['element'], group: 'Change', offer: 'head', run: ({ pen }, found) => pen.head(found, (head) => OPPOSITE[head]) },
     { keys: ['E'], title: 'Next kind', on: ['element'], group: 'Change', offer: 'head', run: ({ pen }, found) => pen.head(found, nextKind) },
@@ -92,7 +97,7 @@ export const ACTIONS: readonly Action[] = [
         run: ({ pen }, found) => {
             const [operand] = found.part.operands;
             const start = operand && { line: found.drawing.first + operand.place[0], character: operand.place[1] };
-            return start && pen.line(found, 'New name of the tag', operand.text, (text) => ({ op: 'rename', what: { start, end: start }, text }));
+            return start && pen.line(found, { label: 'New name of the tag', text: operand.text }, (text) => ({ op: 'rename', what: { start, end: start }, text }));
         },
     },
     { keys: ['Alt+ArrowLeft'], title: 'Move to the left', on: THINGS, group: 'Change', isHidden: true, run: ({ pen }, found) => pen.step(found, 'left') },
@@ -109,7 +114,7 @@ export const ACTIONS: readonly Action[] = [
 
     { keys: ['N'], title: 'New network below…', on: [...ALL, 'nothing'], group: 'Networks', run: ({ pen }, found) => pen.entry(found, 'below') },
     { keys: ['Shift+N'], title: 'New network above…', on: [...ALL, 'nothing'], group: 'Networks', run: ({ pen }, found) => pen.entry(found, 'above') },
-    { keys: ['#'], title: 'Comment above the network…', on: ALL, group: 'Networks', offer: 'comment', run: ({ pen }, found) => pen.line(found, 'Comment above the network', '', (text) => ({ op: 'comment', network: found.drawing.first, text })) },
+    { keys: ['#'], title: 'Comment above the network…', on: ALL, group: 'Networks', offer: 'comment', run: ({ pen }, found) => pen.line(found, { label: 'Comment above the network', kind: 'lines' }, (text) => ({ op: 'comment', network: found.drawing.first, text })) },
     { keys: ['K'], title: 'Split the network here', on: ['element', 'point'], group: 'Networks', offer: 'split', run: ({ pen }, found) => pen.placeOf(found).then((at) => at && pen.edit({ op: 'split', at })) },
     {
         keys: ['J'],
@@ -134,6 +139,10 @@ export const ACTIONS: readonly Action[] = [
         run: ({ pen }, { drawing }) => pen.edit({ op: 'delete', network: drawing.first }),
     },
 
+    { keys: ['PageDown'], title: 'Next network', on: [...ALL, 'nothing'], group: 'Go', isHidden: true, run: ({ pen }) => pen.page.goToNetwork(1) },
+    { keys: ['PageUp'], title: 'Previous network', on: [...ALL, 'nothing'], group: 'Go', isHidden: true, run: ({ pen }) => pen.page.goToNetwork(-1) },
+    { keys: ['Ctrl+Home'], title: 'First network', on: [...ALL, 'nothing'], group: 'Go', isHidden: true, run: ({ pen }) => pen.page.goToNetwork(-Infinity) },
+    { keys: ['Ctrl+End'], title: 'Last network', on: [...ALL, 'nothing'], group: 'Go', isHidden: true, run: ({ pen }) => pen.page.goToNetwork(Infinity) },
     { keys: ['A'], title: 'Select the next larger group', on: ['element'], group: 'Go', run: ({ pen }, found) => pen.larger(found) },
     { keys: ['Ctrl+A'], title: 'Select the network', on: ALL, group: 'Go', run: ({ pen }, { drawing }) => pen.selection.set(drawing.parts.map((part) => ({ drawing, part }))) },
     {

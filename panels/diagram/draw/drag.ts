@@ -1,8 +1,8 @@
 // What is dragged: an element of the drawing, or a row of the palette. While it moves the place is shown where it would go:
 // a ring in a wire, a bar below an element, which a new branch would go around.
 import type { Found, Page } from '../page.ts';
+import type { Aim, Target } from './aim.ts';
 import { follow } from './follow.ts';
-import type { Target } from './pen.ts';
 import { aboutOf, rangeOf } from './selection.ts';
 
 /** Who moves less only presses, in pixels. */
@@ -23,14 +23,14 @@ export interface Drop {
 export class Drag {
     readonly #page: Page;
     readonly #canvas: HTMLElement;
-    readonly #bar = document.createElement('div');
+    readonly #mark: Aim;
     readonly #ghost = document.createElement('div');
     #aim: { readonly found: Found; readonly target: Target } | undefined;
 
-    constructor(page: Page, canvas: HTMLElement) {
+    constructor(page: Page, canvas: HTMLElement, mark: Aim) {
         this.#page = page;
         this.#canvas = canvas;
-        this.#bar.className = 'lane';
+        this.#mark = mark;
         this.#ghost.className = 'ghost';
         this.#ghost.setAttribute('aria-hidden', 'true');
     }
@@ -68,7 +68,7 @@ export class Drag {
             this.#hide();
             if (released && !isDragging) {
                 pressed();
-            } else if (released && aim) {
+            } else if (released && aim?.found.part.node.isConnected === true) {
                 dropped({ ...aim, isShifted: released.shiftKey, isCopy: released.ctrlKey || released.metaKey });
             }
         };
@@ -76,8 +76,7 @@ export class Drag {
     }
 
     #hide(): void {
-        this.#aim?.found.part.node.classList.remove('aim');
-        this.#bar.remove();
+        this.#mark.hide();
         this.#aim = undefined;
     }
 
@@ -110,12 +109,6 @@ export class Drag {
         const { found, isLane } = best;
         const range = rangeOf(found);
         this.#aim = { found, target: isLane ? { from: range.start, to: range.end, side: 'below' } : { at: range.start } };
-        if (isLane) {
-            const box = this.#page.boxOf(found);
-            Object.assign(this.#bar.style, { left: `${box.left}px`, top: `${box.top + box.height - 2}px`, width: `${box.width}px` });
-            this.#canvas.append(this.#bar);
-        } else {
-            found.part.node.classList.add('aim');
-        }
+        this.#mark.show(this.#aim.target, [found]);
     }
 }

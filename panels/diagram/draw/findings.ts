@@ -74,7 +74,7 @@ export class Findings {
                 document.activeElement.blur();
             }
             this.#page.cursorAt(next.from);
-            await this.#page.focusSoon([next.from], layout.version, false);
+            await this.#page.focusSoon({ places: [next.from], version: layout.version });
         }
         this.#voice.said(`${WORDS[next.severity]}: ${next.message}`);
     }

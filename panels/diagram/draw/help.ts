@@ -36,7 +36,7 @@ export function showKeys(): void {
         return section;
     });
     const more = document.createElement('p');
-    more.textContent = 'Arrows go from element to element and through the places in the wires; with Shift they select. 1 to 8 draw the favourites. D changes between Operate and Draw.';
+    more.textContent = 'Arrows go from element to element and through the places in the wires; with Shift they select. Home and End go to the ends of a line, PageUp and PageDown to other networks. 1 to 9 draw what the buttons above show. D changes between Operate and Draw.';
     dialog.append(close, ...groups, more);
     dialog.addEventListener('close', () => dialog.remove());
     dialog.addEventListener('keydown', (event) => event.stopPropagation());

@@ -12,6 +12,9 @@ export interface MenuItem {
     run(): void;
 }
 
+/** What is left free between a menu and the edge of the window, in pixels. */
+const EDGE = 4;
+
 export class Menu {
     readonly #parent: HTMLElement;
     readonly #refused: (why: string) => void;
@@ -94,9 +97,15 @@ export class Menu {
             }
         });
         this.#parent.append(node);
+        // What is higher than the window is in columns, as far as they have room.
+        const columns = Math.min(Math.ceil(node.scrollHeight / (window.innerHeight - 2 * EDGE)), Math.floor(window.innerWidth / node.offsetWidth));
+        if (columns > 1) {
+            node.style.display = 'grid';
+            node.style.gridTemplateRows = `repeat(${Math.ceil(items.length / columns)}, auto)`;
+        }
         const [width, height] = [node.offsetWidth, node.offsetHeight];
-        node.style.left = `${Math.max(4, Math.min(spot.x, window.innerWidth - width - 4))}px`;
-        node.style.top = `${Math.max(4, Math.min(spot.y, window.innerHeight - height - 4))}px`;
+        node.style.left = `${Math.max(EDGE, Math.min(spot.x, window.innerWidth - width - EDGE))}px`;
+        node.style.top = `${Math.max(EDGE, Math.min(spot.y, window.innerHeight - height - EDGE))}px`;
         buttons[0]?.focus();
     }
 }

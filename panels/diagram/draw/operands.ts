@@ -21,24 +21,25 @@ export class Operands {
     }
 
     /** Asks for the operands of a new block with this head. */
-    async ofNew(head: string, asked: Asked, wanted: Pick<Wanted, 'label' | 'text' | 'spot'>): Promise<Written | undefined> {
+    async ofNew(head: string, asked: Asked, wanted: Pick<Wanted, 'label' | 'text' | 'spot' | 'again'>): Promise<Written | undefined> {
         const isBool = head.length === HEAD;
         this.#known = undefined;
         return this.#field.ask({
             ...wanted,
+            kind: isBool ? 'line' : 'operands',
             placeholder: isBool ? 'tag' : '',
-            choices: (text) => this.#tags(text, isBool),
+            choices: (before) => this.#tags(before, isBool),
             note: (text) => this.#news(text, head, asked),
         });
     }
 
     /** Asks for another operand in the place of one that is there. */
-    async another(old: string, isBool: boolean, asked: Asked, wanted: Pick<Wanted, 'label' | 'spot'>): Promise<Written | undefined> {
+    async another(old: string, isBool: boolean, asked: Asked, wanted: Pick<Wanted, 'label' | 'spot' | 'again'>): Promise<Written | undefined> {
         this.#known = undefined;
         return this.#field.ask({
             ...wanted,
             text: old,
-            choices: (text) => this.#tags(text === old ? '' : text, isBool),
+            choices: (before) => this.#tags(before, isBool),
             note: (text) => this.#news(isBool && text !== old ? text : '', '[ ]', asked),
         });
     }

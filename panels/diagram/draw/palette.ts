@@ -7,11 +7,13 @@ export const CONTACT: DrawableRow = { section: '', block: '[ ]', title: 'Open co
 export const CLOSED_CONTACT: DrawableRow = { section: '', block: '[/]', title: 'Closed contact', us: 'XIO', operands: '' };
 export const COIL: DrawableRow = { section: '', block: '( )', title: 'Coil', us: 'OTE', operands: '' };
 
-/** Always there, in this order. */
-const FAVOURITES: readonly DrawableRow[] = [CONTACT, CLOSED_CONTACT, COIL];
+/** Always there, in this order: before the branch, and behind it as far as the program may have them. */
+const [FIRST, SECOND] = [[CONTACT, CLOSED_CONTACT, COIL], ['[TON]', '[CTU]']] as const;
 
 /** So many of those that were used last are buttons, too. */
 const MOST_USED = 5;
+/** There are so many keys with numbers. */
+const NUMBERS = 9;
 
 /** What a person does with a row. */
 export interface Takes {
@@ -29,6 +31,8 @@ export class Palette {
     readonly #list = document.createElement('div');
     readonly #ask: Ask;
     readonly #takes: Takes;
+    /** All that the program may have. */
+    #rows: readonly DrawableRow[] = [CONTACT, CLOSED_CONTACT, COIL];
     #used: DrawableRow[] = [];
     #shown: readonly DrawableRow[] = [];
     #chosen = -1;
@@ -86,42 +90,78 @@ export class Palette {
         this.#search.select();
     }
 
-    /** The favourite with this number, from 1. */
-    favourite(number: number): DrawableRow | undefined {
-        return [...FAVOURITES, ...this.#used][number - 1];
+    /** A program is opened: what can be drawn in it is asked for. */
+    async load(): Promise<void> {
+        const { rows } = await this.#ask('palette', { search: '' }).catch(() => ({ rows: this.#rows }));
+        this.#rows = rows;
+        this.#showButtons();
+    }
+
+    /** What a block is called: `Rising-edge contact`. */
+    titleOf(block: string): string {
+        const row = this.#rows.find((row) => row.block === block);
+        return row ? this.#called(row)[0] : block;
+    }
+
+    /** The favourites that have operands. */
+    get #always(): readonly DrawableRow[] {
+        return SECOND.flatMap((block) => this.#rows.find((row) => row.block === block) ?? []);
+    }
+
+    /** The buttons from left to right. */
+    get #favourites(): readonly (DrawableRow | 'branch')[] {
+        return [...FIRST, 'branch', ...this.#always, ...this.#used];
+    }
+
+    /** Takes the favourite with this number, from 1. @returns whether there is one */
+    favourite(number: number): boolean {
+        const favourite = this.#favourites[number - 1];
+        if (favourite === 'branch') {
+            this.#takes.branch();
+        } else if (favourite) {
+            this.#takes.chosen(favourite);
+        }
+        return favourite !== undefined;
     }
 
     /** It is one of those that were used last. */
     used(row: DrawableRow): void {
-        if (!FAVOURITES.some(({ block }) => block === row.block)) {
-            this.#used = [row, ...this.#used.filter(({ block }) => block !== row.block)].slice(0, MOST_USED);
+        this.#search.value = '';
+        if (![...FIRST, ...this.#always, ...this.#used].some(({ block }) => block === row.block)) {
+            // A button stays where it is as long as it is there.
+            this.#used = [...this.#used, row].slice(-MOST_USED);
             this.#showButtons();
         }
     }
 
     #showButtons(): void {
-        const buttons = [...FAVOURITES, ...this.#used].map((row, index) => {
-            const button = document.createElement('button');
-            button.type = 'button';
-            button.textContent = row.block;
-            const [called] = this.#called(row);
-            button.title = `${called} (${index + 1})`;
-            button.setAttribute('aria-label', called);
-            button.addEventListener('pointerdown', (event) => this.#takes.pressed(row, event));
-            // By keys: the pointer has its own way, which may be a drag.
-            button.addEventListener('click', ({ detail }) => {
-                if (detail === 0) {
-                    this.#takes.chosen(row);
-                }
-            });
-            return button;
+        this.#buttons.replaceChildren(...this.#favourites.map((favourite, index) => (favourite === 'branch' ? this.#branchButton(index) : this.#buttonOf(favourite, index))));
+    }
+
+    #branchButton(index: number): HTMLButtonElement {
+        const button = document.createElement('button');
+        button.type = 'button';
+        button.textContent = 'Branch';
+        button.title = `A contact in parallel to what is selected (B, ${index + 1})`;
+        button.addEventListener('click', () => this.#takes.branch());
+        return button;
+    }
+
+    #buttonOf(row: DrawableRow, index: number): HTMLButtonElement {
+        const button = document.createElement('button');
+        button.type = 'button';
+        button.textContent = row.block;
+        const [called] = this.#called(row);
+        button.title = index < NUMBERS ? `${called} (${index + 1})` : called;
+        button.setAttribute('aria-label', called);
+        button.addEventListener('pointerdown', (event) => this.#takes.pressed(row, event));
+        // By keys: the pointer has its own way, which may be a drag.
+        button.addEventListener('click', ({ detail }) => {
+            if (detail === 0) {
+                this.#takes.chosen(row);
+            }
         });
-        const branch = document.createElement('button');
-        branch.type = 'button';
-        branch.textContent = 'Branch';
-        branch.title = 'A contact in parallel to what is selected (B)';
-        branch.addEventListener('click', () => this.#takes.branch());
-        this.#buttons.replaceChildren(...buttons, branch);
+        return button;
     }
 
     async #look(): Promise<void> {

@@ -4,9 +4,10 @@ import type { DrawableRow } from '../../protocol.ts';
 import { reasonOf } from '../../reason.ts';
 import type { FromPage, Place } from '../messages.ts';
 import type { Found, Page } from '../page.ts';
+import type { Aim, Target } from './aim.ts';
 import { type Step, stepped } from './along.ts';
 import type { Ask } from './asker.ts';
-import type { Choice, Field } from './field.ts';
+import type { Again, Choice, Field, Wanted, Written } from './field.ts';
 import { HEAD, Operands } from './operands.ts';
 import { COIL } from './palette.ts';
 import type { Asked, Edit, Offered } from './requests.ts';
@@ -18,8 +19,11 @@ export interface Voice {
     refused(text: string): void;
 }
 
-/** Where something is put in, and how: into the wire there, or as a branch around what is between two places. */
-export type Target = { readonly at: Place } | { readonly from: Place; readonly to: Place; readonly side: 'below' | 'above' };
+/** The change that something written means; nothing if it means none. */
+type EditOf = (text: string) => Edit | undefined | Promise<Edit | undefined>;
+
+/** How far left of a ring its field begins, in pixels. */
+const BESIDE_RING = 12;
 
 export class Pen {
     readonly voice: Voice;
@@ -27,26 +31,41 @@ export class Pen {
     readonly selection: Selection;
     readonly #field: Field;
     readonly #operands: Operands;
+    readonly #aim: Aim;
     readonly #ask: Ask;
     readonly #send: (message: FromPage) => void;
     /** Where a branch begins that has no end yet. */
     #begun: Found | undefined;
+    /** The end of what was begun last: then what is selected is in the text as it is. */
+    settled: Promise<unknown> = Promise.resolve();
     /** What had the focus before each change, and after those that were taken back. */
     #past: Page['selected'][] = [];
     #future: Page['selected'][] = [];
 
-    constructor(page: Page, field: Field, ask: Ask, voice: Voice, send: (message: FromPage) => void) {
+    constructor(page: Page, field: Field, aim: Aim, ask: Ask, voice: Voice, send: (message: FromPage) => void) {
         this.page = page;
         this.voice = voice;
         this.selection = new Selection(page);
         this.#field = field;
         this.#operands = new Operands(page, field, ask);
+        this.#aim = aim;
         this.#ask = ask;
         this.#send = send;
     }
 
     /** Makes a change. */
     async edit(edit: Edit): Promise<void> {
+        await this.#make(edit);
+    }
+
+    /** The same. @param isLeft something else has the focus by now, and keeps it. @returns why it was not made */
+    #make(edit: Edit, isLeft = false): Promise<string | undefined> {
+        const made = this.#made(edit, isLeft);
+        this.settled = made;
+        return made;
+    }
+
+    async #made(edit: Edit, isLeft: boolean): Promise<string | undefined> {
         const { version } = this.page.layout;
         const before = this.page.selected && { ...this.page.selected };
         try {
@@ -56,9 +75,35 @@ export class Pen {
             this.#future = [];
             this.voice.said(said);
             const places = select.length > 0 ? select.map(({ start }) => start) : focus ? [focus] : [];
-            await (places.length > 0 && this.page.focusSoon(places, becomes, select.length === 0));
+            await (places.length > 0 && this.page.focusSoon({ places, version: becomes, isPoint: select.length === 0, isLeft }));
+            return undefined;
         } catch (error) {
-            this.voice.refused(reasonOf(error));
+            const why = reasonOf(error);
+            this.voice.refused(why);
+            return why;
+        }
+    }
+
+    /** Asks for a text and makes its change. What cannot be done is asked for again, with the reason. @returns what was done */
+    #written(found: Found | undefined, ask: (again?: Again) => Promise<Written | undefined>, editOf: EditOf): Promise<Written | undefined> {
+        const written = this.#writing(found, ask, editOf);
+        this.settled = written;
+        return written;
+    }
+
+    async #writing(found: Found | undefined, ask: (again?: Again) => Promise<Written | undefined>, editOf: EditOf): Promise<Written | undefined> {
+        let again: Again | undefined;
+        for (;;) {
+            const written = await ask(again);
+            if (document.activeElement === document.body) {
+                found?.part.node.focus({ preventScroll: true });
+            }
+            const edit = written && (await editOf(written.text));
+            const why = edit && (await this.#make(edit, written.isLeft));
+            if (!written || why === undefined || written.isLeft) {
+                return why === undefined ? written : undefined;
+            }
+            again = { text: written.text, why };
         }
     }
 
@@ -70,7 +115,7 @@ export class Pen {
         to.push(selected && { ...selected });
         this.#send({ type: step });
         if (place) {
-            await this.page.focusSoon([place], this.page.layout.version + 1, place.isPoint === true);
+            await this.page.focusSoon({ places: [place], version: this.page.layout.version + 1, isPoint: place.isPoint === true });
         }
     }
 
@@ -98,29 +143,36 @@ export class Pen {
         return offer && (offer.points?.behind ?? rangeOf(found).end);
     }
 
+    /** Where a field about something is: below it, and below the middle of a wire. */
     #spot(found: Found): { x: number; y: number } {
-        const { left, top, height } = this.page.boxOf(found);
-        return { x: left, y: top + height + 2 };
+        const { left, top, width, height } = this.page.boxOf(found);
+        return { x: aboutOf(found) === 'point' ? left + width / 2 - BESIDE_RING : left, y: top + height + 2 };
     }
 
-    /** Draws a block, whose operands are asked for first. */
-    async draw({ block, title, operands }: Pick<DrawableRow, 'block' | 'title' | 'operands'>, found: Found, target?: Target): Promise<void> {
+    /** Draws a block, whose operands are asked for first. @param around what a branch goes around, if it is one */
+    async draw({ block, title, operands }: Pick<DrawableRow, 'block' | 'title' | 'operands'>, found: Found, target?: Target, around: readonly Found[] = [found]): Promise<void> {
         const at = target ?? (await this.placeOf(found).then((at) => at && { at }));
         if (!at) {
             return;
         }
-        let text = block;
-        if (operands !== undefined) {
-            const asked = { at: 'at' in at ? at.at : at.from };
-            const written = await this.#operands.ofNew(block, asked, { label: title, text: operands, spot: this.#spot(found) });
-            found.part.node.focus({ preventScroll: true });
-            const name = written?.text === '' ? (await this.offer(asked))?.name : written?.text;
-            if (name === undefined) {
-                return;
-            }
-            text = `${block}( ${name} )`;
+        const editOf = (text: string): Edit => ('at' in at ? { op: 'insert', at: at.at, text } : { op: 'parallel', ...at, text });
+        if (operands === undefined) {
+            await this.edit(editOf(block));
+            return;
         }
-        await this.edit('at' in at ? { op: 'insert', at: at.at, text } : { op: 'parallel', ...at, text });
+        const asked = { at: 'at' in at ? at.at : at.from };
+        this.#aim.show(at, around);
+        const spot = this.#spot(found);
+        await this.#written(
+            found,
+            (again) => this.#operands.ofNew(block, asked, { label: title, text: operands, spot, again }),
+            async (text) => {
+                this.#aim.hide();
+                const name = text || (await this.offer(asked))?.name;
+                return name === undefined ? undefined : editOf(`${block}( ${name} )`);
+            },
+        );
+        this.#aim.hide();
     }
 
     /** A coil goes to the end of the line; where something acts there already, below that. */
@@ -136,7 +188,7 @@ export class Pen {
         const [first, last] = [selected[0], selected.at(-1)];
         if (first && last) {
             const target = { from: rangeOf(first).start, to: rangeOf(last).end, side };
-            await this.draw({ ...row, title: `${row.title} in parallel, ${side}` }, last, target);
+            await this.draw({ ...row, title: `${row.title} in parallel, ${side}` }, last, target, selected);
         } else {
             this.voice.refused('Select what the branch goes around: an element, or several with Shift');
         }
@@ -201,14 +253,26 @@ export class Pen {
         const start = { line: drawing.first + line, character };
         const what = { start, end: { ...start, character: character + operand.text.length } };
         const asked = { what: [rangeOf(found)] };
-        const written = await this.#operands.another(operand.text, part.kind !== 'block', asked, { label: part.name, spot: this.#spot(found) });
-        part.node.focus({ preventScroll: true });
-        if (written && written.text !== operand.text) {
-            await this.edit({ op: 'operand', what, text: written.text });
+        const spot = this.#spot(found);
+        const written = await this.#written(
+            found,
+            (again) => this.#operands.another(operand.text, part.kind !== 'block', asked, { label: part.name, spot, again }),
+            (text) => (text === operand.text ? undefined : { op: 'operand', what, text }),
+        );
+        const here = written?.next ? this.page.selection : undefined;
+        if (here && index + 1 < here.part.operands.length) {
+            await this.operand(here, index + 1);
+        } else if (here) {
+            await this.#operandBehind(here);
         }
-        const next = written?.next ? this.page.selection : undefined;
-        if (next && index + 1 < next.part.operands.length) {
-            await this.operand(next, index + 1);
+    }
+
+    /** The tabulator goes on to the next element of the network that has something in parentheses. */
+    async #operandBehind({ drawing, part }: Found): Promise<void> {
+        const next = drawing.parts.slice(drawing.parts.indexOf(part) + 1).find(({ operands }) => operands.length > 0);
+        if (next) {
+            this.page.select({ drawing, part: next });
+            await this.operand({ drawing, part: next });
         }
     }
 
@@ -227,21 +291,27 @@ export class Pen {
 
     /** Asks for a whole network, or for a piece of one. */
     async entry(found: Found | undefined, place: 'below' | 'above' | 'here'): Promise<void> {
-        const spot = found ? this.#spot(found) : { x: 8, y: this.page.layout.height };
+        const spot = !found ? { x: 8, y: this.page.layout.height } : place === 'here' ? this.#spot(found) : this.page.beside(found, place);
         const label = place === 'here' ? 'Quick entry' : `Network ${place}`;
-        const choices = async (text: string) => (text === '' ? this.#begins(place === 'here') : []);
-        const written = await this.#field.ask({ label, placeholder: 'XIC start XIO stop OTE run', spot, choices });
-        found?.part.node.focus({ preventScroll: true });
-        if (!written?.text) {
-            return;
-        }
-        if (place === 'here' && found) {
-            const at = await this.placeOf(found);
-            await (at && this.edit({ op: 'insert', at, text: written.text }));
-            return;
-        }
+        const begins = await this.#begins(place === 'here');
+        const choices = (text: string) => (text === '' ? begins : []);
+        const at = place === 'here' && found ? await this.placeOf(found) : undefined;
         const network = found && { network: found.drawing.first };
-        await this.edit({ op: 'network', ...network, place: place === 'above' ? 'above' : 'below', entry: written.text });
+        const written = await this.#written(
+            found,
+            (again) => this.#field.ask({ label, placeholder: 'XIC start XIO stop OTE run', spot, choices, again }),
+            (text) => {
+                if (text === '') {
+                    return undefined;
+                }
+                return at ? { op: 'insert', at, text } : { op: 'network', ...network, place: place === 'above' ? 'above' : 'below', entry: text };
+            },
+        );
+        const here = this.page.selection;
+        if (here && begins.some(({ text }) => text === written?.text)) {
+            // What has a made-up name gets its own.
+            await this.operand(here);
+        }
     }
 
     /** What a network may begin with, for who does not type: its tags get other names later. */
@@ -264,14 +334,15 @@ export class Pen {
               ];
     }
 
-    /** Asks for one line, such as a comment or a new name. */
-    async line(found: Found, label: string, text: string, edit: (text: string) => Edit): Promise<void> {
+    /** Asks for a text, such as a comment or a new name. */
+    async line(found: Found, { label, text = '', kind = 'line' }: Pick<Wanted, 'label' | 'text' | 'kind'>, edit: (text: string) => Edit): Promise<void> {
         const { left, top } = this.page.boxOf(found);
-        const written = await this.#field.ask({ label, text, spot: { x: left, y: top }, choices: () => [] });
-        found.part.node.focus({ preventScroll: true });
-        if (written?.text) {
-            await this.edit(edit(written.text));
-        }
+        const spot = { x: left, y: top };
+        await this.#written(
+            found,
+            (again) => this.#field.ask({ label, text, spot, kind, again }),
+            (written) => (written === '' || written === text ? undefined : edit(written)),
+        );
     }
 
     /** Deletes what is selected. */
@@ -305,6 +376,10 @@ export class Pen {
 
     /** Moves elements, or draws a copy of them. */
     async drop(found: readonly Found[], target: Target, isCopy: boolean): Promise<void> {
+        if (!found.every(({ part }) => part.node.isConnected)) {
+            this.voice.refused('The drawing has changed meanwhile: try again');
+            return;
+        }
         const what = found.map(rangeOf);
         const [first] = found;
         if (first && aboutOf(first) === 'join') {

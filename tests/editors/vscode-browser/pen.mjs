@@ -24,7 +24,7 @@ export async function pen(page, { step, until, screenshot }) {
             return placed.sort((a, b) => a.top - b.top).map(({ text }) => text.trimEnd()).join('\n').trimEnd();
         });
     const becomes = (wanted) => until(`the text\n${wanted.join('\n')}`, async () => (await text()) === wanted.join('\n'));
-    const field = () => frame.locator('.field input');
+    const field = () => frame.locator('.field :is(input, textarea)');
     /** Writes into the field that a key has opened. */
     const write = async (words, key = 'Enter') => {
         await field().waitFor();

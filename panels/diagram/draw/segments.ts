@@ -1,0 +1,34 @@
+// The operands in a text such as `t, T#1s`: each is written on its own.
+
+/** Where a part of a text begins and ends. */
+export type Segment = readonly [start: number, end: number];
+
+/** The operands of a list, without the blanks around them. Commas in strings and in brackets part nothing. */
+export function segmentsOf(text: string): Segment[] {
+    const segments: Segment[] = [];
+    let from = 0;
+    let depth = 0;
+    let quote = '';
+    const take = (to: number) => {
+        const part = text.slice(from, to);
+        const start = from + part.length - part.trimStart().length;
+        segments.push([start, Math.max(start, from + part.trimEnd().length)]);
+        from = to + 1;
+    };
+    for (let index = 0; index < text.length; index += 1) {
+        const letter = text.charAt(index);
+        if (quote) {
+            quote = letter === quote ? '' : quote;
+        } else if (letter === "'" || letter === '"') {
+            quote = letter;
+        } else if ('([{'.includes(letter)) {
+            depth += 1;
+        } else if (')]}'.includes(letter)) {
+            depth -= 1;
+        } else if (letter === ',' && depth === 0) {
+            take(index);
+        }
+    }
+    take(text.length);
+    return segments;
+}
