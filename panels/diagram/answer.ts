@@ -24,8 +24,8 @@ export interface Side {
     toggle(tag: string): Done;
     /** Asks the server what the page asks; an edit is made, as one step of the text's history. */
     request(question: Question): Promise<unknown>;
-    /** Goes back, or forward again, in the text's history. */
-    history(step: 'undo' | 'redo'): Done;
+    /** Goes back, or forward again, in the text's history. @param isKey a key asks for it */
+    history(step: 'undo' | 'redo', isKey: boolean): Done;
     change<Name extends 'set' | 'force' | 'pulse' | 'unforce'>(name: Name, argument: Commands[Name]['argument']): Done;
 }
 
@@ -53,7 +53,7 @@ export async function answer(message: FromPage, teller: Teller, side: Side): Pro
             return side.send(await reply(message, (question) => side.request(question)));
         case 'undo':
         case 'redo':
-            return side.history(message.type);
+            return side.history(message.type, message.isKey);
         case 'why':
             return side.why(message.tag);
         case 'toggle':

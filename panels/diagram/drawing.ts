@@ -5,7 +5,7 @@ import { type Changed, isSwitch, type Live, type Power, toggles } from './live.t
 import type { Piece } from './layout.ts';
 import type { Finding } from './messages.ts';
 import type { Spot } from './neighbours.ts';
-import { addComment, addPoints } from './draw/points.ts';
+import { addComment, addPoints, BESIDE_JOIN } from './draw/points.ts';
 import { addWave } from './draw/wave.ts';
 import { wordsOf } from './draw/words.ts';
 import { describe } from './speech.ts';
@@ -185,8 +185,8 @@ export class Drawing {
             state: '',
         }));
         this.parts = [...drawing.querySelectorAll<SVGGElement>('g.element')].map(partOf);
-        const isComment = piece.kind === 'comment' && first === last;
-        this.points = (isDrawable ? addPoints(drawing) : isComment ? addComment(drawing) : []).map(partOf);
+        const places = isDrawable ? addPoints(drawing) : piece.kind === 'comment' ? addComment(drawing, last - first) : [];
+        this.points = places.map(partOf);
         this.#lastLine = Math.max(0, ...this.#powered.flatMap(({ parts }) => parts.map(([line]) => line)));
         for (const { node } of [...this.parts, ...this.points]) {
             node.setAttribute('tabindex', '-1');
@@ -334,11 +334,11 @@ export class Drawing {
         const elements = this.parts.map((part) => ({ ...on(part), text: part.operands[0]?.text ?? part.name }));
         const ends = this.points.filter(({ kind }) => kind === 'join').flatMap(({ box: { x, y, width, height } }) => {
             const middle = { left: x + width / 2, right: x + width / 2, text: 'a branch' };
-            return [{ ...middle, y: y - 12 }, { ...middle, y: y + height + 12 }];
+            return [{ ...middle, y: y - BESIDE_JOIN }, { ...middle, y: y + height + BESIDE_JOIN }];
         });
         const heights = this.points.filter(({ kind }) => kind === 'point').map(({ box }) => box.y + box.height / 2);
         for (const { node, name, kind, box } of this.points) {
-            const y = kind === 'join' ? box.y - 12 : box.y + box.height / 2;
+            const y = kind === 'join' ? box.y - BESIDE_JOIN : box.y + box.height / 2;
             node.setAttribute('aria-label', kind === 'note' ? name : `${name} ${wordsOf({ left: box.x, right: box.x + box.width, y }, kind === 'join' ? elements : [...elements, ...ends], heights)}`);
         }
     }
@@ -366,7 +366,9 @@ export class Drawing {
         const here: Within = [line - this.first, character];
         const around = this.parts.find(({ at, end }) => isUpTo(at, here) && isUpTo(here, end));
         const before = this.parts.filter(({ at }) => at[0] === here[0] && at[1] <= here[1]);
-        return around ?? before.at(-1) ?? this.parts.find(({ at }) => at[0] === here[0]) ?? this.parts[0];
+        // On a line below all of them the last one is the nearest.
+        const last = this.parts.every(({ at }) => at[0] < here[0]) ? this.parts.at(-1) : undefined;
+        return around ?? before.at(-1) ?? this.parts.find(({ at }) => at[0] === here[0]) ?? last ?? this.parts[0];
     }
 
     /** The middle of a part, from the upper left corner of the diagram. */

@@ -266,7 +266,7 @@ export class Hands {
             const isAction = action && action.group !== 'Clipboard';
             if (isAction) {
                 // Who types faster than the text changes means the text as it is then.
-                this.#done = this.#done.then(() => action.run(tools, tools.pen.selection.here as Found));
+                this.#done = this.#done.then(() => action.run(tools, tools.pen.selection.here as Found, true));
             }
             if (isAction || (isPlain && this.#drawing.favourite(Number(event.key)))) {
                 event.preventDefault();

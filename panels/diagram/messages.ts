@@ -108,6 +108,6 @@ export type FromPage =
     /** Shows it in the text; `isQuiet` only where that is seen already. */
     | { readonly type: 'reveal'; readonly from: Place; readonly to: Place; readonly focus: boolean; readonly isQuiet?: true }
     | Question
-    /** A step of the text's own history. */
-    | { readonly type: 'undo' | 'redo' }
+    /** A step of the text's own history; by a key, on which some editors act themselves. */
+    | { readonly type: 'undo' | 'redo'; readonly isKey: boolean }
     | { readonly type: 'command'; readonly name: 'start' | 'run' | 'pause' | 'step' | 'back' | 'stop' };

@@ -267,7 +267,7 @@ export class Page {
         }
         const hadFocus = this.#drop(seen);
         this.#order([...seen.values()]);
-        const focused = hadFocus ? this.#selectedPart() : undefined;
+        const focused = hadFocus ? (this.#selectedPart() ?? this.#nearestPart()) : undefined;
         if (focused) {
             this.select(focused, false);
         } else if (hadFocus) {
@@ -439,6 +439,18 @@ export class Page {
         const point = place?.isPoint === true ? drawing?.points.find(isAt) : undefined;
         // A comment has no elements: it is one of its own places.
         const part = point ?? (place && (drawing?.partAt(place.line, place.character) ?? drawing?.points[0]));
+        return drawing && part && { drawing, part };
+    }
+
+    /** The element next to the one that was selected, if that is gone, and not only out of sight. */
+    #nearestPart(): Found | undefined {
+        const line = this.selected?.line ?? 0;
+        if (this.layout.at(line)?.piece) {
+            return undefined;
+        }
+        const far = ({ first }: Drawing) => Math.abs(first - line);
+        const [drawing] = [...this.#drawings.values()].filter(({ parts }) => parts.length > 0).sort((a, b) => far(a) - far(b));
+        const part = drawing && (drawing.first < line ? drawing.parts.at(-1) : drawing.parts[0]);
         return drawing && part && { drawing, part };
     }
 

@@ -50,9 +50,9 @@ test('targets are large enough for a finger', async () => {
     const { page } = await open(PROGRAM);
     await page.locator('.declarations tbody tr').nth(2).waitFor();
     const small = await page.evaluate(() => {
-        const nodes = [...document.querySelectorAll('g.element .hit, button, summary, .declarations input, .declarations select, .palette input')];
+        const nodes = [...document.querySelectorAll('g.element .hit, .piece.network > .gutter, button, summary, .declarations input, .declarations select, .palette input')];
         const boxes = nodes.filter((node) => node.checkVisibility()).map((node) => [node, node.getBoundingClientRect()]);
-        const isSmall = ([node, { width, height }]) => Math.min(width, height) < (node.closest('.join') ? 18.9 : 23.9);
+        const isSmall = ([, { width, height }]) => Math.min(width, height) < 23.9;
         return boxes.filter(isSmall).map(([node, { width, height }]) => `${node.parentElement.getAttribute('class')} ${width}x${height}`);
     });
     assert.deepEqual(small, []);

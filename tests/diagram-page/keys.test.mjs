@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { ACTIONS, actionOf } from '../../panels/diagram/draw/actions.ts';
-import { diagrams, until } from './drawn.mjs';
+import { diagrams, railed, until } from './drawn.mjs';
 
 const open = diagrams();
 
@@ -182,4 +182,57 @@ test('a comment is selected, changed and deleted', async () => {
     await focusOn('Comment The second.');
     await press('ArrowDown');
     await focusOn('Open contact a');
+});
+
+test('a comment of several lines is written, changed and deleted', async () => {
+    const { page, press, write, becomes, element, host, refusal } = await open(STARTER);
+    await element('contact', 'start').focus();
+    await press('#');
+    const field = page.locator('.field textarea');
+    await field.waitFor();
+    await page.keyboard.type('Starts it,');
+    await press('Shift+Enter');
+    await page.keyboard.type('and holds it.');
+    await press('Enter');
+    await becomes(`# Starts it, #\n# and holds it. #\n${STARTER}`);
+    assert.equal(host.edits, 1);
+    // Two comments that follow one another are not one.
+    await page.locator('g.element.note').focus();
+    await press('Enter');
+    assert.equal(await field.inputValue(), 'Starts it,\nand holds it.');
+    await field.fill('No.');
+    await press('Enter');
+    await until('why not', refusal);
+    await press('Escape');
+    assert.equal(host.text, `# Starts it, #\n# and holds it. #\n${STARTER}`);
+});
+
+test('one comment on several lines is changed and deleted', async () => {
+    const { page, press, write, becomes } = await open(`# Starts it,\n  and holds it. #\n${STARTER}`);
+    await page.locator('g.element.note').focus();
+    await press('Enter');
+    assert.equal(await page.locator('.field textarea').inputValue(), 'Starts it,\nand holds it.');
+    await write('Starts it.');
+    await becomes(`# Starts it. #\n${STARTER}`);
+    await page.locator('g.element.note').focus();
+    await press('Delete');
+    await becomes(STARTER);
+});
+
+test('after an undo the focus is on what is nearest to what is gone', async () => {
+    const more = `${STARTER}\n${railed('+--[ ]( run )--', '( )( lamp )')}`;
+    const { press, becomes, focusOn, element, host, change } = await open(STARTER);
+    // Somebody writes in the text.
+    host.past.push(host.text);
+    await change(more);
+    await element('coil', 'lamp').waitFor({ state: 'attached' });
+    await element('coil', 'lamp').focus();
+    await press('Control+z');
+    await becomes(STARTER);
+    await focusOn('Open contact run');
+    await press('Delete');
+    await becomes(railed('+--[ ]( start )--[/]( stop )--', '( )( run )'));
+    await press('Control+z');
+    await becomes(STARTER);
+    await focusOn('Open contact run');
 });

@@ -4,6 +4,7 @@ import type { Clipboard } from './clipboard.ts';
 import type { Findings } from './findings.ts';
 import { CLOSED_CONTACT, CONTACT, type Palette } from './palette.ts';
 import type { Pen } from './pen.ts';
+import { commentLines } from './points.ts';
 import { type About, rangeOf } from './selection.ts';
 
 /** What draws. */
@@ -31,7 +32,7 @@ export interface Action {
     readonly offer?: string;
     /** Not in the menu. */
     readonly isHidden?: true;
-    run(tools: Tools, found: Found): Promise<void> | void;
+    run(tools: Tools, found: Found, isKey?: boolean): Promise<void> | void;
 }
 
 /** The heads that one key makes of each other. */
@@ -82,7 +83,11 @@ export const ACTIONS: readonly Action[] = [
         title: 'Change the comment…',
         on: ['note'],
         group: 'Change',
-        run: ({ pen }, found) => pen.line(found, { label: 'Comment', text: found.part.name.replace(/^Comment /, '') }, (text) => ({ op: 'comment', what: rangeOf(found), text })),
+        run: ({ pen }, found) => {
+            const isInWire = found.drawing.piece.kind === 'network';
+            const text = isInWire ? found.part.name.replace(/^Comment /, '') : commentLines(found.drawing.node).join('\n');
+            return pen.line(found, { label: 'Comment', text, kind: isInWire ? 'line' : 'lines' }, (text) => ({ op: 'comment', what: rangeOf(found), text }));
+        },
     },
     { keys: ['/'], title: 'Open or closed', on: ['element'], group: 'Change', offer: 'head', run: ({ pen }, found) => pen.head(found, (head) => OPPOSITE[head]) },
     { keys: ['E'], title: 'Next kind', on: ['element'], group: 'Change', offer: 'head', run: ({ pen }, found) => pen.head(found, nextKind) },
@@ -157,8 +162,8 @@ export const ACTIONS: readonly Action[] = [
             pen.selection.forget();
         },
     },
-    { keys: ['Ctrl+Z'], title: 'Undo', on: [...ALL, 'nothing'], group: 'Go', run: ({ pen }) => pen.history('undo') },
-    { keys: ['Ctrl+Y', 'Ctrl+Shift+Z'], title: 'Redo', on: [...ALL, 'nothing'], group: 'Go', run: ({ pen }) => pen.history('redo') },
+    { keys: ['Ctrl+Z'], title: 'Undo', on: [...ALL, 'nothing'], group: 'Go', run: ({ pen }, _, isKey = false) => pen.history('undo', isKey) },
+    { keys: ['Ctrl+Y', 'Ctrl+Shift+Z'], title: 'Redo', on: [...ALL, 'nothing'], group: 'Go', run: ({ pen }, _, isKey = false) => pen.history('redo', isKey) },
     { keys: ['F8'], title: 'Next finding', on: [...ALL, 'nothing'], group: 'Go', run: ({ findings }) => findings.go(1) },
     { keys: ['Shift+F8'], title: 'Previous finding', on: [...ALL, 'nothing'], group: 'Go', run: ({ findings }) => findings.go(-1) },
     { keys: ['Ctrl+.'], title: 'Fixes…', on: ['element'], group: 'Go', run: ({ findings }, found) => findings.menu(found) },

@@ -1,6 +1,7 @@
 // The places along a line of a drawing, from left to right, and those next to something.
 import type { Place } from '../messages.ts';
 import type { Found } from '../page.ts';
+import { BESIDE_JOIN } from './points.ts';
 import { rangeOf } from './selection.ts';
 
 /** Places on one line are at the same height, but for a few pixels. */
@@ -20,7 +21,7 @@ export function stepped(found: Found, step: Step): Place | undefined {
     const { drawing, part } = found;
     const isJoin = part.kind === 'join';
     const { x } = middle(part);
-    const y = isJoin ? part.box.y - 12 : part.kind === 'note' ? middle(part).y : part.box.y + 27;
+    const y = isJoin ? part.box.y - BESIDE_JOIN : part.kind === 'note' ? middle(part).y : part.box.y + 27;
     const points = drawing.points.filter(({ kind }) => kind === 'point').map((point) => ({ point, ...middle(point) }));
     const placeOf = (point: Found['part'] | undefined) => point && rangeOf({ drawing, part: point }).start;
     if (step === 'left' || step === 'right') {

@@ -107,13 +107,13 @@ export class Pen {
         }
     }
 
-    /** Goes back or forward in the text's history, with what was selected. */
-    async history(step: 'undo' | 'redo'): Promise<void> {
+    /** Goes back or forward in the text's history, with what was selected. @param isKey a key asks for it */
+    async history(step: 'undo' | 'redo', isKey: boolean): Promise<void> {
         const [from, to] = step === 'undo' ? [this.#past, this.#future] : [this.#future, this.#past];
         const { selected } = this.page;
         const place = from.pop();
         to.push(selected && { ...selected });
-        this.#send({ type: step });
+        this.#send({ type: step, isKey });
         if (place) {
             await this.page.focusSoon({ places: [place], version: this.page.layout.version + 1, isPoint: place.isPoint === true });
         }

@@ -4,8 +4,12 @@ const SVG = 'http://www.w3.org/2000/svg';
 
 /** No target is smaller, in pixels of the drawing. */
 const LEAST = 24;
+/** How far the end of a branch is from the line above and the one below: lines are so near that it reaches over their places. */
+export const BESIDE_JOIN = 9.5;
 /** How wide a letter of a comment is, and how high, in pixels of the drawing. */
 const LETTER = [8, 16] as const;
+/** How far the lines of a comment are apart, in pixels of the drawing. */
+const LINE = 17;
 
 /** What such a node is: somewhere to put something in, the end of branches, a comment. */
 type Kind = 'point' | 'join' | 'note';
@@ -72,7 +76,7 @@ function joins(drawing: Element): SVGGElement[] {
         const [x = 0, top = 0, bottom = 0] = numbers(line, 'x1', 'y1', 'y2');
         const at = line.getAttribute('data-joins')?.split(/[ ,]/)[0] ?? '';
         const tight = line.getAttribute('data-tight')?.split(' ') ?? [];
-        const box = { x: x - LEAST / 2, y: top + LEAST / 2, width: LEAST, height: Math.max(bottom - top - LEAST, LEAST / 2) };
+        const box = { x: x - LEAST / 2, y: top + BESIDE_JOIN, width: LEAST, height: Math.max(bottom - top - 2 * BESIDE_JOIN, LEAST) };
         const join = nodeOf('join', 'End of a branch', [at, at], box);
         join.append(shape('path', { d: `M ${x} ${box.y} V ${box.y + box.height}`, class: 'grip' }));
         return [join, ...tight.map((at) => point(at, x, top))];
@@ -90,18 +94,28 @@ function comments(drawing: Element): SVGGElement[] {
     });
 }
 
-/** The comment on one line that a piece of the diagram is. */
-export function addComment(drawing: Element): SVGGElement[] {
+/** The lines of what a comment says that a piece of the diagram is. */
+export function commentLines(drawing: Element): string[] {
+    const lines: string[] = [];
+    for (const text of drawing.querySelectorAll('text')) {
+        lines[Math.round((numbers(text, 'y')[0] ?? 0) / LINE) - 1] = text.textContent ?? '';
+    }
+    // A blank line has no text.
+    return Array.from(lines, (line) => line ?? '');
+}
+
+/** The comment that a piece of the diagram is, as what can be selected. @param last the last of its lines, from 0 */
+export function addComment(drawing: Element, last: number): SVGGElement[] {
     const [width = 0, height = 0] = numbers(drawing, 'width', 'height');
-    const words = [...drawing.querySelectorAll('text')].map((text) => text.textContent ?? '').join(' ');
-    const node = nodeOf('note', `Comment ${words}`, ['0:0', '0:1'], { x: 8, y: 0, width: Math.max(width - 8, LEAST), height });
+    const words = commentLines(drawing).join(' ');
+    const node = nodeOf('note', `Comment ${words}`, ['0:0', `${last}:1`], { x: 8, y: 0, width: Math.max(width - 8, LEAST), height });
     drawing.prepend(node);
     return [node];
 }
 
 /** Adds them to the drawing of a network, under its elements. */
 export function addPoints(drawing: Element): SVGGElement[] {
-    const nodes = [...joins(drawing), ...wires(drawing), ...comments(drawing)];
+    const nodes = [...wires(drawing), ...joins(drawing), ...comments(drawing)];
     drawing.prepend(...nodes);
     return nodes;
 }

@@ -1,10 +1,18 @@
 // Drawing in the diagram: by keys alone from an empty file, then by the mouse. Each change is one edit of the text, and one undo.
 import assert from 'node:assert/strict';
 
+import { handsIn, PROGRAMS } from '../../diagram-page/gestures.mjs';
 import { command, open } from './palette.mjs';
+
+/** Whole programs that are drawn from nothing, each in a file of its own. */
+const WHOLE = Object.entries(PROGRAMS).flatMap(([name, { text, mouse, keys }], index) => [
+    { name: `${name} is drawn from nothing by the mouse alone`, file: `by_mouse_${index}.clad`, text, draw: (hands) => hands.byMouse(mouse) },
+    { name: `${name} is drawn from nothing by keys alone`, file: `by_keys_${index}.clad`, text, draw: (hands) => hands.byKeys(keys) },
+]);
 
 /** The programs that are drawn: their names in the project, and their texts. */
 export const PENNED = {
+    ...Object.fromEntries(WHOLE.map(({ file }) => [file, ''])),
     'penned.clad': '',
     'dragged.clad': 'VAR_INPUT\n    go, hold : BOOL;\nEND_VAR\n\n+--[ ]( go )--[/]( hold )------------------------------------------( )( out )--+\n',
 };
@@ -42,7 +50,16 @@ export async function pen(page, { step, until, screenshot }) {
             return frame !== undefined;
         });
     };
-    await step('a motor starter is drawn from nothing by keys alone', async () => {
+    for (const { name, file, text, draw } of WHOLE) {
+        await step(name, async () => {
+            await show(file);
+            await frame.locator('.view').focus();
+            await draw(handsIn(page, frame));
+            await becomes(text.split('\n'));
+            await screenshot(page, file.replace('.clad', ''));
+        });
+    }
+    await step('a motor starter grows, and has the focus', async () => {
         await show('penned.clad');
         await frame.locator('.view').focus();
         await page.keyboard.press('n');

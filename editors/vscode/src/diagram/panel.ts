@@ -46,7 +46,10 @@ export class DiagramPanel implements vscode.Disposable {
                     fixes: async (range) => (await fixesAt(document, range)).map(({ title }) => title),
                     fix: (range, title) => fix(document, range, title),
                 }),
-            history: async (step) => vscode.commands.executeCommand<void>(step),
+            // The editor itself acts on these keys, also in a page.
+            history: async (step, isKey) => {
+                await (!isKey && vscode.commands.executeCommand<void>(step));
+            },
             command: async (name) => vscode.commands.executeCommand<void>(`ladder.simulation.${name}`),
             why: async (name) => vscode.commands.executeCommand<void>('ladder.simulation.why', { name }),
             toggle: async (tag) => {
