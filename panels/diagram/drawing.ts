@@ -1,6 +1,7 @@
 // A piece of the diagram on the page: the server's SVG, with the state of the running program on it. Text of the program
 // comes as text and stays text: the drawing is read as XML, and what is added is added as text.
 import type { Tag } from '../protocol.ts';
+import type { Called } from './called.ts';
 import { type Changed, isSwitch, type Live, type Power, toggles } from './live.ts';
 import type { Piece } from './layout.ts';
 import type { Finding } from './messages.ts';
@@ -81,7 +82,7 @@ function setText(node: Element, text: string): void {
     }
 }
 
-function partOf(node: SVGGElement): Part {
+function partOf(node: SVGGElement, called: Called): Part {
     const hit = node.querySelector('.hit');
     const box = hit
         ? { x: number(hit, 'x'), y: number(hit, 'y'), width: number(hit, 'width'), height: number(hit, 'height') }
@@ -96,7 +97,9 @@ function partOf(node: SVGGElement): Part {
     return {
         node,
         kind: ['contact', 'coil', ...PLACES].find((kind) => node.classList.contains(kind)) ?? 'block',
-        name: node.getAttribute('data-name') ?? '',
+        get name() {
+            return called.name(node.getAttribute('data-name') ?? '');
+        },
         at: within(node.getAttribute('data-at')),
         end: within(node.getAttribute('data-end')),
         operands: names.map((text) => ({
@@ -152,7 +155,7 @@ export class Drawing {
     /** The last line that has something live, from the first one. */
     readonly #lastLine: number;
 
-    constructor(piece: Piece, svg: string, first: number, last: number) {
+    constructor(piece: Piece, svg: string, first: number, last: number, called: Called) {
         this.piece = piece;
         this.first = first;
         this.node = document.createElement('section');
@@ -184,9 +187,9 @@ export class Drawing {
             parts: (shape.getAttribute('data-power') ?? '').split(' ').map(within),
             state: '',
         }));
-        this.parts = [...drawing.querySelectorAll<SVGGElement>('g.element')].map(partOf);
+        this.parts = [...drawing.querySelectorAll<SVGGElement>('g.element')].map((node) => partOf(node, called));
         const places = isDrawable ? addPoints(drawing) : piece.kind === 'comment' ? addComment(drawing, last - first) : [];
-        this.points = places.map(partOf);
+        this.points = places.map((node) => partOf(node, called));
         this.#lastLine = Math.max(0, ...this.#powered.flatMap(({ parts }) => parts.map(([line]) => line)));
         for (const { node } of [...this.parts, ...this.points]) {
             node.setAttribute('tabindex', '-1');

@@ -55,6 +55,10 @@ export class Hands {
         this.#live = live;
         this.#send = send;
         this.#selected = selected;
+        for (const type of ['pointerdown', 'keydown']) {
+            // Who does something else wants no menu any more.
+            window.addEventListener(type, () => clearTimeout(this.#later), true);
+        }
         view.addEventListener('pointerdown', (event) => this.#press(event));
         view.addEventListener('contextmenu', (event) => this.#menu(event));
         view.addEventListener('dblclick', (event) => this.#double(event));

@@ -1,6 +1,7 @@
 // The page of the diagram: puts its parts together and talks with the extension.
 import type { FromPage, ToPage } from './messages.ts';
 import type { Tools } from './draw/actions.ts';
+import { Called } from './called.ts';
 import { Aim } from './draw/aim.ts';
 import { Asker } from './draw/asker.ts';
 import { Band } from './draw/band.ts';
@@ -73,7 +74,8 @@ view.append(canvas, empty, first);
 document.body.append(view, bar, strip, refusal, spoken);
 
 const live = new Live();
-const page = new Page(view, canvas, live, send);
+const called = new Called();
+const page = new Page(view, canvas, live, called, send);
 const inspector = new Inspector(strip, send);
 const toolbar = new Toolbar(bar, send, zoom);
 
@@ -83,7 +85,7 @@ const drag = new Drag(page, canvas, aim);
 const voice = {
     said(text: string): void {
         refusal.hidden = true;
-        say(text);
+        say(called.sentence(text));
     },
     refused(text: string): void {
         refusal.textContent = text;
@@ -109,7 +111,7 @@ async function drawHere(row: DrawableRow): Promise<void> {
     await (row.block === '( )' ? pen.coil(found) : pen.draw(row, found));
 }
 
-const palette = new Palette(asker.ask, {
+const palette = new Palette(asker.ask, called, {
     chosen: (row) => void drawHere(row),
     pressed: (row, event) =>
         drag.begin(
@@ -233,8 +235,8 @@ function receive(message: ToPage): void {
             document.title = message.name;
             view.setAttribute('aria-label', `Ladder diagram of ${message.name}`);
             empty.textContent = '';
-            palette.named(message.names ?? 'iec');
-            void palette.load();
+            called.named(message.names ?? 'iec');
+            void palette.load().then(() => page.rename());
             page.open(message.version, message.lineCount, message.line);
             declarations.open();
             break;

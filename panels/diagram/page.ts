@@ -1,6 +1,7 @@
 // The scrolling part of the page: asks for what comes into sight, and keeps only that on the page.
 import type { Drawn, Finding, FromPage, LineChange, Place } from './messages.ts';
 import { isField } from './draw/field.ts';
+import type { Called } from './called.ts';
 import { Drawing, type Part } from './drawing.ts';
 import { Layout, moved } from './layout.ts';
 import { SAME_RUNG, type Spot } from './neighbours.ts';
@@ -47,6 +48,7 @@ interface Soon {
 
 export class Page {
     readonly layout = new Layout();
+    readonly called: Called;
     /** What the arrow keys and the strip below are about. */
     selected: { line: number; character: number; isPoint?: boolean } | undefined;
     /** Somebody draws: the places in the wires are there. */
@@ -73,10 +75,11 @@ export class Page {
     /** What is to get the focus, and is shown as new. */
     #soon: (Soon & { done(): void }) | undefined;
 
-    constructor(view: HTMLElement, canvas: HTMLElement, live: Live, send: (message: FromPage) => void) {
+    constructor(view: HTMLElement, canvas: HTMLElement, live: Live, called: Called, send: (message: FromPage) => void) {
         this.#view = view;
         this.#canvas = canvas;
         this.#live = live;
+        this.called = called;
         this.#send = send;
         view.addEventListener('scroll', () => this.update(), { passive: true });
         new ResizeObserver(() => this.#fit()).observe(view);
@@ -252,7 +255,7 @@ export class Page {
             this.#widest = Math.max(this.#widest, piece.width);
             let drawing = this.#drawings.get(piece.id);
             if (!drawing) {
-                drawing = new Drawing(piece, svg, first, last);
+                drawing = new Drawing(piece, svg, first, last, this.called);
                 drawing.resize(layout.scale);
                 this.#drawings.set(piece.id, drawing);
                 drawing.show(this.#live);
@@ -287,6 +290,13 @@ export class Page {
             if (drawing.isAbout(changed) || (drawing.owesWords && !isHurried)) {
                 drawing.show(this.#live, isHurried);
             }
+        }
+    }
+
+    /** Instructions are called in another way. */
+    rename(): void {
+        for (const drawing of this.#drawings.values()) {
+            drawing.show(this.#live);
         }
     }
 

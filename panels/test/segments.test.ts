@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { segmentsOf } from '../diagram/draw/segments.ts';
+import { segmentsInBlocks, segmentsOf } from '../diagram/draw/segments.ts';
 
 for (const [text, operands] of [
     ['', ['']],
@@ -14,3 +14,8 @@ for (const [text, operands] of [
         assert.deepEqual(segmentsOf(text).map(([start, end]) => text.slice(start, end)), operands);
     });
 }
+
+test('the operands of all blocks', () => {
+    const text = '[ ]( a )--[TON]( t, 5s )';
+    assert.deepEqual(segmentsInBlocks(text).map(([start, end]) => text.slice(start, end)), ['a', 't', '5s']);
+});

@@ -116,3 +116,15 @@ test('all kinds of a coil are in its menu', async () => {
     await menu('Make it: Set coil');
     await becomes(railed('+--[ ]( a )--', '(S)( y )'));
 });
+
+test('a new network is written in its field, and nothing of what is made up stays', async () => {
+    const { page, host, press, becomes } = await open(`VAR_INPUT\n    a : BOOL;\nEND_VAR\nVAR_OUTPUT\n    y : BOOL;\nEND_VAR\n\n${LINE}`);
+    await page.locator('.add').click();
+    await page.locator('.field li', { hasText: 'A contact and a coil' }).click();
+    await page.keyboard.type('a');
+    await press('Tab');
+    await page.keyboard.type('y');
+    await press('Enter');
+    await becomes(`VAR_INPUT\n    a : BOOL;\nEND_VAR\nVAR_OUTPUT\n    y : BOOL;\nEND_VAR\n\n${LINE}\n${LINE}`);
+    assert.equal(host.edits, 1);
+});

@@ -10,8 +10,7 @@ export const PROGRAMS = {
     'a motor starter': {
         text: network(80, '+--\\--[ ]( start )--\\--[/]( stop )', '( )( run )', '|  /--[ ]( run )----/'),
         mouse: [
-            { network: 'A contact and a coil', name: 'start' },
-            { rename: 'coil_1', name: 'run' },
+            { network: 'A contact and a coil', names: ['start', 'run'] },
             { drag: '[/]', onto: 'start and run', name: 'stop' },
             { drag: '[ ]', below: 'start', name: 'run' },
         ],
@@ -24,20 +23,17 @@ export const PROGRAMS = {
             network(80, '+--\\--[ ]( up )----\\', '[TOF]( light_time, T#2m )--( )( light )', '|  /--[ ]( down )--/'),
         ].join('\n\n'),
         mouse: [
-            { network: 'A contact and a coil', name: 'up_button' },
-            { rename: 'coil_1', name: 'up' },
+            { network: 'A contact and a coil', names: ['up_button', 'up'] },
             { drag: '[/]', onto: 'up_button and up', name: 'is_open' },
             { drag: '[/]', onto: 'is_open and up', name: 'down' },
             { drag: '[ ]', below: 'up_button', name: 'up' },
-            { network: 'A contact and a coil', name: 'down_button' },
-            { rename: 'coil_1', name: 'down' },
+            { network: 'A contact and a coil', names: ['down_button', 'down'] },
             { drag: '[/]', onto: 'down_button and down', name: 'is_closed' },
             { drag: '[ ]', onto: 'is_closed and down', name: 'beam' },
             { drag: '[/]', onto: 'beam and down', name: 'up' },
             { drag: '[ ]', below: 'down_button', name: 'down' },
-            { network: 'A contact and a coil', name: 'up' },
-            { rename: 'coil_1', name: 'light' },
-            { press: 'up' },
+            { network: 'A contact and a coil', names: ['up', 'light'] },
+            // The first element of a new network has the focus.
             { button: 'Branch', name: 'down' },
             { search: 'off delay', drag: '[TOF]', onto: 'a branch and light', name: 'light_time, T#2m' },
         ],
@@ -64,13 +60,11 @@ export const PROGRAMS = {
             network(80, '+--[ ]( pump_2 )', '[RTO]( hours_2, T#500h )--( )( service_2 )'),
         ].join('\n\n'),
         mouse: [
-            { network: 'A contact and a coil', name: 'start_float' },
-            { rename: 'coil_1', name: 'call' },
+            { network: 'A contact and a coil', names: ['start_float', 'call'] },
             { drag: '[ ]', onto: 'start_float and call', name: 'stop_float' },
             { drag: '[ ]', below: 'start_float', name: 'lag_float' },
             { drag: '[ ]', below: 'lag_float', name: 'call' },
-            { network: 'A contact and a coil', name: 'call' },
-            { rename: 'coil_1', name: 'second_leads' },
+            { network: 'A contact and a coil', names: ['call', 'second_leads'] },
             { menu: '[P]', of: 'call' },
             { menu: '(S)', of: 'second_leads' },
             { search: 'greater', drag: '[GT]', onto: 'call and second_leads', name: 'hours_1.ET, hours_2.ET' },
@@ -78,8 +72,7 @@ export const PROGRAMS = {
             { menu: 'Delete', of: 'hours_1.ET' },
             { search: 'less or equal', drag: '[LE]', onto: 'call and second_leads', name: 'hours_1.ET, hours_2.ET' },
             { menu: '(R)', of: 'second_leads' },
-            { network: 'A contact and a coil', name: 'call' },
-            { rename: 'coil_1', name: 'pump_1' },
+            { network: 'A contact and a coil', names: ['call', 'pump_1'] },
             { drag: '[/]', onto: 'call and pump_1', name: 'trip_1' },
             { drag: '[/]', onto: 'trip_1 and pump_1', name: 'second_leads' },
             { drag: '[ ]', below: 'second_leads', name: 'trip_2' },
@@ -88,11 +81,9 @@ export const PROGRAMS = {
             { rename: 'trip_1', name: 'trip_2' },
             { menu: '[ ]', of: 'second_leads' },
             { rename: 'pump_1', name: 'pump_2' },
-            { network: 'A contact and a coil', name: 'pump_1' },
-            { rename: 'coil_1', name: 'service_1' },
+            { network: 'A contact and a coil', names: ['pump_1', 'service_1'] },
             { search: 'retentive', drag: '[RTO]', onto: 'pump_1 and service_1', name: 'hours_1, T#500h' },
-            { network: 'A contact and a coil', name: 'pump_2' },
-            { rename: 'coil_1', name: 'service_2' },
+            { network: 'A contact and a coil', names: ['pump_2', 'service_2'] },
             { drag: '[RTO]', onto: 'pump_2 and service_2', name: 'hours_2, T#500h' },
         ],
         keys: [
@@ -171,13 +162,17 @@ export function handsIn(page, frame) {
         await field.waitFor({ state: 'detached' });
     };
     const mouse = {
-        /** A new network, and the name of its first element. */
-        network: async ({ network, name }) => {
+        /** A new network, and the names of its elements. */
+        network: async ({ network, names }) => {
             const first = frame.getByRole('button', { name: 'New network', exact: true });
             await press((await first.isVisible()) ? first : frame.locator('.add').last());
-            await changes(() => press(field.locator('li', { hasText: network })));
-            await field.locator('input:not([placeholder^="XIC"])').waitFor();
-            await write(name);
+            await press(field.locator('li', { hasText: network }));
+            await until('the first name', () => field.locator('input').evaluate((input) => input.value.slice(input.selectionStart, input.selectionEnd) === 'contact_1'));
+            for (const name of names.slice(0, -1)) {
+                await page.keyboard.type(name);
+                await press(field.locator('.take'));
+            }
+            await write(names.at(-1));
         },
         rename: async ({ rename, name }) => {
             await page.mouse.dblclick(...(await middleOf(named(rename).locator('text[data-operand]').first())));
@@ -197,14 +192,6 @@ export function handsIn(page, frame) {
             await page.mouse.up();
             await write(name);
         },
-        /** Several are pressed with Shift. */
-        press: async ({ press: names }) => {
-            for (const [index, name] of [names].flat().entries()) {
-                await (index > 0 && page.keyboard.down('Shift'));
-                await press(named(name).locator('.hit'));
-                await (index > 0 && page.keyboard.up('Shift'));
-            }
-        },
         button: async ({ button, name }) => {
             await press(block(button));
             await write(name);
@@ -218,7 +205,7 @@ export function handsIn(page, frame) {
     return {
         byMouse: async (gestures) => {
             for (const gesture of gestures) {
-                const [kind] = ['network', 'rename', 'drag', 'button', 'menu', 'press'].filter((kind) => kind in gesture);
+                const [kind] = ['network', 'rename', 'drag', 'button', 'menu'].filter((kind) => kind in gesture);
                 await mouse[kind](gesture).catch((error) => {
                     throw new Error(`${JSON.stringify(gesture)}: ${error.message}`);
                 });

@@ -81,6 +81,17 @@ test('whoever knows XIC finds it first', async () => {
     }
 });
 
+test('whoever knows XIC hears it', async () => {
+    const { page, press, write, focusOn, element } = await open(railed('+--[ ]( a )--', '( )( y )'), { names: 'us' });
+    await element('contact', 'a').focus();
+    await focusOn('XIC a');
+    await press('Shift+c');
+    await page.locator('.field input[aria-label="XIO"]').waitFor();
+    await write('b');
+    await focusOn('XIO b');
+    assert.match(await page.locator('.spoken').innerText(), /^XIO b added/);
+});
+
 test('two pumps that take turns, with a block of the library', async () => {
     const { press, write, focusOn, page, host } = await open('');
     await page.locator('.view').focus();

@@ -11,6 +11,8 @@ test('a motor starter from nothing', async () => {
     const { page, write, becomes, element, drag } = await open('');
     await page.getByRole('button', { name: 'New network' }).click();
     await page.locator('.field li', { hasText: 'A contact and a coil' }).click();
+    await page.locator('.field .take').click();
+    await page.locator('.field .take').click();
     await becomes(railed('+--[ ]( contact_1 )--', '( )( coil_1 )'));
     await page.locator('text', { hasText: 'contact_1' }).dblclick();
     await write('start');
@@ -50,6 +52,19 @@ test('a second press shows what can be done, and why the rest cannot', async () 
     await becomes(LINE);
 });
 
+test('a menu that is not waited for does not come', async () => {
+    const { page, press, write, becomes, element } = await open(LINE);
+    await element('contact', 'b').focus();
+    await page.clock.install();
+    await element('contact', 'b').locator('.hit').click();
+    await press('c');
+    await page.locator('.field input').waitFor();
+    // As long as the second press of a double one may come.
+    await page.clock.fastForward(400);
+    await write('d');
+    await becomes(railed('+--[ ]( a )--[ ]( b )--[ ]( d )--[ ]( c )--', '( )( y )'));
+});
+
 test('what is taken up is put down elsewhere by single clicks', async () => {
     const { becomes, element, menu, wire } = await open(LINE);
     await element('contact', 'c').locator('.hit').click({ button: 'right' });
@@ -57,6 +72,15 @@ test('what is taken up is put down elsewhere by single clicks', async () => {
     await wire('between the left and a').locator('.hit').click({ button: 'right' });
     await menu('Put down, or paste');
     await becomes(railed('+--[ ]( c )--[ ]( a )--[ ]( b )--', '( )( y )'));
+});
+
+test('what is copied by the menu is pasted by the menu', async () => {
+    const { becomes, element, menu, wire } = await open(LINE);
+    await element('contact', 'c').locator('.hit').click({ button: 'right' });
+    await menu('Copy');
+    await wire('between the left and a').locator('.hit').click({ button: 'right' });
+    await menu('Put down, or paste');
+    await becomes(railed('+--[ ]( c )--[ ]( a )--[ ]( b )--[ ]( c )--', '( )( y )'));
 });
 
 test('elements, ends of branches and networks are dragged', async () => {

@@ -4,9 +4,10 @@ import type { Pen } from './pen.ts';
 
 export class Clipboard {
     readonly #pen: Pen;
-    /** What is to be moved, and the text of what is selected. */
+    /** What is to be moved, the text of what is selected, and what was taken last. */
     #held: readonly Range[] = [];
     #copied = '';
+    #taken: Promise<string> = Promise.resolve('');
 
     constructor(pen: Pen) {
         this.#pen = pen;
@@ -23,8 +24,12 @@ export class Clipboard {
 
     /** Copies what is selected, or takes it up. */
     copied(isCut: boolean, clipboard: DataTransfer | null): void {
-        const what = this.#pen.selection.ranges;
         clipboard?.setData('text/plain', this.#copied);
+        this.#taken = Promise.resolve(this.#copied);
+        this.#hold(isCut, this.#pen.selection.ranges);
+    }
+
+    #hold(isCut: boolean, what: readonly Range[]): void {
         this.#held = isCut ? what : [];
         if (isCut && what.length > 0) {
             this.#pen.voice.said(`${what.length === 1 ? 'One element is' : `${what.length} elements are`} taken up: paste where it goes`);
@@ -33,13 +38,11 @@ export class Clipboard {
 
     /** By the menu, which has no clipboard event of its own. */
     async take(isCut: boolean): Promise<void> {
-        await this.focused();
-        this.copied(isCut, null);
-        await navigator.clipboard?.writeText(this.#copied).catch(() => undefined);
-    }
-
-    get isHolding(): boolean {
-        return this.#held.length > 0 || this.#copied !== '';
+        const what = this.#pen.selection.ranges;
+        this.#hold(isCut, what);
+        // Whoever is quick is elsewhere before there is an answer.
+        this.#taken = this.#pen.look({ what }).then((offer) => offer?.text ?? '');
+        await navigator.clipboard?.writeText(await this.#taken).catch(() => undefined);
     }
 
     putDown(): void {
@@ -47,8 +50,9 @@ export class Clipboard {
     }
 
     /** Puts down what was taken up, or draws a text. */
-    async paste(text = this.#copied): Promise<void> {
-        const here = this.#pen.selection.here;
+    async paste(given?: string): Promise<void> {
+        const { here } = this.#pen.selection;
+        const text = given ?? (await this.#taken);
         if (/^\s*\+/m.test(text)) {
             await this.#pen.edit({ op: 'network', ...(here && { network: here.drawing.first }), place: 'below', text, copied: true });
             return;

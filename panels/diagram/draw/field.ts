@@ -1,11 +1,15 @@
 // A field in the drawing: what is typed there becomes part of the text when it is finished, and nothing before that.
-import { type Segment, segmentsOf } from './segments.ts';
+import { type Segment, segmentsInBlocks, segmentsOf } from './segments.ts';
 
 /** A line of the list below the field. */
 export interface Choice {
     readonly text: string;
+    /** What is shown of it, if that is less. */
+    readonly shown?: string;
     /** What it is, in grey. */
     readonly about: string;
+    /** Its names are made up: others are written in their places before it is finished. */
+    readonly isBegun?: true;
 }
 
 /** What was written before, and why it could not be done. */
@@ -22,8 +26,8 @@ export interface Wanted {
     readonly placeholder?: string;
     /** Where it is, from the upper left corner of the diagram. */
     readonly spot: { readonly x: number; readonly y: number };
-    /** One line, operands that follow one another on one, or several lines. */
-    readonly kind?: 'line' | 'operands' | 'lines';
+    /** One line, operands that follow one another on one, a piece of a drawing, or several lines. */
+    readonly kind?: 'line' | 'operands' | 'drawing' | 'lines';
     readonly again?: Again | undefined;
     /** What may be meant by what is typed: all of it, up to the cursor. */
     choices?(before: string): readonly Choice[] | Promise<readonly Choice[]>;
@@ -44,7 +48,7 @@ export interface Written {
 const PAUSE = 120;
 const MOST = 12;
 /** How wide the field is, in letters, and how high at most, in lines. */
-const [NARROWEST, WIDEST] = [24, 64];
+const [NARROWEST, DRAWN, WIDEST] = [24, 48, 64];
 const HIGHEST = 12;
 /** What is left free beside it, and how wide and high it is with the longest list, in pixels. */
 const BESIDE = 4;
@@ -116,6 +120,7 @@ export class Field {
                 input.setAttribute('aria-invalid', String(isRefused));
             }
         };
+        let segments = (text: string): Segment[] => (wanted.kind === 'operands' ? segmentsOf(text) : []);
         const select = (segment: Segment | undefined): boolean => {
             if (segment) {
                 input.setSelectionRange(...segment);
@@ -124,7 +129,7 @@ export class Field {
             return segment !== undefined;
         };
         /** The operands after the cursor, if each is written on its own. */
-        const following = () => (wanted.kind === 'operands' ? segmentsOf(input.value).filter(([start]) => start > (input.selectionEnd ?? 0)) : []);
+        const following = () => segments(input.value).filter(([start]) => start > (input.selectionEnd ?? 0));
         input.addEventListener('input', () => {
             clearTimeout(later);
             later = setTimeout(() => void look(), PAUSE);
@@ -142,7 +147,16 @@ export class Field {
             this.#end = end;
             /** The comma before the cursor was typed over. */
             let isOver = false;
-            take.addEventListener('click', () => done(false));
+            /** Takes what is chosen in the list, and goes on. @returns whether there is more to write */
+            const goOn = () => {
+                const choice = choices.takeChosen();
+                if (choice?.isBegun) {
+                    segments = segmentsInBlocks;
+                    return select(segments(input.value)[0]);
+                }
+                return select(following()[0]);
+            };
+            take.addEventListener('click', () => goOn() || done(false));
             giveUp.addEventListener('click', () => end(undefined));
             node.addEventListener('pointerdown', (event) => {
                 if (event.target !== input) {
@@ -151,7 +165,7 @@ export class Field {
                 }
             });
             list.addEventListener('click', (event) => {
-                if (choices.take(event.target) && !select(following()[0])) {
+                if (choices.choose(event.target) && !goOn()) {
                     done(false);
                 }
             });
@@ -168,8 +182,11 @@ export class Field {
                     event.preventDefault();
                 } else if (event.key === 'Tab' || (event.key === 'Enter' && !(wanted.kind === 'lines' && event.shiftKey))) {
                     event.preventDefault();
-                    choices.takeChosen();
-                    if (event.key === 'Enter' || !select(following()[0])) {
+                    const isFinished = event.key === 'Enter' && !choices.isBegun;
+                    if (isFinished) {
+                        choices.takeChosen();
+                    }
+                    if (isFinished || !goOn()) {
                         done(event.key === 'Tab');
                     }
                 } else if (event.key === 'Escape') {
@@ -239,7 +256,7 @@ function inputOf({ label, text, placeholder, kind, again }: Wanted, list: string
     input.type = 'text';
     input.autocomplete = 'off';
     // Wide enough for what is there: the parameters of a block are many.
-    input.size = Math.min(Math.max(value.length + 2, NARROWEST), WIDEST);
+    input.size = Math.min(Math.max(value.length + 2, kind === 'drawing' ? DRAWN : NARROWEST), WIDEST);
     input.setAttribute('role', 'combobox');
     input.setAttribute('aria-autocomplete', 'list');
     input.setAttribute('aria-expanded', 'false');
@@ -268,12 +285,12 @@ class Choices {
     show(choices: readonly Choice[]): void {
         this.#shown = choices;
         this.#chosen = -1;
-        const nodes = choices.map(({ text, about }, index) => {
+        const nodes = choices.map(({ text, shown, about }, index) => {
             const node = document.createElement('li');
             node.id = `${this.#list.id}-${index}`;
             node.setAttribute('role', 'option');
             const name = document.createElement('b');
-            name.textContent = text;
+            name.textContent = shown ?? text;
             const told = document.createElement('span');
             told.textContent = about;
             node.append(name, told);
@@ -297,7 +314,12 @@ class Choices {
         return count > 0;
     }
 
-    takeChosen(): void {
+    /** What is chosen is only begun. */
+    get isBegun(): boolean {
+        return this.#shown[this.#chosen]?.isBegun === true;
+    }
+
+    takeChosen(): Choice | undefined {
         const choice = this.#shown[this.#chosen];
         if (choice) {
             // What is after the cursor, or was selected, stays: the operands that follow.
@@ -305,13 +327,13 @@ class Choices {
             this.#input.value = choice.text + rest;
             this.#input.setSelectionRange(choice.text.length, choice.text.length);
         }
+        return choice;
     }
 
-    /** Takes the one that a node is of. @returns whether there is one */
-    take(node: EventTarget | null): boolean {
+    /** Chooses the one that a node is of. @returns whether there is one */
+    choose(node: EventTarget | null): boolean {
         const item = node instanceof Element ? node.closest('li') : null;
         this.#chosen = item ? [...this.#list.children].indexOf(item) : -1;
-        this.takeChosen();
         return this.#chosen >= 0;
     }
 

@@ -44,6 +44,12 @@ export class Operands {
         });
     }
 
+    /** The tags that may be meant in ladder text, where its last parenthesis is open. */
+    async within(before: string): Promise<Choice[]> {
+        const isBool = /[[(].[\])]\( [\w.]*$/.test(before);
+        return isBool || /\( [^()]*$/.test(before) ? this.#tags(before, isBool) : [];
+    }
+
     /** The tags that may be meant, those that begin so first. */
     async #tags(text: string, isBool: boolean): Promise<Choice[]> {
         const word = /[\w.]*$/.exec(text)?.[0].toLowerCase() ?? '';
@@ -58,7 +64,7 @@ export class Operands {
         const rank = (name: string) => (name.toLowerCase().startsWith(word) ? 0 : 1);
         return fitting
             .sort((a, b) => rank(a.name) - rank(b.name) || a.name.localeCompare(b.name))
-            .map(({ name, type, kind, comment }) => ({ text: before + name, about: [`${type}, ${kind}`, comment].filter(Boolean).join('  ') }));
+            .map(({ name, type, kind, comment }) => ({ text: before + name, shown: name, about: [`${type}, ${kind}`, comment].filter(Boolean).join('  ') }));
     }
 
     /** Which names of a text are new, and what they would be. */

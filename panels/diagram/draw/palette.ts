@@ -1,6 +1,6 @@
 // What can be drawn, above the diagram: what is used most as buttons, all else by a search.
 import type { DrawableRow } from '../../protocol.ts';
-import type { Names } from '../messages.ts';
+import type { Called } from '../called.ts';
 import type { Ask } from './asker.ts';
 
 export const CONTACT: DrawableRow = { section: '', block: '[ ]', title: 'Open contact', us: 'XIC', operands: '' };
@@ -31,16 +31,17 @@ export class Palette {
     readonly #list = document.createElement('div');
     readonly #ask: Ask;
     readonly #takes: Takes;
+    readonly #names: Called;
     /** All that the program may have. */
     #rows: readonly DrawableRow[] = [CONTACT, CLOSED_CONTACT, COIL];
     #used: DrawableRow[] = [];
     #shown: readonly DrawableRow[] = [];
     #chosen = -1;
     #asked = 0;
-    #names: Names = 'iec';
 
-    constructor(ask: Ask, takes: Takes) {
+    constructor(ask: Ask, names: Called, takes: Takes) {
         this.#ask = ask;
+        this.#names = names;
         this.#takes = takes;
         this.node.className = 'palette';
         this.node.setAttribute('role', 'toolbar');
@@ -72,15 +73,9 @@ export class Palette {
         this.#showButtons();
     }
 
-    /** Whose names come first, from now on. */
-    named(names: Names): void {
-        this.#names = names;
-        this.#showButtons();
-    }
-
     /** What a row is called, and what else. */
-    #called({ title, us, elsewhere = [] }: DrawableRow): [string, string] {
-        const called = (this.#names === 'us' && us) || title;
+    #called({ title, elsewhere = [] }: DrawableRow): [string, string] {
+        const called = this.#names.name(title);
         return [called, [title, ...elsewhere].filter((name) => name !== called).join(', ')];
     }
 
@@ -94,6 +89,7 @@ export class Palette {
     async load(): Promise<void> {
         const { rows } = await this.#ask('palette', { search: '' }).catch(() => ({ rows: this.#rows }));
         this.#rows = rows;
+        this.#names.know(rows);
         this.#showButtons();
     }
 

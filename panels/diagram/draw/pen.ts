@@ -165,7 +165,7 @@ export class Pen {
         const spot = this.#spot(found);
         await this.#written(
             found,
-            (again) => this.#operands.ofNew(block, asked, { label: title, text: operands, spot, again }),
+            (again) => this.#operands.ofNew(block, asked, { label: this.page.called.sentence(title), text: operands, spot, again }),
             async (text) => {
                 this.#aim.hide();
                 const name = text || (await this.offer(asked))?.name;
@@ -294,12 +294,12 @@ export class Pen {
         const spot = !found ? { x: 8, y: this.page.layout.height } : place === 'here' ? this.#spot(found) : this.page.beside(found, place);
         const label = place === 'here' ? 'Quick entry' : `Network ${place}`;
         const begins = await this.#begins(place === 'here');
-        const choices = (text: string) => (text === '' ? begins : []);
+        const choices = (before: string) => (before === '' ? begins : this.#operands.within(before));
         const at = place === 'here' && found ? await this.placeOf(found) : undefined;
         const network = found && { network: found.drawing.first };
-        const written = await this.#written(
+        await this.#written(
             found,
-            (again) => this.#field.ask({ label, placeholder: 'XIC start XIO stop OTE run', spot, choices, again }),
+            (again) => this.#field.ask({ label, kind: 'drawing', placeholder: 'XIC start XIO stop OTE run', spot, choices, again }),
             (text) => {
                 if (text === '') {
                     return undefined;
@@ -307,14 +307,9 @@ export class Pen {
                 return at ? { op: 'insert', at, text } : { op: 'network', ...network, place: place === 'above' ? 'above' : 'below', entry: text };
             },
         );
-        const here = this.page.selection;
-        if (here && begins.some(({ text }) => text === written?.text)) {
-            // What has a made-up name gets its own.
-            await this.operand(here);
-        }
     }
 
-    /** What a network may begin with, for who does not type: its tags get other names later. */
+    /** What a network may begin with, for who does not type more than names. */
     async #begins(isPiece: boolean): Promise<Choice[]> {
         const { tags } = await this.#ask('tags', {}).catch(() => ({ tags: [] }));
         const names = new Set(tags.map(({ name }) => name.toLowerCase()));
@@ -327,10 +322,10 @@ export class Pen {
         };
         const contact = `[ ]( ${free('contact')} )`;
         return isPiece
-            ? [{ text: contact, about: 'A contact, to be renamed' }]
+            ? [{ text: contact, about: 'A contact', isBegun: true }]
             : [
-                  { text: `${contact}--( )( ${free('coil')} )`, about: 'A contact and a coil, to be renamed' },
-                  { text: `${contact}--[TON]( ${free('timer')}, 5s )`, about: 'A contact and a timer' },
+                  { text: `${contact}--( )( ${free('coil')} )`, about: 'A contact and a coil', isBegun: true },
+                  { text: `${contact}--[TON]( ${free('timer')}, 5s )`, about: 'A contact and a timer', isBegun: true },
               ];
     }
 

@@ -3,6 +3,11 @@
 /** Where a part of a text begins and ends. */
 export type Segment = readonly [start: number, end: number];
 
+/** The operands in all parentheses of a text such as `[ ]( a )--[TON]( t, 5s )`. */
+export function segmentsInBlocks(text: string): Segment[] {
+    return [...text.matchAll(/\( ([^()]*) \)/g)].flatMap(({ index, 1: list = '' }) => segmentsOf(list).map(([start, end]): Segment => [index + 2 + start, index + 2 + end]));
+}
+
 /** The operands of a list, without the blanks around them. Commas in strings and in brackets part nothing. */
 export function segmentsOf(text: string): Segment[] {
     const segments: Segment[] = [];

@@ -21,8 +21,9 @@ async function pick(page, key, text, name) {
     const row = page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first();
     for (let tries = 0; tries < 4; tries += 1) {
         // Letters that come too soon after the opening would be lost.
-        await (await list(page, key)).fill(text);
-        if (await row.waitFor({ timeout: 5000 }).then(() => true, () => false)) {
+        // What takes the focus meanwhile, such as a task that ends, closes the list again.
+        const isFilled = await (await list(page, key)).fill(text, { timeout: 5000 }).then(() => true, () => false);
+        if (isFilled && (await row.waitFor({ timeout: 5000 }).then(() => true, () => false))) {
             break;
         }
         // The list is of the moment in which it was opened: a command that is possible since then is not in it.
