@@ -36,7 +36,7 @@ test('a press elsewhere takes what was written, and has the focus', async () => 
     assert.equal(await page.locator('.field').count(), 0);
 });
 
-test('what is pressed next goes behind what was written last', async () => {
+test('what is pressed next goes after what was written last', async () => {
     const { page, element, press, write, becomes } = await open(LINE);
     await element('contact', 'a').focus();
     await press('c');
@@ -47,7 +47,7 @@ test('what is pressed next goes behind what was written last', async () => {
     await becomes(railed('+--[ ]( a )--[ ]( b )--[/]( c )--', '( )( y )'));
 });
 
-test('a press elsewhere gives up what nothing was written in', async () => {
+test('a press elsewhere ends a field that nothing was written in', async () => {
     const { page, host, element, press } = await open(LINE);
     await element('contact', 'a').focus();
     await press('Enter');

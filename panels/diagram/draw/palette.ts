@@ -7,7 +7,7 @@ export const CONTACT: DrawableRow = { section: '', block: '[ ]', title: 'Open co
 export const CLOSED_CONTACT: DrawableRow = { section: '', block: '[/]', title: 'Closed contact', us: 'XIO', operands: '' };
 export const COIL: DrawableRow = { section: '', block: '( )', title: 'Coil', us: 'OTE', operands: '' };
 
-/** Always there, in this order: before the branch, and behind it as far as the program may have them. */
+/** Always there, in this order: before the branch, and after it as far as the program may have them. */
 const [FIRST, SECOND] = [[CONTACT, CLOSED_CONTACT, COIL], ['[TON]', '[CTU]']] as const;
 
 /** So many of those that were used last are buttons, too. */

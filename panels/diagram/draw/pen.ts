@@ -263,12 +263,12 @@ export class Pen {
         if (here && index + 1 < here.part.operands.length) {
             await this.operand(here, index + 1);
         } else if (here) {
-            await this.#operandBehind(here);
+            await this.#operandAfter(here);
         }
     }
 
     /** The tabulator goes on to the next element of the network that has something in parentheses. */
-    async #operandBehind({ drawing, part }: Found): Promise<void> {
+    async #operandAfter({ drawing, part }: Found): Promise<void> {
         const next = drawing.parts.slice(drawing.parts.indexOf(part) + 1).find(({ operands }) => operands.length > 0);
         if (next) {
             this.page.select({ drawing, part: next });
