@@ -86,6 +86,7 @@ export async function pen(page, { step, until, screenshot }) {
     await step('one undo takes back one change, and what cannot be done is said', async () => {
         await page.keyboard.press('Control+Z');
         await becomes([...STARTER, '', '+--[ ]( run )-----------------------------------------------------( )( lamp )--+']);
+        await until('the focus as it was', async () => (await focused()).startsWith('Open contact run'));
         // In a branch: the network cannot be split there.
         await frame.locator('g.element.contact', { hasText: 'run' }).first().focus();
         await page.keyboard.press('k');
