@@ -3,7 +3,7 @@
 #[cfg(feature = "mcp")]
 use crate::commands::mcp;
 #[cfg(feature = "run")]
-use crate::commands::run;
+use crate::commands::{online, run};
 use crate::commands::{
     check, convert, dap, diff, explain, fmt, git, lsp, merge, new, prove, render, sim, tags, test, tree, why,
 };
@@ -26,6 +26,7 @@ Examples:
   ladder sim motor.clad --scans 100 --set start=1
                                   run 100 scans with `start` high
   ladder run motor.clad           run it in real time, as a controller
+  ladder online motor.clad        see what a running controller is doing
   ladder test .                   run all scenarios in this folder
   ladder prove .                  prove what must hold in every run
   ladder convert old.cplc -o motor.clad
@@ -59,6 +60,11 @@ enum Command {
     /// Run a program in real time (not in this build)
     #[cfg(not(feature = "run"))]
     Run(LeftOut),
+    #[cfg(feature = "run")]
+    Online(online::Arguments),
+    /// Show what a running controller is doing (not in this build)
+    #[cfg(not(feature = "run"))]
+    Online(LeftOut),
     Test(test::Arguments),
     Prove(prove::Arguments),
     Render(render::Arguments),
@@ -102,7 +108,9 @@ impl Ladder {
             #[cfg(feature = "run")]
             Command::Run(arguments) => run::run(&arguments),
             #[cfg(not(feature = "run"))]
-            Command::Run(_) => Err(Feature::Run.left_out()),
+            Command::Run(_) | Command::Online(_) => Err(Feature::Run.left_out()),
+            #[cfg(feature = "run")]
+            Command::Online(arguments) => online::run(&arguments),
             #[cfg(feature = "mcp")]
             Command::Mcp(arguments) => mcp::run(&arguments),
             #[cfg(not(feature = "mcp"))]

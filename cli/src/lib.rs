@@ -19,6 +19,7 @@
 //! - `git` reads what git knows.
 //! - `json` writes what machines read.
 //! - `settings` has what the `ladder.toml` of a program's workspace asks for.
+//! - `signals` is what a run is asked for by signals.
 //! - `ready` is a scenario file with its program.
 //! - `run` is a program on its way through its scans, with what the world outside gives to it.
 //! - `diff` shows what would change.
@@ -61,6 +62,8 @@ mod run;
 mod screen;
 mod seen;
 mod settings;
+#[cfg(feature = "run")]
+mod signals;
 #[cfg(feature = "server")]
 mod small_pages;
 mod stdin;

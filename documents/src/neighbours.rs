@@ -274,6 +274,11 @@ impl Neighbours {
         self.settings(path, |settings| settings.simulate.clone())
     }
 
+    /// The controller that its workspace watches.
+    pub fn online(&self, path: &Path) -> Option<ladder_workspace::Online> {
+        self.settings(path, |settings| settings.online.clone())
+    }
+
     /// Asks the settings that hold for a file, which are known before large files are read.
     fn settings<T>(&self, path: &Path, ask: impl Fn(&Settings) -> T) -> T {
         let early = self.in_part(path, |_, part| ask(&part.settings));

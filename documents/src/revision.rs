@@ -430,6 +430,12 @@ impl Revision {
         place.map_or_else(Default::default, |place| place.neighbours.simulate(&place.path))
     }
 
+    /// The controller that its workspace watches.
+    pub fn online(&self) -> Option<ladder_workspace::Online> {
+        let place = self.place.as_ref()?;
+        place.neighbours.online(&place.path)
+    }
+
     /// The edits that bring the text into the layout that its workspace asks for.
     pub fn format(&self) -> Option<Vec<Edit>> {
         Some(format(&self.context()?.parse, &self.format_options()))

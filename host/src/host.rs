@@ -11,6 +11,8 @@ use std::time::Duration;
 use futures::future::{BoxFuture, Either, select};
 use ladder_workspace::Disk;
 
+use crate::controllers::Controllers;
+
 /// A moment, as the time since a clock began to run.
 pub type Moment = Duration;
 
@@ -43,6 +45,8 @@ pub struct World {
     pub disk: Arc<dyn Disk>,
     /// Its clock.
     pub clock: Clock,
+    /// The way to running controllers, if there is one.
+    pub controllers: Option<Arc<dyn Controllers>>,
 }
 
 /// Where the server runs.

@@ -5,6 +5,7 @@
 //! is one of a single thread, for a page.
 
 mod busy;
+mod controllers;
 mod event_loop;
 mod host;
 pub mod newest;
@@ -12,5 +13,6 @@ pub mod newest;
 pub mod testing;
 
 pub use busy::{Busy, Work};
+pub use controllers::{Connection, Controllers};
 pub use event_loop::EventLoop;
 pub use host::{Clock, Host, Moment, Turns, Wait, World, within};

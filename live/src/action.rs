@@ -124,6 +124,27 @@ impl Action {
         )
     }
 
+    /// Whether only a simulation can do it: what is watched is neither written nor stopped.
+    pub(crate) fn is_for_a_simulation(&self) -> bool {
+        matches!(
+            self,
+            Action::Step(_)
+                | Action::StepBlock
+                | Action::StepRung
+                | Action::Back(_)
+                | Action::GoTo(_)
+                | Action::Breakpoints(..)
+                | Action::Record(..)
+                | Action::Set(..)
+                | Action::Pulse(_)
+                | Action::Force(..)
+                | Action::Unforce(_)
+                | Action::Reset
+                | Action::WarmRestart
+                | Action::Debug(_)
+        )
+    }
+
     /// Whether who sent it waits for the answer, and longer than a moment.
     pub(crate) fn is_awaited(&self) -> bool {
         !matches!(

@@ -19,6 +19,7 @@ use crate::drawing::Drawing;
 use crate::follow::Texts;
 use crate::line_map::LineMap;
 use crate::messages;
+use crate::online::{CHECK, Controller};
 use crate::pulse::Pulse;
 use crate::request::Failure;
 use crate::retention::{Keeping, Retention};
@@ -60,6 +61,8 @@ pub(crate) struct Engine {
     pub(crate) scenes: Vec<LiveScene>,
     /// How many breakpoints have stopped it.
     hits: u64,
+    /// The controller that is watched, if it is not a simulation.
+    pub(crate) controller: Option<Controller>,
 }
 
 impl Engine {
@@ -73,7 +76,12 @@ impl Engine {
         let Some(analysis) = revision.analysis() else {
             return Err(Failure::Failed("the file is too large to be simulated".into()));
         };
-        let program = match revision.running() {
+        let running = if options.online {
+            revision.program().map(|program| program.map(Ok))
+        } else {
+            revision.running()
+        };
+        let program = match running {
             Some(Ok(Ok(program))) => program,
             Some(Ok(Err(of_plants))) => return Err(Failure::Failed(of_plants)),
             Some(Err(NotWhole::Errors(file))) if *file != *analysis.whole().context.name => {
@@ -89,11 +97,19 @@ impl Engine {
             _ => return Err(has_errors(&revision, analysis.whole())),
         };
         let settings = revision.simulate();
+        let controller = options.online.then(|| {
+            Controller::watch(world, revision.online(), &revision.file_name(), program.clone())
+        });
+        let controller = controller.transpose()?;
         let limits = match options.history.or(settings.history) {
+            _ if controller.is_some() => HistoryLimits::of_scans(0),
             Some(scans) => HistoryLimits::of_scans(usize::try_from(scans).unwrap_or(usize::MAX)),
             None => HistoryLimits::default(),
         };
-        let engine = engine_options(options, settings.options(&program, revision.path()))?;
+        let mut engine = engine_options(options, settings.options(&program, revision.path()))?;
+        if let Some(controller) = &controller {
+            engine.interval = controller.every().unwrap_or(engine.interval);
+        }
         let mut session =
             Session::new(program, engine, limits).map_err(|error| Failure::Failed(error.to_string()))?;
         let inputs = options.inputs.iter();
@@ -101,6 +117,7 @@ impl Engine {
             .map(|(tag, value)| assignment(session.simulation(), tag, &Given::Json(value.clone())))
             .collect::<Result<_, _>>()?;
         let file = match keeping {
+            _ if controller.is_some() => None,
             Keeping::AsSettingsSay => settings.retain.as_ref(),
             Keeping::In(file) => Some(file),
             Keeping::Nothing => None,
@@ -122,6 +139,7 @@ impl Engine {
             recorder: Recorder::default(),
             scenes: Vec::new(),
             hits: 0,
+            controller,
         };
         engine.set_inputs()?;
         if let Some(shown) = &options.show {
@@ -157,6 +175,9 @@ impl Engine {
 
     /// Runs one scan, unless the program has come to its end; gives the breakpoint that stops it.
     pub(crate) fn scan(&mut self) -> Option<messages::Hit> {
+        if self.look_at_controller() {
+            return None;
+        }
         let stop = self.session.run_scan();
         self.has_gone_on();
         match stop {
@@ -313,6 +334,9 @@ impl Engine {
 
     /// The time from one scan to the next.
     pub(crate) fn interval(&self) -> Duration {
+        if self.controller.is_some() {
+            return CHECK;
+        }
         Duration::from_nanos(self.session.simulation().options().interval.unsigned_abs())
     }
 
@@ -347,6 +371,7 @@ impl Engine {
             });
         }
         faults.reverse();
+        faults.extend(self.contradictions());
         faults
     }
 

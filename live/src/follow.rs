@@ -43,7 +43,12 @@ impl Engine {
     /// Goes on with the program of another text of the editor, if that has one; else the last good one runs on. Returns
     /// whether the program is another one. Analyses and compiles.
     pub(crate) fn follow(&mut self, shown: Arc<Revision>) -> bool {
-        let program = match shown.running() {
+        let running = if self.controller.is_some() {
+            shown.program().map(|program| program.map(Ok))
+        } else {
+            shown.running()
+        };
+        let program = match running {
             Some(Ok(Ok(program))) => Some(program),
             _ => None,
         };
@@ -76,6 +81,9 @@ impl Engine {
                 // It needs too much memory: what runs goes on.
                 Err(_) => self.texts.stale = true,
             }
+        }
+        if is_another {
+            self.watch_again();
         }
         self.recorder.look(&self.session);
         // Texts of programs that cannot be stepped back to any more are of no use.

@@ -17,6 +17,7 @@ mod inquiry;
 mod labels;
 mod line_map;
 pub mod messages;
+mod online;
 mod picture;
 mod pulse;
 mod queue;

@@ -19,7 +19,7 @@ pub use scene::{
     SceneAct, SceneActKind, SceneAsked, SceneNode, SceneRow, SceneShown, SceneSlot, SceneValues,
 };
 pub use shown::{Contact, Found, Label, Operand, Search, Show, Shown, Side};
-pub use state::{Breakpoint, Fault, Hit, Lost, Power, ProgramChange, Role, State, Status, Tag};
+pub use state::{Breakpoint, Controller, Fault, Hit, Lost, Power, ProgramChange, Role, State, Status, Tag};
 pub use trace::{Cursors, GoTo, Reach, Tick, Trace, TraceColumn, TraceTag, Traced, TracedKind};
 pub use why::{CauseKind, PassOrStop, Reading, Since, TagReason, Why, WriteReason};
 
@@ -48,6 +48,9 @@ pub struct Options {
     /// Values of inputs from the first scan on.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub inputs: BTreeMap<String, Value>,
+    /// In the place of a simulation the controller is shown that `[online]` in `ladder.toml` names.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub online: bool,
     /// How many blocks a scan may evaluate before it counts as hung.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub watchdog: Option<u64>,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use ladder_analysis::program::Location;
 use ladder_analysis::values::value::Value;
 use ladder_documents::position::Range;
-use ladder_simulator::{Cause, Point, Reason, Since, Wording, Write};
+use ladder_simulator::{Cause, Judged, Point, Reason, Since, Wording, Write};
 
 use crate::engine::{Engine, point};
 use crate::messages::{self, CauseKind, PassOrStop, Reading, TagReason, WriteReason};
@@ -16,7 +16,10 @@ impl Engine {
     /// Why a tag holds what it holds.
     pub(crate) fn why(&mut self, tag: &str) -> Result<messages::Why, Failure> {
         let point = point(self.session.simulation(), tag)?;
-        let why = self.session.why(&point);
+        let why = match &mut self.controller {
+            Some(controller) => Asked::Moment(controller.why(&point)),
+            None => Asked::Run(self.session.why(&point)),
+        };
         let files = self.session.simulation().program().files.clone();
         let texts = self.line_map.running().texts(&files);
         let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
@@ -30,13 +33,31 @@ impl Engine {
             engine: self,
             wording: Wording::new(&texts, &files).with_places(&places),
         };
+        let (text, writes, reason) = match &why {
+            Asked::Run(why) => (
+                tree.wording.text(why),
+                why.writes().collect::<Vec<_>>(),
+                tree.tag(why),
+            ),
+            Asked::Moment(judged) => (
+                tree.wording.judged_text(judged),
+                judged.judgements.iter().map(|it| &it.write).collect(),
+                tree.judged(judged),
+            ),
+        };
         Ok(messages::Why {
             tag: point.name,
-            text: tree.wording.text(&why),
-            blocks: tree.blocks(&why),
-            reason: tree.tag(&why),
+            text,
+            blocks: tree.blocks(&writes),
+            reason,
         })
     }
+}
+
+/// Reasons from the scans of a simulation, or from one reading of a controller.
+enum Asked {
+    Run(ladder_simulator::Why),
+    Moment(Judged),
 }
 
 struct Tree<'e> {
@@ -46,9 +67,9 @@ struct Tree<'e> {
 
 impl Tree<'_> {
     /// The blocks of the document that the first sentence is about.
-    fn blocks(&self, why: &ladder_simulator::Why) -> Vec<Range> {
+    fn blocks(&self, writes: &[&Write]) -> Vec<Range> {
         let mut blocks = Vec::new();
-        for write in why.writes() {
+        for write in writes {
             let reasons = write.reasons.iter().flatten().map(|reason| reason.block);
             for block in std::iter::once(write.block).chain(reasons) {
                 let (uri, range) = self.engine.place(block);
@@ -86,6 +107,30 @@ impl Tree<'_> {
             text: self.wording.why(why),
             write,
             now: why.now.as_ref().map(|now| self.write(now)),
+        }
+    }
+
+    /// Of a reading nothing is known of earlier ones.
+    fn judged(&self, judged: &Judged) -> TagReason {
+        let last = judged.judgements.iter().rfind(|judgement| judgement.writes);
+        let last = last.or(judged.judgements.last());
+        let write = last.map(|judgement| WriteReason {
+            because: judged.because.iter().map(|it| self.judged(it)).collect(),
+            ..self.write(&judgement.write)
+        });
+        TagReason {
+            tag: judged.point.name.clone(),
+            kind: judged.point.ty.to_string(),
+            value: to_json(&judged.value, judged.point.ty),
+            since: messages::Since::Longer {},
+            cause: match write {
+                Some(_) => CauseKind::Block,
+                None if judged.is_given => CauseKind::Given,
+                None => CauseKind::Unknown,
+            },
+            text: self.wording.judged(judged),
+            write,
+            now: None,
         }
     }
 

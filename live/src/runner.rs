@@ -116,6 +116,10 @@ impl Runner {
         } else {
             Wait::No
         };
+        if let Err(refused) = self.simulation.engine.check_may(&action) {
+            let _ = reply.send(Err(refused));
+            return Wait::No;
+        }
         let outcome = match action {
             Action::Why(tag) => self
                 .simulation

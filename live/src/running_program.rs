@@ -4,6 +4,7 @@ use crate::action::Pace;
 use crate::debugging::Debugging;
 use crate::engine::Engine;
 use crate::messages::{Hit, State, Status};
+use crate::online::Controller;
 use crate::status_text::status_text;
 use crate::view::Update;
 
@@ -77,6 +78,7 @@ impl Simulation {
             program: engine.session.generation(),
             status: self.status,
             text: String::new(),
+            controller: engine.controller.as_ref().map(Controller::message),
             scan: engine.scans(),
             time_ms: engine.time_ms(),
             behind: engine.behind(),

@@ -81,7 +81,7 @@ impl Session {
         };
         let (states, receiver) = newest(simulation.state(Detail::Picture));
         let has_shown = Arc::new(AtomicBool::new(true));
-        let runner = Runner {
+        let mut runner = Runner {
             simulation,
             run: None,
             inbox,
@@ -93,6 +93,10 @@ impl Session {
             states,
             _running: running.begin(),
         };
+        // A controller runs by itself.
+        if runner.simulation.engine.controller.is_some() {
+            runner.start_run(None, None);
+        }
         host.give_turns(format!("simulation {id}"), Box::new(runner))
             .map_err(|error| Failure::Failed(format!("no thread for the simulation: {error}")))?;
         let session = Session {

@@ -5,6 +5,8 @@ use ladder_simulator::chart::duration;
 use crate::action::Pace;
 use crate::messages::{State, Status};
 
+const STALE: &str = ", before the errors in the text";
+
 /// `running, scan 12, 1.2s, 0.1x speed, 2 forced, 1 fault, before the errors in the text`
 pub fn status_text(state: &State, pace: Pace) -> String {
     let status = match state.status {
@@ -13,6 +15,14 @@ pub fn status_text(state: &State, pace: Pace) -> String {
         Status::Ended => "ended",
         Status::Faulted => "faulted",
     };
+    if let Some(controller) = &state.controller {
+        let status = if state.status == Status::Running { "online" } else { status };
+        let mut text = format!("{status} {}, {}", controller.name, controller.text);
+        if state.stale {
+            text.push_str(STALE);
+        }
+        return text;
+    }
     let time = duration((state.time_ms * 1e6).round() as i64);
     let mut text = format!("{status}, scan {}, {time}", state.scan);
     match pace {
@@ -29,7 +39,7 @@ pub fn status_text(state: &State, pace: Pace) -> String {
         more => text.push_str(&format!(", {more} faults")),
     }
     if state.stale {
-        text.push_str(", before the errors in the text");
+        text.push_str(STALE);
     }
     text
 }

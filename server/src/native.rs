@@ -1,5 +1,7 @@
 //! The server with a runtime, threads, the files of the operating system and its clock.
 
+#[cfg(feature = "online")]
+mod controllers;
 mod parent;
 
 use std::sync::Arc;
@@ -19,6 +21,10 @@ pub(crate) fn world() -> World {
     World {
         disk: Arc::new(SystemDisk),
         clock: Clock::new(move || begun.elapsed()),
+        #[cfg(feature = "online")]
+        controllers: Some(Arc::new(controllers::OverTheNetwork)),
+        #[cfg(not(feature = "online"))]
+        controllers: None,
     }
 }
 

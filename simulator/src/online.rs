@@ -11,6 +11,7 @@ use ladder_analysis::program::Program;
 use ladder_analysis::values::types::Type;
 use ladder_analysis::values::value::Value;
 use std::collections::HashSet;
+use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -201,4 +202,124 @@ fn told(faults: &[crate::fault::Fault]) -> String {
     faults
         .first()
         .map_or_else(String::new, |fault| fault.message.clone())
+}
+
+/// A program beside the controller that runs it, while it is watched.
+pub struct Watching {
+    online: Online,
+    watched: Box<dyn Watched>,
+    newest: Newest,
+    /// Why the last snapshot says nothing of the program.
+    unusable: Option<String>,
+}
+
+impl fmt::Debug for Watching {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Watching")
+            .field("newest", &self.newest)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Watching {
+    /// A program of which nothing is known yet, and what is asked for there.
+    pub fn new(online: Online, watched: Box<dyn Watched>) -> Watching {
+        Watching {
+            newest: watched.newest(),
+            online,
+            watched,
+            unusable: None,
+        }
+    }
+
+    /// Takes in what is new. Whether there is another snapshot.
+    pub fn look(&mut self) -> bool {
+        let before = std::mem::replace(&mut self.newest, self.watched.newest());
+        if before.snapshots == self.newest.snapshots {
+            return false;
+        }
+        let seen = self.online.see(self.watched.wanted(), &self.newest.values);
+        self.unusable = seen.err();
+        true
+    }
+
+    /// The program with the values of the last snapshot.
+    pub fn online(&self) -> &Online {
+        &self.online
+    }
+
+    /// Why a tag holds what it holds, by the values of the last snapshot.
+    pub fn why(&mut self, point: &Point) -> Judged {
+        self.online.why(point)
+    }
+
+    /// What is known of the controller.
+    pub fn newest(&self) -> &Newest {
+        &self.newest
+    }
+
+    /// How it is, in one line: whether the controller answers, how old the values are, and how many of them are in doubt.
+    pub fn status(&self) -> String {
+        let mut parts = vec!["READ ONLY".to_owned()];
+        match (&self.newest.connection, self.newest.age) {
+            (Connection::Opening, _) => parts.push("connecting".to_owned()),
+            (Connection::Open, Some(age)) => parts.push(format!("values {}", old(age))),
+            (Connection::Open, None) => parts.push("connected".to_owned()),
+            (Connection::Lost(why), None) => parts.push(format!("it {why}; tried again")),
+            (Connection::Lost(why), Some(age)) => {
+                parts.push(format!("it {why}; tried again; values {}", old(age)));
+            }
+        }
+        let of = |count: usize, one: &str, more: &str| match count {
+            0 => None,
+            1 => Some(format!("1 {one}")),
+            count => Some(format!("{count} {more}")),
+        };
+        let lost = self.newest.found.iter().filter(|found| **found != Found::Here).count();
+        parts.extend(of(lost, "tag is not there as here", "tags are not there as here"));
+        let (against, changed): (Vec<&Doubt>, Vec<&Doubt>) =
+            self.online.doubts().iter().partition(|doubt| doubt.is_reported());
+        parts.extend(of(against.len(), "value is against the program", "values are against the program"));
+        parts.extend(of(changed.len(), "value changed while reading", "values changed while reading"));
+        parts.join("; ")
+    }
+
+    /// What a person should know of how controller and program differ: a sentence for each tag, up to so many.
+    pub fn differences(&self, most: usize) -> Vec<String> {
+        let pairs = self.watched.wanted().iter().zip(self.newest.found.iter());
+        let pairs = pairs.filter(|(_, found)| **found != Found::Here);
+        let mut told: Vec<String> = Vec::new();
+        let mut more = 0;
+        for (wanted, found) in pairs {
+            if told.len() == most {
+                more += 1;
+                continue;
+            }
+            let (point, name) = (&wanted.point, &wanted.name);
+            let there = if point.name.eq_ignore_ascii_case(name) {
+                String::new()
+            } else {
+                format!(" as {name}")
+            };
+            told.push(match found {
+                Found::OtherType(ty) => {
+                    format!("{} is {} here, and {ty} in the controller{there}", point.name, point.ty)
+                }
+                _ => format!("{} is not in the controller{there}", point.name),
+            });
+        }
+        if more > 0 {
+            told.push(format!("and {more} more"));
+        }
+        told.extend(self.unusable.clone());
+        told
+    }
+}
+
+/// An age in words.
+fn old(age: Duration) -> String {
+    match age.as_secs() {
+        0..60 => format!("{:.1} s old", age.as_secs_f64()),
+        seconds => format!("{} min {} s old", seconds / 60, seconds % 60),
+    }
 }

@@ -16,6 +16,8 @@ pub(crate) mod man;
 pub(crate) mod mcp;
 pub(crate) mod merge;
 pub(crate) mod new;
+#[cfg(feature = "run")]
+pub(crate) mod online;
 #[cfg(feature = "pages")]
 pub(crate) mod pages;
 pub(crate) mod prove;

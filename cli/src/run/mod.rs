@@ -17,15 +17,32 @@ use crate::findings::Source;
 use crate::outcome::{Failure, Outcome};
 use crate::terminal;
 use ladder_analysis::program::Program;
+#[cfg(feature = "run")]
+use ladder_analysis::values::{types::Scalar, value::Value};
+#[cfg(feature = "run")]
+use ladder_simulator::value_text;
 use ladder_simulator::{Fault, Inputs, Simulation, Status};
 use ladder_workspace::shown;
 use std::path::Path;
 use std::sync::Arc;
+#[cfg(feature = "run")]
+use std::time::Duration;
 
 /// How many scans to run, as it is on the command line.
 pub(crate) fn number_of_scans(text: &str) -> Result<u64, String> {
     text.parse()
         .map_err(|_| "write a whole number, such as 100".to_owned())
+}
+
+/// A time that is not negative, as it is on the command line.
+#[cfg(feature = "run")]
+pub(crate) fn time(text: &str) -> Result<Duration, String> {
+    match value_text::parse(text, Scalar::Time)? {
+        Value::Int(nanoseconds) => u64::try_from(nanoseconds)
+            .map(Duration::from_nanos)
+            .map_err(|_| "a time is not negative".to_owned()),
+        _ => Err("write a time, such as 10s".to_owned()),
+    }
 }
 
 /// A program on its way through a number of scans.

@@ -68,6 +68,12 @@ impl<'r> App<'r> {
     }
 
     fn carry_out(&mut self, command: Command) -> Next {
+        if self.plant.watching().is_some() && command.is_for_a_simulation() {
+            self.view.running = true;
+            self.view
+                .refuse("this is a controller that is only watched: nothing is written to it");
+            return Next::Go;
+        }
         let result = match command {
             Command::Set(point, value) => self.plant.set(&point, value),
             Command::Force(point, value) => self.plant.force(&point, value),

@@ -234,18 +234,29 @@ pub(super) const HELP: [&[HelpGroup]; 2] = [
     ],
 ];
 
-/// The keys that always are at the bottom, most important first. `p` says what it would do now.
-pub(super) fn hints(running: bool) -> [(&'static str, &'static str, Action); 9] {
-    [
+/// A key at the bottom, and what it does in a word.
+pub(super) type Hint = (&'static str, &'static str, Action);
+
+/// The keys that always are at the bottom, most important first. `p` says what it would do now. What is only watched is neither
+/// switched nor stepped.
+pub(super) fn hints(running: bool, is_watched: bool) -> Vec<Hint> {
+    let run = ("p", if running { "pause" } else { "run" }, Action::RunOrPause);
+    let watch = ("w", "watch", Action::Watch);
+    let [help, quit] = [("?", "help", Action::Help), ("q", "quit", Action::Quit)];
+    if is_watched {
+        let (why, find) = (("y", "why", Action::Why), ("/", "find", Action::Find));
+        return vec![run, why, find, watch, help, quit];
+    }
+    vec![
         ("space", "switch", Action::Switch),
-        ("p", if running { "pause" } else { "run" }, Action::RunOrPause),
+        run,
         ("s", "step", Action::Scan),
         ("b", "back", Action::Back),
         ("+-", "speed", Action::Faster),
         ("f", "force", Action::Force),
-        ("w", "watch", Action::Watch),
-        ("?", "help", Action::Help),
-        ("q", "quit", Action::Quit),
+        watch,
+        help,
+        quit,
     ]
 }
 

@@ -8,10 +8,14 @@ use crate::run::{self, KeptIn, Plants, Retention, Stimulus};
 use ladder_analysis::program::{Program, Role};
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::{NotWhole, Severity};
+#[cfg(feature = "run")]
+use ladder_simulator::{Options, online::Watching};
 use ladder_simulator::{HistoryLimits, Point, Session, Simulation};
 use ladder_workspace::{Settings, Stamp};
 use std::path::Path;
 use std::sync::Arc;
+#[cfg(feature = "run")]
+use std::time::Duration;
 
 /// This many tags are watched where none are asked for.
 const WATCHED: usize = 4;
@@ -110,6 +114,29 @@ fn plant(
     };
     let inputs = request.stimulus.give(&mut simulation)?;
     let mut plant = Plant::new(source, Session::of(simulation, limits), inputs, retention);
+    for point in &watched {
+        plant.watch(point);
+    }
+    Ok(plant)
+}
+
+/// The program of a controller that is watched.
+#[cfg(feature = "run")]
+pub(super) fn of_controller(
+    source: &Source,
+    controller: String,
+    watching: Watching,
+    every: Duration,
+) -> Result<Plant, Failure> {
+    let program = watching.online().simulation().program().clone();
+    let options = Options {
+        interval: i64::try_from(every.as_nanos()).unwrap_or(i64::MAX),
+        ..Options::default()
+    };
+    let simulation = run::simulation(source, program, options)?;
+    let watched = watched(&simulation, &[])?;
+    let session = Session::of(simulation, HistoryLimits::of_scans(0));
+    let mut plant = Plant::of_controller(source, session, controller, watching);
     for point in &watched {
         plant.watch(point);
     }

@@ -50,17 +50,26 @@ mod wave;
 
 pub(crate) use load::Request;
 
+#[cfg(feature = "run")]
+use crate::findings::Source;
 use crate::outcome::{Failure, Outcome};
+#[cfg(feature = "run")]
+use crate::run::{Plants, Stimulus};
 use crate::terminal::raw_stdout;
 use app::{App, Next};
 use guard::Guard;
+use plant::Plant;
 use ladder_analysis::Cancel;
+#[cfg(feature = "run")]
+use ladder_simulator::online::Watching;
 use ratatui::Terminal;
 use ratatui::backend::CrosstermBackend;
 use ratatui::crossterm::event;
 use ratatui::layout::Rect;
 use signals::Signals;
 use std::io::{self, BufWriter, Stdout};
+#[cfg(feature = "run")]
+use std::path::Path;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 use theme::Theme;
@@ -79,9 +88,14 @@ const LOOK: Duration = Duration::from_secs(1);
 
 /// Shows the screen until the person has seen enough.
 pub(crate) fn run(request: &Request) -> Result<Outcome, Failure> {
-    let Some(plant) = load::first(request)? else {
-        return Ok(Outcome::Findings);
-    };
+    match load::first(request)? {
+        Some(plant) => show_whole(request, plant),
+        None => Ok(Outcome::Findings),
+    }
+}
+
+/// From the terminal as it is found to the terminal as it was.
+fn show_whole(request: &Request, plant: Plant) -> Result<Outcome, Failure> {
     let signals = Signals::watch().map_err(unusable)?;
     let mut app = App::new(Rect::new(0, 0, 80, 24), plant, Theme::of_environment(), request);
     let guard = Guard::enter().map_err(unusable)?;
@@ -93,6 +107,25 @@ pub(crate) fn run(request: &Request) -> Result<Outcome, Failure> {
     ended.map_err(unusable)?;
     saved?;
     Ok(Outcome::Fine)
+}
+
+/// Shows what a controller does until the person has seen enough.
+#[cfg(feature = "run")]
+pub(crate) fn watch(
+    file: &Path,
+    source: &Source,
+    controller: String,
+    (watching, every): (Watching, Duration),
+) -> Result<Outcome, Failure> {
+    let request = Request {
+        file,
+        from: None,
+        plants: &Plants::default(),
+        stimulus: &Stimulus::default(),
+        retain: None,
+        watch: &[],
+    };
+    show_whole(&request, load::of_controller(source, controller, watching, every)?)
 }
 
 fn unusable(error: io::Error) -> Failure {

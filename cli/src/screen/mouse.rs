@@ -1,6 +1,7 @@
 //! What clicks and the wheel do.
 
 use super::draw::hints;
+use super::keys;
 use super::plant::Plant;
 use super::update::Command;
 use super::view::{Mode, View};
@@ -52,7 +53,11 @@ fn click(view: &mut View, at: Position, plant: &Plant) -> Vec<Command> {
         return Vec::new();
     }
     if panes.hints.contains(at)
-        && let Some(action) = hints::at(at.x - panes.hints.x, view.running, panes.hints.width)
+        && let Some(action) = hints::at(
+            at.x - panes.hints.x,
+            keys::hints(view.running, plant.watching().is_some()),
+            panes.hints.width,
+        )
     {
         return view.act(action, plant);
     }

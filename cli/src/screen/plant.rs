@@ -9,6 +9,7 @@ use ladder_analysis::Cancel;
 use ladder_analysis::program::Program;
 use ladder_analysis::values::value::Value;
 use ladder_simulator::chart::{Recorder, Track};
+use ladder_simulator::online::Watching;
 use ladder_simulator::scenario::{self, Recordable, Recorded, Wanted};
 use ladder_simulator::{
     Breakpoint, Changeover, CompileError, Fault, Hit, Inputs, Point, Session, Simulation, Status, Stepped,
@@ -33,6 +34,8 @@ pub(super) struct Plant {
     retention: Option<Retention>,
     /// The values of the watched tags, scan by scan.
     recorder: Recorder,
+    /// The controller that it is shown of, in the place of a simulation.
+    watching: Option<(String, Watching)>,
 }
 
 /// A program on paper, with its files.
@@ -74,7 +77,28 @@ impl Plant {
             inputs,
             retention,
             recorder: Recorder::default(),
+            watching: None,
         }
+    }
+
+    /// The program of a controller that is watched, and what that is called.
+    #[cfg(feature = "run")]
+    pub(super) fn of_controller(
+        source: &Source,
+        session: Session,
+        controller: String,
+        watching: Watching,
+    ) -> Plant {
+        Plant {
+            watching: Some((controller, watching)),
+            ..Plant::new(source, session, Inputs::default(), None)
+        }
+    }
+
+    /// The controller that is watched, if it is not a simulation, and how it is.
+    pub(super) fn watching(&self) -> Option<(&str, &Watching)> {
+        let (controller, watching) = self.watching.as_ref()?;
+        Some((controller, watching))
     }
 
     pub(super) fn simulation(&self) -> &Simulation {
@@ -129,6 +153,15 @@ impl Plant {
 
     /// Runs one scan, or the rest of the one that is open; breakpoints stop it.
     pub(super) fn run_scan(&mut self) -> Ran {
+        if let Some((_, watching)) = &mut self.watching {
+            if watching.look() {
+                let seen = watching.online().simulation();
+                let time = self.session.simulation().options().interval * seen.scans() as i64;
+                self.session.mirror(seen, time);
+                self.recorder.look(&self.session);
+            }
+            return Ran::On;
+        }
         if self.status() != Status::Ready {
             return Ran::Out;
         }
@@ -188,6 +221,11 @@ impl Plant {
 
     /// Why a tag holds what it holds.
     pub(super) fn why(&mut self, point: &Point) -> String {
+        let files = &self.session.simulation().program().files;
+        if let Some((_, watching)) = &mut self.watching {
+            let judged = watching.why(point);
+            return with_wording(&self.members, files, |wording| wording.judged_text(&judged));
+        }
         let why = self.session.why(point);
         let files = &self.session.simulation().program().files;
         with_wording(&self.members, files, |wording| wording.text(&why))

@@ -39,6 +39,32 @@ pub(super) enum Command {
     Quit,
 }
 
+impl Command {
+    /// Whether only a simulation can do it: what is watched is neither written nor stepped.
+    pub(super) fn is_for_a_simulation(&self) -> bool {
+        match self {
+            Command::Why(_)
+            | Command::Watch(_)
+            | Command::Unwatch(_)
+            | Command::Redraw
+            | Command::Stop
+            | Command::Quit => false,
+            Command::Set(..)
+            | Command::Force(..)
+            | Command::Unforce(_)
+            | Command::UnforceAll
+            | Command::Scan
+            | Command::StepBlock
+            | Command::StepRung
+            | Command::Back
+            | Command::Break(_)
+            | Command::Restart(_)
+            | Command::Reload
+            | Command::Record(_) => true,
+        }
+    }
+}
+
 type Commands = Vec<Command>;
 
 impl View {

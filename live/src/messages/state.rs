@@ -30,7 +30,10 @@ pub struct State {
     pub status: Status,
     /// How it is, in words: `running, scan 12, 1.2s, 0.1x speed, 2 forced`.
     pub text: String,
-    /// How many scans are done.
+    /// The controller that is watched, if it is not a simulation.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub controller: Option<Controller>,
+    /// How many scans are done; of a controller how many readings there were.
     pub scan: u64,
     /// The simulation's clock, in milliseconds.
     #[serde(serialize_with = "shortest")]
@@ -92,6 +95,24 @@ impl State {
             ..self.clone()
         }
     }
+}
+
+/// A running controller that is watched. It is read, and never written.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Controller {
+    /// What it is called: `logix:192.168.1.10/0`.
+    pub name: String,
+    /// Whether it answers.
+    pub answers: bool,
+    /// How old its values are, in milliseconds; nothing before there are any.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub age_ms: Option<f64>,
+    /// How it is, in words.
+    pub text: String,
+    /// What it has not, or has otherwise than the program: a sentence each.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub differences: Vec<String>,
 }
 
 /// A change of the program while it ran.

@@ -42,6 +42,7 @@ impl Session {
             clock: Clock::new(move || {
                 Duration::from_nanos(shown.fetch_add(step.load(Ordering::Relaxed), Ordering::Relaxed))
             }),
+            controllers: None,
         });
         let (messages, received) = unbounded();
         let (out, mut spoken) = channel::<String>(0);

@@ -31,7 +31,7 @@ const RULES: [(&str, &[&str]); 22] = [
     ("notation", &[]),
     ("ide", &["simulator"]),
     ("workspace", &["simulator", "notations"]),
-    ("host", &["workspace"]),
+    ("host", &["simulator", "workspace"]),
     (
         "documents",
         &["simulator", "picture", "ide", "notations", "workspace"],
@@ -60,8 +60,11 @@ const RULES: [(&str, &[&str]); 22] = [
             "debugger",
         ],
     ),
-    ("devices", &["simulator"]),
-    ("server", &["workspace", "host", "debugger", "service"]),
+    ("devices", &["simulator", "workspace"]),
+    (
+        "server",
+        &["simulator", "workspace", "host", "debugger", "service", "devices"],
+    ),
     ("playground", &["workspace", "host", "service"]),
     (
         "cli",

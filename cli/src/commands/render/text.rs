@@ -12,7 +12,7 @@ use ladder_syntax::TextRange;
 const RAIL: u32 = 78;
 
 /// The diagram of a program, as it is written or as it is.
-pub(super) fn drawn(source: &Source, simulation: Option<&Simulation>, style: Style) -> String {
+pub(crate) fn drawn(source: &Source, simulation: Option<&Simulation>, style: Style) -> String {
     let context = &source.analyze().context;
     let live = simulation.map(|simulation| live(source, simulation));
     let all = TextRange::up_to(context.parse.text_len());

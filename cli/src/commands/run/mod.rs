@@ -3,7 +3,6 @@
 pub(crate) mod fits;
 mod hands;
 pub(crate) mod served;
-mod signals;
 mod wired;
 
 use crate::findings::Source;
@@ -13,8 +12,6 @@ use crate::run::{KeptIn, Plants, Retention, Stimulus, place, program, simulation
 use crate::terminal;
 use clap::Args;
 use hands::Hands;
-use ladder_analysis::values::types::Scalar;
-use ladder_analysis::values::value::Value;
 use ladder_devices::lateness::Report;
 use ladder_devices::real::{self, Ended};
 use ladder_devices::system;
@@ -97,17 +94,8 @@ pub(crate) struct Arguments {
     no_devices: bool,
 
     /// End after so long a time
-    #[arg(long = "for", value_name = "TIME", value_parser = time)]
+    #[arg(long = "for", value_name = "TIME", value_parser = crate::run::time)]
     length: Option<Duration>,
-}
-
-fn time(text: &str) -> Result<Duration, String> {
-    match value_text::parse(text, Scalar::Time)? {
-        Value::Int(nanoseconds) => u64::try_from(nanoseconds)
-            .map(Duration::from_nanos)
-            .map_err(|_| "a time is not negative".to_owned()),
-        _ => Err("write a time, such as 10s".to_owned()),
-    }
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
@@ -125,7 +113,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         (None, None) => None,
     };
     let retention = retention.map(|file| Retention::begin(file, &arguments.file, &mut loaded.simulation));
-    let asked = signals::asked(arguments.length)
+    let asked = crate::signals::asked(arguments.length)
         .map_err(|error| Failure::new(format!("signals cannot be watched: {error}")))?;
     let interval = Duration::from_nanos(loaded.simulation.options().interval.unsigned_abs());
     let longest = settings.run.watchdog.map_or(interval * INTERVALS, |time| {

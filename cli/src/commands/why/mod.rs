@@ -12,7 +12,7 @@ use crate::terminal::Stdout;
 use crate::values::Given;
 use clap::{Args, ValueEnum};
 use ladder_analysis::program::Program;
-use ladder_simulator::{Judged, Moment, Options, Simulation, Wording};
+use ladder_simulator::{Judged, Moment, Options, Simulation};
 use ladder_workspace::shown;
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -169,23 +169,7 @@ fn people(
     out: &mut Stdout,
 ) -> io::Result<()> {
     let program = moment.simulation().program();
-    let members = source.members(&program.files);
-    let mut lines = Vec::new();
-    with_wording(&members, &program.files, |wording| {
-        reasons(wording, judged, 0, &mut lines);
-    });
-    for line in &lines {
-        writeln!(out, "{}", shown::line(line))?;
-    }
-    let mut drawn: Vec<usize> = judged.judgements.iter().map(|it| it.network).collect();
-    drawn.dedup();
-    for network in drawn {
-        let location = program.networks[network].location;
-        if location.file == 0 {
-            let drawing = text::network(source, moment.simulation(), location.range);
-            write!(out, "\n{}", shown::text(&drawing))?;
-        }
-    }
+    reasons(source, moment.simulation(), judged, out)?;
     let mut note = |what: &str, names: Vec<String>| -> io::Result<()> {
         if names.is_empty() {
             return Ok(());
@@ -214,15 +198,27 @@ fn people(
     note("in the table, and not in the program", unknown.collect())
 }
 
-/// A line for each tag, those that it was followed back to below it.
-fn reasons(wording: &Wording<'_>, judged: &Judged, depth: usize, lines: &mut Vec<String>) {
-    lines.push(format!(
-        "{:indent$}{}",
-        "",
-        wording.judged(judged),
-        indent = depth * 2
-    ));
-    for because in &judged.because {
-        reasons(wording, because, depth + 1, lines);
+/// A line for each tag, and the networks that write the first, with their power.
+pub(crate) fn reasons(
+    source: &Source,
+    simulation: &Simulation,
+    judged: &Judged,
+    out: &mut Stdout,
+) -> io::Result<()> {
+    let program = simulation.program();
+    let members = source.members(&program.files);
+    let text = with_wording(&members, &program.files, |wording| wording.judged_text(judged));
+    for line in text.lines() {
+        writeln!(out, "{}", shown::line(line))?;
     }
+    let mut drawn: Vec<usize> = judged.judgements.iter().map(|it| it.network).collect();
+    drawn.dedup();
+    for network in drawn {
+        let location = program.networks[network].location;
+        if location.file == 0 {
+            let drawing = text::network(source, simulation, location.range);
+            write!(out, "\n{}", shown::text(&drawing))?;
+        }
+    }
+    Ok(())
 }

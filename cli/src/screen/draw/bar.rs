@@ -13,6 +13,17 @@ pub(super) fn draw(buffer: &mut Buffer, pane: Rect, scene: Scene) {
     let style = reversed();
     put(buffer, pane, 0, 0, &" ".repeat(pane.width as usize), style);
     let unicode = theme.charset == Charset::Unicode;
+    if let Some((controller, watching)) = plant.watching() {
+        let sign = match (view.running, unicode) {
+            (true, true) => "▶ ONLINE",
+            (true, false) => "> ONLINE",
+            (false, true) => "■ HELD",
+            (false, false) => ". HELD",
+        };
+        let left = format!(" {}  {sign}  {controller}  {}", plant.sheet.file, watching.status());
+        put(buffer, pane, 0, 0, &left, style);
+        return;
+    }
     let (sign, state) = match plant.status() {
         Status::Ended => (if unicode { "■" } else { "." }, "ENDED".to_owned()),
         Status::Faulted => ("!", "STOPPED BY A FAULT".to_owned()),

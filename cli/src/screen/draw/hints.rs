@@ -1,7 +1,7 @@
 //! The keys at the bottom. They can be clicked.
 
 use super::{Scene, put};
-use crate::screen::keys::{self, Action};
+use crate::screen::keys::{self, Action, Hint};
 use ladder_format::display_width;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -12,7 +12,7 @@ const WIDE: u16 = 90;
 
 pub(super) fn draw(buffer: &mut Buffer, pane: Rect, scene: Scene) {
     let mut column = 1;
-    for (key, does, _) in keys::hints(scene.view.running) {
+    for (key, does, _) in keys::hints(scene.view.running, scene.plant.watching().is_some()) {
         let end = put(buffer, pane, column, 0, key, scene.theme.key());
         put(buffer, pane, end, 0, &format!(" {does}"), Style::new());
         column += width(key, does, pane.width);
@@ -20,9 +20,9 @@ pub(super) fn draw(buffer: &mut Buffer, pane: Rect, scene: Scene) {
 }
 
 /// What a click on a column does.
-pub(in crate::screen) fn at(wanted: u16, running: bool, pane_width: u16) -> Option<Action> {
+pub(in crate::screen) fn at(wanted: u16, hints: Vec<Hint>, pane_width: u16) -> Option<Action> {
     let mut column = 1;
-    for (key, does, action) in keys::hints(running) {
+    for (key, does, action) in hints {
         let next = column + width(key, does, pane_width);
         if (column..next).contains(&wanted) {
             return Some(action);

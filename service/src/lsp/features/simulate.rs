@@ -386,6 +386,7 @@ mod tests {
             program: 0,
             status: Status::Paused,
             text: String::new(),
+            controller: None,
             scan: 0,
             time_ms: 0.0,
             scenes: Vec::new(),

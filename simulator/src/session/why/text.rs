@@ -97,6 +97,25 @@ impl<'t> Wording<'t> {
         line
     }
 
+    /// The reasons of a judgement for people: a line for each tag, those that it was followed back to below it.
+    pub fn judged_text(&self, judged: &Judged) -> String {
+        let mut lines = Vec::new();
+        self.judged_lines(judged, 0, &mut lines);
+        lines.join("\n")
+    }
+
+    fn judged_lines(&self, judged: &Judged, depth: usize, lines: &mut Vec<String>) {
+        lines.push(format!(
+            "{:indent$}{}",
+            "",
+            self.judged(judged),
+            indent = depth * 2
+        ));
+        for because in &judged.because {
+            self.judged_lines(because, depth + 1, lines);
+        }
+    }
+
     /// Why a tag holds what a table says, or what contradicts that: one sentence, without the tags that it was followed back to.
     pub fn judged(&self, judged: &Judged) -> String {
         let point = &judged.point;

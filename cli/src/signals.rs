@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 const CHECK: Duration = Duration::from_millis(50);
 
 /// What the process is asked for from now on. A second signal to end ends it at once.
-pub(super) fn asked(length: Option<Duration>) -> io::Result<Receiver<Asked>> {
+pub(crate) fn asked(length: Option<Duration>) -> io::Result<Receiver<Asked>> {
     let ending = Arc::<AtomicBool>::default();
     for signal in [SIGINT, SIGTERM] {
         // In this order: the first signal finds the flag low, and sets it.
