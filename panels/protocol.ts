@@ -85,6 +85,18 @@ export interface Fault {
     readonly scan: number;
 }
 
+/** A running controller that is watched: it is read, and never written. */
+export interface Controller {
+    readonly name: string;
+    readonly answers: boolean;
+    /** Of its values, in milliseconds; none before there are any. */
+    readonly ageMs?: number;
+    /** How it is, in words. */
+    readonly text: string;
+    /** What it has otherwise than the program: a sentence each. */
+    readonly differences?: readonly string[];
+}
+
 export interface State {
     readonly session: string;
     readonly uri: string;
@@ -105,6 +117,8 @@ export interface State {
     readonly status: 'paused' | 'running' | 'ended' | 'faulted';
     /** How it is, in words. */
     readonly text: string;
+    /** The controller that is watched, if it is not a simulation. */
+    readonly controller?: Controller;
     readonly scan: number;
     readonly timeMs: number;
     /** How many scans can be stepped back, and how many were stepped back from. */
@@ -255,7 +269,7 @@ export interface DebuggerMessage {
 
 /** What each command takes besides the session, and what it answers. */
 export interface Commands {
-    start: { argument: { uri: string; options: { show: Shown } }; answer: Started };
+    start: { argument: { uri: string; options: { show: Shown; online?: boolean } }; answer: Started };
     debug: { argument: { launch: object; options: { show: Shown } }; answer: Started & { joined?: boolean } };
     step: { argument: { scans: number }; answer: State };
     stepBlock: { argument: object; answer: State };

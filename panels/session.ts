@@ -72,8 +72,15 @@ export class Session<Document extends SimulatedText = SimulatedText> {
         this.take(state);
     }
 
-    static async start<Document extends SimulatedText>(document: Document, shown: Shown, send: Send): Promise<Session<Document>> {
-        const started = await send('start', { uri: document.uri.toString(), options: { show: shown } });
+    /** @param online whether the controller is shown that runs it, in the place of a simulation */
+    static async start<Document extends SimulatedText>(
+        document: Document,
+        shown: Shown,
+        send: Send,
+        online = false,
+    ): Promise<Session<Document>> {
+        const options = { show: shown, ...(online && { online }) };
+        const started = await send('start', { uri: document.uri.toString(), options });
         return new Session(document, started, shown, send);
     }
 

@@ -198,6 +198,7 @@ A comment ends at the very next one."
   "Keys of `ladder-mode'.")
 
 (autoload 'ladder-start "ladder-simulation" "Start a simulation of the program in this buffer." t)
+(autoload 'ladder-online "ladder-simulation" "Show what the controller is doing that ladder.toml names." t)
 
 ;;;###autoload
 (define-derived-mode ladder-mode prog-mode "Ladder"

@@ -77,6 +77,17 @@ The state that comes is drawn."
 (defun ladder-start ()
   "Start a simulation of the program in this buffer."
   (interactive)
+  (ladder--begin (make-hash-table)))
+
+;;;###autoload
+(defun ladder-online ()
+  "Show what the controller is doing that ladder.toml names.
+It is read, and never written."
+  (interactive)
+  (ladder--begin '(:online t)))
+
+(defun ladder--begin (options)
+  "Begin a session of the program in this buffer with OPTIONS."
   (unless (eglot-current-server)
     (user-error "Ladder: the language server does not run here; M-x eglot starts it"))
   (when ladder--state
@@ -84,7 +95,7 @@ The state that comes is drawn."
   ;; What was typed just now is not sent yet.
   (eglot--signal-textDocument/didChange)
   (let* ((uri (plist-get (eglot--TextDocumentIdentifier) :uri))
-         (started (ladder--request "start" :uri uri :options (make-hash-table))))
+         (started (ladder--request "start" :uri uri :options options)))
     (ladder-simulation-mode 1)
     (ladder--receive (plist-get started :state))
     (seq-doseq (note (plist-get started :notes))
@@ -299,7 +310,10 @@ Without one a tag is asked for, with VERB."
 
 (defun ladder--header ()
   "How the simulation is, for the header line."
-  (format " %s   F5 run  F6 pause  F10 step  F8 back  F4 toggle" (plist-get ladder--state :text)))
+  (let ((keys (if (plist-get ladder--state :controller)
+                  "F6 hold  F5 go on"
+                "F5 run  F6 pause  F10 step  F8 back  F4 toggle")))
+    (format " %s   %s" (plist-get ladder--state :text) keys)))
 
 (defun ladder--forget ()
   "There is no simulation of this buffer any more."

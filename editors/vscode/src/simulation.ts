@@ -20,6 +20,9 @@ const LONGEST_REST = 250;
 /** So many states are kept of sessions that are only just starting: the server sends each of them one, and waits. */
 const MOST_EARLY = 4;
 
+/** So many of the ways in which a controller differs are told in one message; the status bar has all. */
+const MOST_TOLD = 3;
+
 export class Simulation implements vscode.Disposable {
     readonly #sessions = new Map<string, Session>();
     readonly #context = new Map<string, boolean>();
@@ -69,18 +72,37 @@ export class Simulation implements vscode.Disposable {
      * @param prepare what is done before, and says whether it runs then; else the settings do
      */
     async start(given?: vscode.TextDocument, prepare?: (session: Session) => Promise<boolean>): Promise<void> {
+        const session = await this.#begin(given, false);
+        if (!session) {
+            return;
+        }
+        const paused = vscode.workspace.getConfiguration('ladder.start', session.document.uri).get<boolean>('paused', false);
+        if (await (prepare?.(session) ?? !paused)) {
+            const state = await this.#tell(session.command('run', {}));
+            if (state) {
+                this.#show(session, state);
+            }
+        }
+    }
+
+    /** Shows what the controller does that ladder.toml names, in the place of a simulation. */
+    async goOnline(): Promise<void> {
+        await this.#begin(undefined, true);
+    }
+
+    async #begin(given: vscode.TextDocument | undefined, online: boolean): Promise<Session | undefined> {
         const document = given ?? this.#lastDocument;
         this.#lastDocument = document;
         if (!document) {
             void vscode.window.showWarningMessage('Open a ladder program (.clad) to simulate it.');
-            return;
+            return undefined;
         }
         await this.#end(document);
         const { version } = document;
         const send: Parameters<typeof Session.start>[2] = (name, argument) => this.#server.simulate(name, argument);
-        const session = await this.#tell(Session.start(document, this.#shown(document), send));
+        const session = await this.#tell(Session.start(document, this.#shown(document), send, online));
         if (!session) {
-            return;
+            return undefined;
         }
         this.#enter(session);
         await this.#sendBreakpoints(session, true);
@@ -89,13 +111,7 @@ export class Simulation implements vscode.Disposable {
         }
         this.#announce(document);
         this.look();
-        const paused = vscode.workspace.getConfiguration('ladder.start', document.uri).get<boolean>('paused', false);
-        if (await (prepare?.(session) ?? !paused)) {
-            const state = await this.#tell(session.command('run', {}));
-            if (state) {
-                this.#show(session, state);
-            }
-        }
+        return session;
     }
 
     /** A session is there: what it has to say, and where it begins. */
@@ -274,7 +290,7 @@ export class Simulation implements vscode.Disposable {
     async #sendBreakpoints(session: Session, atStart: boolean): Promise<void> {
         const lines = breakpointLines(vscode.debug.breakpoints, session.document.uri.toString());
         const tags = [...session.watchedTags];
-        if (session.isDebugged || (atStart && lines.length === 0)) {
+        if (session.isDebugged || session.state.controller || (atStart && lines.length === 0)) {
             return;
         }
         const state = await this.#tell(session.command('breakpoints', { lines, tags }));
@@ -334,7 +350,13 @@ export class Simulation implements vscode.Disposable {
                 void vscode.window.showInformationMessage(`Ladder: ${state.hit.message}.`);
             }
             const before = session.state.change?.number;
+            const known = session.state.controller?.differences?.length ?? 0;
             session.take(state);
+            const differences = state.controller?.differences ?? [];
+            if (known === 0 && differences.length > 0) {
+                const more = differences.length > MOST_TOLD ? ` And ${differences.length - MOST_TOLD} more.` : '';
+                void vscode.window.showWarningMessage(`Ladder: ${differences.slice(0, MOST_TOLD).join('. ')}.${more}`);
+            }
             if (state.change && state.change.number !== before) {
                 for (const { message } of state.change.lost ?? []) {
                     void vscode.window.showInformationMessage(`Ladder: ${message}.`);
@@ -400,7 +422,8 @@ export class Simulation implements vscode.Disposable {
     #announce(document: vscode.TextDocument): void {
         const session = this.current;
         this.#setContext('ladder.open', this.#lastDocument !== undefined);
-        this.#setContext('ladder.simulating', session !== undefined);
+        this.#setContext('ladder.simulating', session !== undefined && !session.state.controller);
+        this.#setContext('ladder.online', session?.state.controller !== undefined);
         this.#setContext('ladder.running', session?.state.status === 'running');
         this.#changed.fire(document);
     }
@@ -442,6 +465,10 @@ export class Simulation implements vscode.Disposable {
     }
 
     async #offerAgain({ document, state, deeds, isDebugged }: Session): Promise<void> {
+        if (state.controller) {
+            void vscode.window.showWarningMessage(`Ladder: the language server has ended, and nothing is seen of ${state.controller.name} any more.`);
+            return;
+        }
         const again = 'Start It Again as It Was';
         const name = vscode.workspace.asRelativePath(document.uri);
         const message = `Ladder: the language server has ended, and the simulation of ${name} with it, after ${state.scan} scans.`;

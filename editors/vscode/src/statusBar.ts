@@ -2,7 +2,7 @@
 import * as vscode from 'vscode';
 
 import { Pace } from '../../../panels/pace.ts';
-import type { State } from '../../../panels/protocol.ts';
+import type { Controller, State } from '../../../panels/protocol.ts';
 import type { Simulation } from './simulation.ts';
 
 /** Nobody reads it more often, and the editor lays its bar out again each time. In milliseconds. */
@@ -17,6 +17,14 @@ const icons: Readonly<Record<State['status'], string>> = {
     faulted: '$(error)',
 };
 
+const ONLINE = '$(radio-tower)';
+
+/** What a controller that is watched has otherwise, and what is to be known of any. */
+function onlineHelp({ name, differences = [] }: Controller): string {
+    const about = `Values of the controller ${name}. Nothing is written to it. The values of one reading are not from one scan.`;
+    return [about, ...differences].join('\n');
+}
+
 export function showStatus(simulation: Simulation): vscode.Disposable {
     const item = vscode.window.createStatusBarItem('ladder.simulation', vscode.StatusBarAlignment.Left, 0);
     item.name = 'Ladder Simulation';
@@ -27,11 +35,13 @@ export function showStatus(simulation: Simulation): vscode.Disposable {
             item.hide();
             return;
         }
-        const { status, text, stale, faults, forced } = session.state;
-        const warning = stale || faults.length > 0 || forced > 0;
+        const { status, text, stale, faults, forced, controller } = session.state;
+        const isInDoubt = controller !== undefined && (!controller.answers || controller.differences !== undefined);
+        const warning = stale || faults.length > 0 || forced > 0 || isInDoubt;
         session.isDrawing = true;
-        item.text = `${icons[status]} Ladder: ${text}`;
-        item.tooltip = stale ? STALE : (faults.at(-1)?.message ?? 'Simulation of the ladder program. Click to show its tags.');
+        item.text = `${controller ? ONLINE : icons[status]} Ladder: ${text}`;
+        const about = controller ? onlineHelp(controller) : 'Simulation of the ladder program. Click to show its tags.';
+        item.tooltip = stale ? STALE : (faults.at(-1)?.message ?? about);
         item.backgroundColor = warning ? new vscode.ThemeColor('statusBarItem.warningBackground') : undefined;
         item.show();
     };

@@ -122,6 +122,16 @@ local subcommands = {
       require('ladder.click').start(buffer())
     end,
   },
+  online = {
+    run = function()
+      simulation().go_online(drawing())
+    end,
+  },
+  offline = {
+    run = function()
+      simulation().stop(drawing())
+    end,
+  },
   step = {
     run = function(arguments)
       simulation().command(drawing(), 'step', { scans = count(arguments[1], 1) })

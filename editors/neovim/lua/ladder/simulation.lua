@@ -225,9 +225,15 @@ function M.start(bufnr, options)
       notify(note, vim.log.levels.WARN)
     end
   end)
-  if breakpoints.any(bufnr) then
+  if breakpoints.any(bufnr) and not (options and options.online) then
     M.command(bufnr, 'breakpoints', breakpoints.argument(bufnr))
   end
+end
+
+--- Shows what the controller does that ladder.toml names, in the place of a simulation. It is read, and never written.
+--- @param bufnr integer
+function M.go_online(bufnr)
+  M.start(bufnr, { online = true })
 end
 
 --- Starts a session as a person does: it runs, unless `g:ladder_start_paused` is set, and its first rung is in sight.
