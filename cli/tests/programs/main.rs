@@ -29,6 +29,7 @@ mod merge;
 mod mutation;
 mod new;
 mod one_file;
+mod online;
 mod outside;
 mod own_library;
 mod pages;

@@ -1,9 +1,11 @@
 //! The server on one thread, with files in memory and a clock that goes on only when there is nothing else to do: what is seen
 //! here is the same each time.
 
+mod online;
 mod session;
 
 use serde_json::{Value, json};
+use online::Desk;
 use session::Session;
 
 const URI: &str = "file:///plant/motor.clad";
@@ -11,7 +13,12 @@ const CONTACT: &str = "+--[ ]( a )--( )( y )--+\n";
 
 /// A client that has opened a program, in a workspace with these files besides.
 fn opened(text: &str, files: &[(&str, &str)]) -> Session {
-    let mut session = Session::with(files);
+    opened_beside(text, files, None)
+}
+
+/// The same, where there is a way to controllers.
+fn opened_beside(text: &str, files: &[(&str, &str)], controllers: Option<Desk>) -> Session {
+    let mut session = Session::beside(controllers, files);
     session.ask(
         "initialize",
         json!({"rootUri": "file:///plant", "capabilities": {}}),

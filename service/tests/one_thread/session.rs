@@ -7,10 +7,12 @@ use std::time::Duration;
 
 use futures::StreamExt;
 use futures::channel::mpsc::{UnboundedSender, channel, unbounded};
-use ladder_host::{Busy, Clock, EventLoop, Host, Wait, World};
+use ladder_host::{Busy, Clock, Controllers, EventLoop, Host, Wait, World};
 use ladder_service::{Received, serve};
 use ladder_workspace::{Disk, MemoryDisk};
 use serde_json::{Value, json};
+
+use crate::online::Desk;
 
 /// What comes this much later is not waited for after a message.
 const SOON: Duration = Duration::from_secs(2);
@@ -31,6 +33,11 @@ pub(crate) struct Session {
 
 impl Session {
     pub(crate) fn with(files: &[(&str, &str)]) -> Session {
+        Session::beside(None, files)
+    }
+
+    /// The same, where there is a way to controllers.
+    pub(crate) fn beside(controllers: Option<Desk>, files: &[(&str, &str)]) -> Session {
         let disk = MemoryDisk::default();
         for (name, text) in files {
             disk.write(&Path::new("/plant").join(name), text.as_bytes());
@@ -42,7 +49,7 @@ impl Session {
             clock: Clock::new(move || {
                 Duration::from_nanos(shown.fetch_add(step.load(Ordering::Relaxed), Ordering::Relaxed))
             }),
-            controllers: None,
+            controllers: controllers.map(|desk| Arc::new(desk) as Arc<dyn Controllers>),
         });
         let (messages, received) = unbounded();
         let (out, mut spoken) = channel::<String>(0);

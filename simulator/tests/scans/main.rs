@@ -21,6 +21,7 @@ mod groups;
 mod inputs;
 mod literals_and_types;
 mod logix;
+mod online;
 mod order;
 mod parts;
 mod plants;

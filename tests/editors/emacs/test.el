@@ -323,5 +323,20 @@
     (unless (seq-find (lambda (one) (string-search "never up and down" (plist-get one :title))) offered)
       (error "%S" (mapcar (lambda (one) (plist-get one :title)) offered)))))
 
+(step "the power of a running controller is shown in the text"
+  (open "watched.clad")
+  (write-region (format "[online]\nmodbus = \"%s\"\n" (getenv "LADDER_CONTROLLER")) nil
+                (expand-file-name "ladder.toml" default-directory) nil 'quiet)
+  (jsonrpc-notify (eglot-current-server) :workspace/didChangeWatchedFiles
+                  (list :changes (vector (list :uri (eglot--path-to-uri (expand-file-name "ladder.toml")) :type 2))))
+  (ladder-online)
+  (eventually "the values" (string-search "READ ONLY; values" (or (plist-get ladder--state :text) "")))
+  (eventually "the power" (seq-find (lambda (line) (string-search "( )( run )" line)) (faced 'ladder-power-on)))
+  (condition-case problem
+      (progn (ladder-set "start" "FALSE") (error "Nothing was refused"))
+    (error (unless (string-search "only watched" (error-message-string problem))
+             (error "%s" (error-message-string problem)))))
+  (ladder-stop))
+
 (kill-emacs (if (= failed 0) 0 1))
 ;;; test.el ends here

@@ -1,7 +1,7 @@
 // Opens VS Code (code-server) in a headless browser with the packaged extension, lets the probe run in the extension
 // host, and looks at the page: what has power must be bold, and values must be after the lines.
 import assert from 'node:assert/strict';
-import { cpSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 import { access, SEEN, SEEN_TEXT } from './access.mjs';
@@ -22,6 +22,7 @@ import { PENNED, pen } from './pen.mjs';
 import { files as PROPERTIES, proofs } from './proofs.mjs';
 import { PROGRAMS, running } from './running.mjs';
 import { FILE as SCENARIO_FILE, files as SCENARIOS, scenarios } from './scenarios.mjs';
+import { online, WATCHED } from './online.mjs';
 import { MACHINE, scene } from './scene.mjs';
 import { failures, step, tell, whenFailed } from './steps.mjs';
 import { CROOKED, lines, NAME, RUNG, SAVED, typing } from './typing.mjs';
@@ -57,8 +58,9 @@ function prepare() {
     writeFileSync(join(scratch, 'project/watch.clad'), '+--[TON]( clock, T#1h )--( )( late )--+\n');
     writeFileSync(join(scratch, 'project', DRAWN), DRAWN_TEXT);
     comparedProgram(join(scratch, 'project'));
+    mkdirSync(join(scratch, 'project/watched'));
     emptyFiles(join(scratch, 'project'));
-    for (const [name, text] of Object.entries({ ...programs, ...PENNED, ...MACHINE, ...PROGRAMS, ...SCENARIOS, ...PROPERTIES })) {
+    for (const [name, text] of Object.entries({ ...programs, ...PENNED, ...MACHINE, ...WATCHED, ...PROGRAMS, ...SCENARIOS, ...PROPERTIES })) {
         writeFileSync(join(scratch, 'project', name), text);
     }
 }
@@ -375,6 +377,7 @@ const parts = (page) => ({
     drawing: () => drawing(page, { step, until }),
     pen: () => pen(page, { step, until, screenshot }),
     scene: () => scene(page, { step, until, screenshot }),
+    online: () => online(page, { step, until, weights, screenshot }),
     foreign: () => foreign(page, { step, until, screenshot }),
     dying: () => dying(page, { step, until, screenshot, scratch, answer }),
     book: () => book(page, { step, until, project: join(scratch, 'project') }),

@@ -1,7 +1,8 @@
 //! What inputs did, reading by reading, in a file that a simulation plays.
 //!
-//! The first row has everything that was read, so that a simulation begins as the controller was; those after it have what
-//! the program takes from outside, as far as it has changed. A row stands for one interval: where nothing was read it is empty.
+//! The first row has all tags that were read, so that latches begin as they were, but not timers and counters, which begin with
+//! their rung; those after it have what the program takes from outside, as far as it has changed. A row stands for one interval:
+//! where nothing was read it is empty.
 
 use super::report::cell;
 use super::{Arguments, heading};
@@ -33,7 +34,9 @@ pub(super) fn record(
         named.extend(points.into_iter().map(|point| point.name));
     }
     let points = watching.online().points().into_iter();
-    let points: Vec<Point> = points.filter(|point| watching.online().is_known(point)).collect();
+    let is_recorded =
+        |point: &Point| watching.online().is_known(point) && (point.takes_force() || named.contains(&point.name));
+    let points: Vec<Point> = points.filter(is_recorded).collect();
     let asked = crate::signals::asked(arguments.length)
         .map_err(|error| Failure::new(format!("signals cannot be watched: {error}")))?;
     let mut out = Output::open(Some(file), Existing::by(arguments.force))?;

@@ -164,6 +164,7 @@ fn selection(scene: Scene) -> String {
         };
         text.push_str(&format!(": {role}{} is {}", point.name, value_of(point, plant)));
         let hint = match point.is_input {
+            _ if plant.watching().is_some() => "",
             _ if plant.is_forced(point) => "; u lets it go",
             true => "; space switches it",
             false => "",

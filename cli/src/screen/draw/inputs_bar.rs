@@ -17,7 +17,11 @@ pub(super) fn draw(buffer: &mut Buffer, pane: Rect, scene: Scene) {
         0 => String::new(),
         more => format!("{more} more: / finds them"),
     };
-    heading(buffer, pane, "Inputs: press the number", &more, theme);
+    let title = match plant.watching() {
+        None => "Inputs: press the number",
+        Some(_) => "Inputs",
+    };
+    heading(buffer, pane, title, &more, theme);
     for entry in &flow.entries {
         let point = &inputs::numbered(plant)[entry.index];
         let line = entry.line + 1;

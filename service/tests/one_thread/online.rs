@@ -1,0 +1,192 @@
+//! A controller in the place of a simulation: one that tells what a test says.
+
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex};
+use std::time::Duration;
+
+use expect_test::expect;
+use ladder_analysis::values::value::Value as Held;
+use ladder_host::{Connection, Controllers};
+use ladder_simulator::online::{Connection as State, Found, Newest, Online, Wanted, Watched};
+use serde_json::{Value, json};
+
+use crate::session::Session;
+use crate::{URI, command, opened_beside};
+
+const MOTOR: &str = "VAR n : INT; END_VAR\n+--\\--[ ]( start )--\\--[/]( stop )--( )( run )--+\n|  /--[ ]( run )----/                           |\n+--[GT]( n, 5 )--( )( high )--------------------+\n";
+
+/// What the controllers of all sessions hold.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Desk(Arc<Mutex<HashMap<String, Held>>>);
+
+impl Desk {
+    fn set(&self, values: &[(&str, Held)]) {
+        let values = values.iter().map(|(name, value)| ((*name).to_owned(), value.clone()));
+        self.0.lock().unwrap().extend(values);
+    }
+}
+
+impl Controllers for Desk {
+    fn watch(
+        &self,
+        asked: &ladder_workspace::Online,
+        stem: &str,
+        program: &Online,
+    ) -> Result<Connection, String> {
+        let address = asked.modbus.clone().ok_or("no address")?;
+        let wanted = program.points().into_iter().map(|point| Wanted {
+            name: point.name.clone(),
+            point,
+        });
+        let watch = Watch {
+            desk: self.clone(),
+            wanted: wanted.collect(),
+            snapshots: AtomicU64::new(0),
+        };
+        Ok((format!("{stem}@{address}"), Box::new(watch)))
+    }
+}
+
+/// Each look is a reading.
+#[derive(Debug)]
+struct Watch {
+    desk: Desk,
+    wanted: Vec<Wanted>,
+    snapshots: AtomicU64,
+}
+
+impl Watched for Watch {
+    fn wanted(&self) -> &[Wanted] {
+        &self.wanted
+    }
+
+    fn newest(&self) -> Newest {
+        let held = self.desk.0.lock().unwrap();
+        let values: Vec<Option<Held>> = self.wanted.iter().map(|it| held.get(&it.name).cloned()).collect();
+        let found = values.iter().map(|value| match value {
+            Some(_) => Found::Here,
+            None => Found::Missing,
+        });
+        Newest {
+            connection: State::Open,
+            found: found.collect(),
+            snapshots: self.snapshots.fetch_add(1, Ordering::Relaxed),
+            values: values.into(),
+            age: Some(Duration::from_millis(100)),
+            took: Duration::from_millis(3),
+        }
+    }
+}
+
+fn online() -> (Session, Desk) {
+    let desk = Desk::default();
+    let files = [("ladder.toml", "[online]\nmodbus = \"10.0.0.5:502\"\n")];
+    let mut session = opened_beside(MOTOR, &files, Some(desk.clone()));
+    desk.set(&[
+        ("start", Held::Bool(true)),
+        ("stop", Held::Bool(false)),
+        ("run", Held::Bool(true)),
+        ("high", Held::Bool(false)),
+    ]);
+    let started = command(&mut session, "start", json!({"uri": URI, "options": {"online": true}}));
+    assert_eq!(started["session"], "s1", "{started}");
+    session.wait(250);
+    (session, desk)
+}
+
+fn state(session: &mut Session) -> Value {
+    command(session, "state", json!({"session": "s1"}))
+}
+
+fn power(state: &Value, line: u64) -> Vec<bool> {
+    let power = state["power"].as_array().unwrap().iter();
+    let own = power.filter(|it| it["range"]["start"]["line"] == line);
+    own.map(|it| it["on"] == true).collect()
+}
+
+#[test]
+fn values_and_power_are_those_of_the_controller() {
+    let (mut session, desk) = online();
+    let seen = state(&mut session);
+    expect![[""]].assert_eq(&format!("{:#}", json!([seen["text"], seen["status"], seen["controller"]])));
+    assert!(power(&seen, 1).iter().all(|on| *on), "{seen}");
+    desk.set(&[("stop", Held::Bool(true)), ("run", Held::Bool(false)), ("n", Held::Int(7)), ("high", Held::Bool(true))]);
+    session.wait(250);
+    let seen = state(&mut session);
+    assert_eq!(power(&seen, 1).last(), Some(&false), "{seen}");
+    assert!(power(&seen, 3).iter().all(|on| *on), "{seen}");
+    let why = command(&mut session, "why", json!({"session": "s1", "tag": "run"}));
+    expect![[""]].assert_eq(why["text"].as_str().unwrap());
+}
+
+#[test]
+fn what_stays_against_the_program_is_a_fault_of_its_rung() {
+    let (mut session, desk) = online();
+    desk.set(&[("high", Held::Bool(true)), ("n", Held::Int(0))]);
+    session.wait(400);
+    let seen = state(&mut session);
+    expect![[""]].assert_eq(&format!("{:#}", seen["faults"]));
+}
+
+#[test]
+fn nothing_that_writes_or_stops_is_done() {
+    let (mut session, _) = online();
+    for (name, given) in [
+        ("set", json!({"tag": "start", "value": false})),
+        ("force", json!({"tag": "start", "value": false})),
+        ("unforce", json!({})),
+        ("pulse", json!({"tag": "start"})),
+        ("step", json!({})),
+        ("stepRung", json!({})),
+        ("back", json!({})),
+        ("reset", json!({})),
+        ("warmRestart", json!({})),
+        ("breakpoints", json!({"lines": [1]})),
+        ("record", json!({})),
+    ] {
+        let mut argument = json!({"session": "s1"});
+        argument.as_object_mut().unwrap().extend(given.as_object().unwrap().clone());
+        let answer = session.ask(
+            "workspace/executeCommand",
+            json!({"command": format!("ladder.simulate.{name}"), "arguments": [argument]}),
+        );
+        let message = answer["error"]["message"].as_str().unwrap_or_default();
+        assert!(message.contains("only watched"), "{name}: {answer}");
+    }
+    session.wait(250);
+    assert_eq!(state(&mut session)["status"], "running");
+}
+
+#[test]
+fn an_edit_is_watched_on() {
+    let (mut session, _) = online();
+    let text = MOTOR.replace("[/]( stop )", "[ ]( stop )");
+    session.notify(
+        "textDocument/didChange",
+        json!({"textDocument": {"uri": URI, "version": 2}, "contentChanges": [{"text": text}]}),
+    );
+    session.wait(600);
+    let seen = state(&mut session);
+    assert_eq!(seen["version"], 2, "{seen}");
+    assert!(seen["faults"].to_string().contains("run is not what this rung makes it"), "{seen}");
+}
+
+#[test]
+fn without_a_way_or_a_name_there_is_a_sentence() {
+    let refused = |files: &[(&str, &str)], desk| {
+        let mut session = opened_beside(MOTOR, files, desk);
+        let start = json!({"uri": URI, "options": {"online": true}});
+        let answer = session.ask(
+            "workspace/executeCommand",
+            json!({"command": "ladder.simulate.start", "arguments": [start]}),
+        );
+        answer["error"]["message"].as_str().unwrap_or_default().to_owned()
+    };
+    let all = [
+        refused(&[], None),
+        refused(&[], Some(Desk::default())),
+        refused(&[("ladder.toml", "[online]\nevery = \"1s\"\n")], Some(Desk::default())),
+    ];
+    expect![[""]].assert_eq(&all.join("\n"));
+}
