@@ -5,7 +5,7 @@ use crate::harness::Folder;
 use crate::real_time::Running;
 use expect_test::expect;
 
-const PRESS: &str = "VAR_INPUT\n    start AT %IX0.0, stop AT %IX0.1 : BOOL;\n    level AT %IW3 : INT;\nEND_VAR\nVAR_OUTPUT\n    run AT %QX0.0, high AT %QX0.1, spare : BOOL;\nEND_VAR\n\n\
+const PRESS: &str = "VAR_INPUT\n    start AT %IX0.0 : BOOL;\n    stop AT %IX0.1 : BOOL;\n    level AT %IW3 : INT;\nEND_VAR\nVAR_OUTPUT\n    run AT %QX0.0 : BOOL;\n    high AT %QX0.1 : BOOL;\n    spare : BOOL;\nEND_VAR\n\n\
     +--\\--[ ]( start )--\\--[/]( stop )--( )( run )--+\n|  /--[ ]( run )----/                           |\n\
     +--[GT]( level, 50 )--[ ]( spare )--( )( high )-+\n";
 

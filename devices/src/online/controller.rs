@@ -9,10 +9,10 @@ use std::ops::Range;
 use std::time::Duration;
 
 /// From one reading to the next, unless something else is asked for.
-const EVERY: Duration = Duration::from_millis(200);
+pub const EVERY: Duration = Duration::from_millis(200);
 
 /// An answer that has not come for so long does not come.
-const PATIENCE: Duration = Duration::from_secs(2);
+pub const PATIENCE: Duration = Duration::from_secs(2);
 
 /// A controller that can be watched.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -36,6 +36,9 @@ pub struct Wrong {
     /// What is wrong, and what to do.
     pub message: String,
 }
+
+/// A controller, and what it is asked for.
+type Asks = (Box<dyn Source>, Vec<Wanted>);
 
 impl fmt::Display for Controller {
     /// `logix:192.168.1.10/0`
@@ -106,6 +109,7 @@ impl Controller {
         watch.map_err(|error| self.wrong(&format!("there is no thread for the controller: {error}")))
     }
 
+    #[cfg(any(feature = "logix", feature = "modbus"))]
     fn patience(&self) -> Duration {
         self.asked.timeout.map_or(PATIENCE, nanoseconds)
     }
@@ -118,7 +122,7 @@ impl Controller {
     }
 
     #[cfg(feature = "modbus")]
-    fn modbus(&self, address: &str, program: &Online) -> Result<(Box<dyn Source>, Vec<Wanted>), Vec<Wrong>> {
+    fn modbus(&self, address: &str, program: &Online) -> Result<Asks, Vec<Wrong>> {
         use crate::modbus::{Layout, Map, Modbus, Named, Places, Words};
         let asked = &self.asked;
         let places = Places {
@@ -140,7 +144,7 @@ impl Controller {
     }
 
     #[cfg(not(feature = "modbus"))]
-    fn modbus(&self, _: &str, _: &Online) -> Result<(Box<dyn Source>, Vec<Wanted>), Vec<Wrong>> {
+    fn modbus(&self, _: &str, _: &Online) -> Result<Asks, Vec<Wrong>> {
         Err(self.wrong("this `ladder` was built without Modbus"))
     }
 
@@ -150,7 +154,7 @@ impl Controller {
         address: &str,
         stem: &str,
         points: Vec<Point>,
-    ) -> Result<(Box<dyn Source>, Vec<Wanted>), Vec<Wrong>> {
+    ) -> Result<Asks, Vec<Wrong>> {
         let wanted = points.into_iter().map(|point| Wanted {
             name: self.name_there(&point.name),
             point,
@@ -164,7 +168,7 @@ impl Controller {
     }
 
     #[cfg(not(feature = "logix"))]
-    fn logix(&self, _: &str, _: &str, _: Vec<Point>) -> Result<(Box<dyn Source>, Vec<Wanted>), Vec<Wrong>> {
+    fn logix(&self, _: &str, _: &str, _: Vec<Point>) -> Result<Asks, Vec<Wrong>> {
         Err(self.wrong("this `ladder` was built without Logix controllers"))
     }
 
@@ -213,7 +217,14 @@ mod tests {
             Ok(controller) => controller.to_string(),
             Err(message) => message,
         });
-        expect![""].assert_eq(&(shown.join("\n") + "\n"));
+        expect![[r#"
+            logix:10.0.0.5
+            logix:10.0.0.5/2
+            modbus:plc:502
+            modbus:plc is not a controller: write logix:ADDRESS/SLOT as in logix:192.168.1.10/0, or modbus:HOST:PORT as in modbus:192.168.1.10:502
+            logix: is not a controller: write logix:ADDRESS/SLOT as in logix:192.168.1.10/0, or modbus:HOST:PORT as in modbus:192.168.1.10:502
+            10.0.0.5 is not a controller: write logix:ADDRESS/SLOT as in logix:192.168.1.10/0, or modbus:HOST:PORT as in modbus:192.168.1.10:502
+        "#]].assert_eq(&(shown.join("\n") + "\n"));
     }
 
     #[test]

@@ -12,7 +12,7 @@ mod controller;
 pub mod logix;
 mod watch;
 
-pub use controller::{Controller, Wrong};
+pub use controller::{Controller, EVERY, PATIENCE, Wrong};
 use ladder_analysis::values::value::Value;
 pub use ladder_simulator::online::{Found, Wanted};
 pub use watch::Watch;

@@ -109,7 +109,20 @@ fn power(state: &Value, line: u64) -> Vec<bool> {
 fn values_and_power_are_those_of_the_controller() {
     let (mut session, desk) = online();
     let seen = state(&mut session);
-    expect![[""]].assert_eq(&format!("{:#}", json!([seen["text"], seen["status"], seen["controller"]])));
+    expect![[r#"
+        [
+          "online motor@10.0.0.5:502, READ ONLY; values 0.1 s old; 1 tag is not there as here",
+          "running",
+          {
+            "ageMs": 100.0,
+            "answers": true,
+            "differences": [
+              "n is not in the controller"
+            ],
+            "name": "motor@10.0.0.5:502",
+            "text": "READ ONLY; values 0.1 s old; 1 tag is not there as here"
+          }
+        ]"#]].assert_eq(&format!("{:#}", json!([seen["text"], seen["status"], seen["controller"]])));
     assert!(power(&seen, 1).iter().all(|on| *on), "{seen}");
     desk.set(&[("stop", Held::Bool(true)), ("run", Held::Bool(false)), ("n", Held::Int(7)), ("high", Held::Bool(true))]);
     session.wait(250);
@@ -117,7 +130,9 @@ fn values_and_power_are_those_of_the_controller() {
     assert_eq!(power(&seen, 1).last(), Some(&false), "{seen}");
     assert!(power(&seen, 3).iter().all(|on| *on), "{seen}");
     let why = command(&mut session, "why", json!({"session": "s1", "tag": "run"}));
-    expect![[""]].assert_eq(why["text"].as_str().unwrap());
+    expect![[r#"
+        run is 0: line 2, ( )( run ) writes 0; blocked by [/]( stop ) (line 2, column 24): stop is 1
+          stop is 1: it is an input"#]].assert_eq(why["text"].as_str().unwrap());
 }
 
 #[test]

@@ -62,7 +62,14 @@ fn check(snapshots: &[&str], expected: Expect) {
 fn power_is_what_the_values_say() {
     check(
         &["start=0 stop=0 run=1 level=70 high=1 warm=0 twice=0 t1.ET=T#2s t1.Q=0 t1.IN=1 t1.PT=T#5s"],
-        expect![[""]],
+        expect![[r#"
+            +==\==[ ]( start )--\==[/]( stop )==( )( run )==+
+            |  /==[ ]( run )====/                           |
+            +==[ ]( run )==[TON]( t1, T#5s )--( )( warm )---+
+            +==[GT]( level, 50 )==( )( high )===============+
+            +==[ ]( start )--( )( twice )-------------------+
+            +==[ ]( stop )--(S)( twice )--------------------+
+        "#]],
     );
 }
 
@@ -79,7 +86,19 @@ fn a_contradiction_is_reported_when_it_stays() {
             "start=1 stop=0 run=1 level=70 high=0",
             "start=1 stop=0 run=1 level=70 high=0",
         ],
-        expect![[""]],
+        expect![[r#"
+            start=1 stop=0 run=0 level=70 high=0: run changed while reading
+            start=1 stop=0 run=0 level=70 high=0: high changed while reading
+            start=1 stop=0 run=1 level=70 high=0: high changed while reading
+            start=1 stop=0 run=1 level=70 high=0: high against the program
+            not known: +--[ ]( run )--[TON]( t1, T#5s )--( )( warm )---+
+            +==\==[ ]( start )==\==[/]( stop )==( )( run )==+
+            |  /==[ ]( run )====/                           |
+            +==[ ]( run )==[TON]( t1, T#5s )--( )( warm )---+
+            +==[GT]( level, 50 )==( )( high )===============+
+            +==[ ]( start )==( )( twice )===================+
+            +==[ ]( stop )--(S)( twice )====================+
+        "#]],
     );
 }
 

@@ -3,6 +3,7 @@
 //! After the table of settings or a rule was changed, `UPDATE_EXPECT=1 cargo test -p ladder-tests` writes them again.
 
 use expect_test::expect_file;
+use ladder_devices::online;
 use ladder_devices::modbus::{self, Hold, Layout, Words};
 use ladder_tests::project::{files, read, root};
 use ladder_tests::settings_reference::{extension_settings, schema, tables};
@@ -89,12 +90,17 @@ fn the_defaults_are_those_of_the_code() {
                 ("device", "timeout") => Some(format!("\"{:?}\"", device.timeout)),
                 ("device", "repeat") => Some(format!("\"{:?}\"", device.repeat)),
                 ("device", "gap") => Some(device.gap.to_string()),
+                ("online", "unit") => Some("1".to_owned()),
+                ("online", "layout") => Some("\"openplc\"".to_owned()),
+                ("online", "words") => Some("\"big\"".to_owned()),
+                ("online", "every") => Some(format!("\"{:?}\"", online::EVERY)),
+                ("online", "timeout") => Some(format!("\"{:?}\"", online::PATIENCE)),
                 ("task", "priority") => Some("0".to_owned()),
                 ("simulate", "history" | "retain" | "plant" | "connect")
                 | ("lint", "overrides")
                 | ("run", "watchdog")
                 | ("serve.modbus", "write" | "allow" | "map")
-                | ("task" | "device" | "workspace" | "project", _) => None,
+                | ("task" | "device" | "online" | "workspace" | "project", _) => None,
                 other => panic!("compare the default of {other:?} with the code"),
             };
             assert_eq!(setting.default.map(str::to_owned), found, "{}", setting.key);
