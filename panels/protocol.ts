@@ -119,6 +119,8 @@ export interface State {
     readonly text: string;
     /** The controller that is watched, if it is not a simulation. */
     readonly controller?: Controller;
+    /** Where clients on this computer are served, in words. */
+    readonly served?: string;
     readonly scan: number;
     readonly timeMs: number;
     /** How many scans can be stepped back, and how many were stepped back from. */
@@ -290,6 +292,7 @@ export interface Commands {
     set: { argument: { tag: string } & Given; answer: State };
     force: { argument: { tag: string } & Given; answer: State };
     pulse: { argument: { tag: string }; answer: State };
+    serve: { argument: { on: boolean }; answer: State };
     unforce: { argument: { tag?: string }; answer: State };
     reset: { argument: object; answer: State };
     stop: { argument: object; answer: { session: string; stopped: true } };

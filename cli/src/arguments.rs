@@ -2,13 +2,13 @@
 
 #[cfg(feature = "mcp")]
 use crate::commands::mcp;
-#[cfg(feature = "run")]
-use crate::commands::{online, run};
 use crate::commands::{
     check, convert, dap, diff, explain, fmt, git, lsp, merge, new, prove, render, sim, tags, test, tree, why,
 };
 #[cfg(feature = "pages")]
 use crate::commands::{completions, man, pages};
+#[cfg(feature = "run")]
+use crate::commands::{online, run};
 #[cfg(not(all(feature = "mcp", feature = "pages", feature = "run")))]
 use crate::features::{Feature, LeftOut};
 use crate::outcome::exit;

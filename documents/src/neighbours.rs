@@ -279,6 +279,11 @@ impl Neighbours {
         self.settings(path, |settings| settings.online.clone())
     }
 
+    /// What its workspace serves on Modbus.
+    pub fn served(&self, path: &Path) -> Option<ladder_workspace::ServeModbus> {
+        self.settings(path, |settings| settings.modbus.clone())
+    }
+
     /// Asks the settings that hold for a file, which are known before large files are read.
     fn settings<T>(&self, path: &Path, ask: impl Fn(&Settings) -> T) -> T {
         let early = self.in_part(path, |_, part| ask(&part.settings));

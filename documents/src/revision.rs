@@ -436,6 +436,12 @@ impl Revision {
         place.neighbours.online(&place.path)
     }
 
+    /// What its workspace serves on Modbus.
+    pub fn served(&self) -> Option<ladder_workspace::ServeModbus> {
+        let place = self.place.as_ref()?;
+        place.neighbours.served(&place.path)
+    }
+
     /// The edits that bring the text into the layout that its workspace asks for.
     pub fn format(&self) -> Option<Vec<Edit>> {
         Some(format(&self.context()?.parse, &self.format_options()))

@@ -11,7 +11,7 @@ use std::time::Duration;
 use futures::future::{BoxFuture, Either, select};
 use ladder_workspace::Disk;
 
-use crate::controllers::Controllers;
+use crate::wires::Wires;
 
 /// A moment, as the time since a clock began to run.
 pub type Moment = Duration;
@@ -45,8 +45,8 @@ pub struct World {
     pub disk: Arc<dyn Disk>,
     /// Its clock.
     pub clock: Clock,
-    /// The way to running controllers, if there is one.
-    pub controllers: Option<Arc<dyn Controllers>>,
+    /// The way to what is outside, if there is one.
+    pub wires: Option<Arc<dyn Wires>>,
 }
 
 /// Where the server runs.

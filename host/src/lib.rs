@@ -5,14 +5,14 @@
 //! is one of a single thread, for a page.
 
 mod busy;
-mod controllers;
 mod event_loop;
 mod host;
 pub mod newest;
 #[cfg(feature = "testing")]
 pub mod testing;
+mod wires;
 
 pub use busy::{Busy, Work};
-pub use controllers::{Connection, Controllers};
 pub use event_loop::EventLoop;
 pub use host::{Clock, Host, Moment, Turns, Wait, World, within};
+pub use wires::{Connection, Served, Wires};

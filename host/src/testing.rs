@@ -17,7 +17,7 @@ pub fn on_disk() -> World {
     World {
         disk: Arc::new(SystemDisk),
         clock: Clock::new(move || begun.elapsed()),
-        controllers: None,
+        wires: None,
     }
 }
 
@@ -38,7 +38,7 @@ impl Default for TestHost {
         let world = World {
             disk: Arc::new(MemoryDisk::default()),
             clock: Clock::new(move || Duration::from_nanos(shown.load(Ordering::Relaxed))),
-            controllers: None,
+            wires: None,
         };
         TestHost {
             host: Arc::new(EventLoop::new(world)),

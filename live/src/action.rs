@@ -101,6 +101,8 @@ pub enum Action {
     Follow(Arc<Revision>),
     /// Other files are other ones: what the program uses of them may be, too. The text is the editor's as it is now.
     FollowOthers(Arc<Revision>),
+    /// Serve tags to clients on this computer, or no more.
+    Serve(bool),
     /// Lend the session to a debugger.
     Debug(Beginning),
     /// Give the debugger a message; with whether a long scan is given up for it.
@@ -142,6 +144,7 @@ impl Action {
                 | Action::Reset
                 | Action::WarmRestart
                 | Action::Debug(_)
+                | Action::Serve(_)
         )
     }
 

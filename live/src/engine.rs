@@ -10,7 +10,7 @@ use ladder_analysis::values::value::Value;
 use ladder_analysis::{Analysis, NotWhole};
 use ladder_documents::position::Range;
 use ladder_documents::{OtherPlaces, Revision};
-use ladder_host::World;
+use ladder_host::{Served, Wires, World};
 use ladder_simulator::chart::Recorder;
 use ladder_simulator::{Breakpoint, HistoryLimits, Point, Session, Simulation, Status, Stop};
 
@@ -63,6 +63,10 @@ pub(crate) struct Engine {
     hits: u64,
     /// The controller that is watched, if it is not a simulation.
     pub(crate) controller: Option<Controller>,
+    /// The way to what is outside, if there is one.
+    pub(crate) wires: Option<Arc<dyn Wires>>,
+    /// Its tags for clients, if any are served.
+    pub(crate) served: Option<Box<dyn Served>>,
 }
 
 impl Engine {
@@ -97,9 +101,9 @@ impl Engine {
             _ => return Err(has_errors(&revision, analysis.whole())),
         };
         let settings = revision.simulate();
-        let controller = options.online.then(|| {
-            Controller::watch(world, revision.online(), &revision.file_name(), program.clone())
-        });
+        let controller = options
+            .online
+            .then(|| Controller::watch(world, revision.online(), &revision.file_name(), program.clone()));
         let controller = controller.transpose()?;
         let limits = match options.history.or(settings.history) {
             _ if controller.is_some() => HistoryLimits::of_scans(0),
@@ -140,6 +144,8 @@ impl Engine {
             scenes: Vec::new(),
             hits: 0,
             controller,
+            wires: world.wires.clone(),
+            served: None,
         };
         engine.set_inputs()?;
         if let Some(shown) = &options.show {
@@ -178,6 +184,7 @@ impl Engine {
         if self.look_at_controller() {
             return None;
         }
+        self.take_written();
         let stop = self.session.run_scan();
         self.has_gone_on();
         match stop {
@@ -196,6 +203,7 @@ impl Engine {
         if let Some(retention) = &mut self.retention {
             retention.keep(&self.session);
         }
+        self.show_clients();
     }
 
     /// Whether the program can go on.

@@ -84,6 +84,7 @@ impl Engine {
         }
         if is_another {
             self.watch_again();
+            self.serve_again();
         }
         self.recorder.look(&self.session);
         // Texts of programs that cannot be stepped back to any more are of no use.

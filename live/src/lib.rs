@@ -27,6 +27,7 @@ mod retention;
 mod runner;
 mod running_program;
 mod scenes;
+mod serving;
 mod session;
 mod sessions;
 mod status_text;

@@ -160,6 +160,16 @@ pub struct Speed {
     pub speed: Option<f64>,
 }
 
+/// The argument of `ladder.simulate.serve`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Serve {
+    /// The session.
+    pub session: String,
+    /// Whether tags are served from now on.
+    pub on: bool,
+}
+
 /// The argument of `ladder.simulate.set` and `ladder.simulate.force`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]

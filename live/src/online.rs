@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use ladder_analysis::program::Program;
-use ladder_host::{Controllers, World};
+use ladder_host::{Wires, World};
 use ladder_simulator::online::{Connection, Online, Watching};
 use ladder_simulator::{Judged, Point};
 use ladder_workspace::Online as Asked;
@@ -23,7 +23,7 @@ const MOST_TOLD: usize = 50;
 /// A controller that is watched, and all that is needed to watch it for another program.
 #[derive(Debug)]
 pub(crate) struct Controller {
-    controllers: Arc<dyn Controllers>,
+    wires: Arc<dyn Wires>,
     asked: Asked,
     stem: String,
     name: String,
@@ -38,19 +38,18 @@ impl Controller {
         file: &str,
         program: Arc<Program>,
     ) -> Result<Controller, Failure> {
-        let controllers = world.controllers.clone();
-        let controllers =
-            controllers.ok_or_else(|| Failure::Failed("there is no way to a controller from here".into()))?;
+        let wires = world.wires.clone();
+        let wires =
+            wires.ok_or_else(|| Failure::Failed("there is no way to a controller from here".into()))?;
         let asked = asked.ok_or_else(|| {
             Failure::Failed(
                 "which controller? Put [online] into ladder.toml, for example with logix = \"192.168.1.10/0\"".into(),
             )
         })?;
         let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem).to_owned();
-        let (name, watching) =
-            connect(controllers.as_ref(), &asked, &stem, program).map_err(Failure::Failed)?;
+        let (name, watching) = connect(wires.as_ref(), &asked, &stem, program).map_err(Failure::Failed)?;
         Ok(Controller {
-            controllers,
+            wires,
             asked,
             stem,
             name,
@@ -82,13 +81,13 @@ impl Controller {
 }
 
 fn connect(
-    controllers: &dyn Controllers,
+    wires: &dyn Wires,
     asked: &Asked,
     stem: &str,
     program: Arc<Program>,
 ) -> Result<(String, Watching), String> {
     let online = Online::new(program)?;
-    let (name, watched) = controllers.watch(asked, stem, &online)?;
+    let (name, watched) = wires.watch(asked, stem, &online)?;
     Ok((name, Watching::new(online, watched)))
 }
 
@@ -115,7 +114,7 @@ impl Engine {
         };
         let program = self.session.simulation().program().clone();
         let again = connect(
-            controller.controllers.as_ref(),
+            controller.wires.as_ref(),
             &controller.asked,
             &controller.stem,
             program,

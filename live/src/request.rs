@@ -4,12 +4,12 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 use crate::messages::{
-    Assign, Breakpoints, Debug, GoTo, OfSession, OfTag, Past, Record, Run, Search, Show, Speed, Start,
+    Assign, Breakpoints, Debug, GoTo, OfSession, OfTag, Past, Record, Run, Search, Serve, Show, Speed, Start,
     StepBy, Trace, Unforce,
 };
 
 /// What a client can ask for with `workspace/executeCommand`.
-pub const COMMANDS: [&str; 25] = [
+pub const COMMANDS: [&str; 26] = [
     "ladder.simulate.start",
     "ladder.simulate.debug",
     "ladder.simulate.step",
@@ -29,6 +29,7 @@ pub const COMMANDS: [&str; 25] = [
     "ladder.simulate.pulse",
     "ladder.simulate.force",
     "ladder.simulate.unforce",
+    "ladder.simulate.serve",
     "ladder.simulate.state",
     "ladder.simulate.show",
     "ladder.simulate.tags",
@@ -87,6 +88,8 @@ pub enum Request {
     Force(Assign),
     /// Let a tag go, or all.
     Unforce(Unforce),
+    /// Serve tags to clients on this computer, or no more.
+    Serve(Serve),
     /// Only answer.
     State(OfSession),
     /// Tell only of this from now on.
@@ -128,6 +131,7 @@ impl Request {
             Some("pulse") => Ok(Request::Pulse(read(command, argument(arguments)?)?)),
             Some("force") => Ok(Request::Force(read(command, argument(arguments)?)?)),
             Some("unforce") => Ok(Request::Unforce(read(command, argument(arguments)?)?)),
+            Some("serve") => Ok(Request::Serve(read(command, argument(arguments)?)?)),
             Some("state") => Ok(Request::State(read(command, argument(arguments)?)?)),
             Some("show") => Ok(Request::Show(read(command, argument(arguments)?)?)),
             Some("tags") => Ok(Request::Tags(read(command, argument(arguments)?)?)),

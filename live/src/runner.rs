@@ -259,6 +259,7 @@ impl Runner {
             Action::Force(tag, value) => self.simulation.engine.force(&tag, &value)?,
             Action::Unforce(tag) => self.simulation.engine.unforce(tag.as_deref())?,
             Action::State => {}
+            Action::Serve(on) => self.simulation.engine.serve(on)?,
             Action::Reset => {
                 self.run = None;
                 self.simulation.hit = None;

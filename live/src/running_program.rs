@@ -79,6 +79,7 @@ impl Simulation {
             status: self.status,
             text: String::new(),
             controller: engine.controller.as_ref().map(Controller::message),
+            served: engine.served.as_ref().map(|served| served.about()),
             scan: engine.scans(),
             time_ms: engine.time_ms(),
             behind: engine.behind(),

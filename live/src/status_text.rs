@@ -16,7 +16,11 @@ pub fn status_text(state: &State, pace: Pace) -> String {
         Status::Faulted => "faulted",
     };
     if let Some(controller) = &state.controller {
-        let status = if state.status == Status::Running { "online" } else { status };
+        let status = if state.status == Status::Running {
+            "online"
+        } else {
+            status
+        };
         let mut text = format!("{status} {}, {}", controller.name, controller.text);
         if state.stale {
             text.push_str(STALE);
@@ -32,6 +36,9 @@ pub fn status_text(state: &State, pace: Pace) -> String {
     }
     if state.forced > 0 {
         text.push_str(&format!(", {} forced", state.forced));
+    }
+    if let Some(served) = &state.served {
+        text.push_str(&format!(", {served}"));
     }
     match state.faults.len() {
         0 => {}

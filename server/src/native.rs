@@ -1,8 +1,8 @@
 //! The server with a runtime, threads, the files of the operating system and its clock.
 
-#[cfg(feature = "online")]
-mod controllers;
 mod parent;
+#[cfg(feature = "online")]
+mod wires;
 
 use std::sync::Arc;
 use std::task::{Context, Wake, Waker};
@@ -22,9 +22,9 @@ pub(crate) fn world() -> World {
         disk: Arc::new(SystemDisk),
         clock: Clock::new(move || begun.elapsed()),
         #[cfg(feature = "online")]
-        controllers: Some(Arc::new(controllers::OverTheNetwork)),
+        wires: Some(Arc::new(wires::Network)),
         #[cfg(not(feature = "online"))]
-        controllers: None,
+        wires: None,
     }
 }
 

@@ -132,7 +132,9 @@ impl Online {
             Type::State(state) => Some(members_of(state).map(|member| format!("{}.{member}", tag.name))),
             _ => None,
         });
-        let members = members.flatten().filter_map(|name| simulation.resolve(&name).ok());
+        let members = members
+            .flatten()
+            .filter_map(|name| simulation.resolve(&name).ok());
         let listed: HashSet<&str> = simulation.points().iter().map(|it| it.name.as_str()).collect();
         let others = members.filter(|point| !listed.contains(point.name.as_str()));
         let mut points = simulation.points().to_vec();
@@ -275,12 +277,25 @@ impl Watching {
             1 => Some(format!("1 {one}")),
             count => Some(format!("{count} {more}")),
         };
-        let lost = self.newest.found.iter().filter(|found| **found != Found::Here).count();
+        let lost = self
+            .newest
+            .found
+            .iter()
+            .filter(|found| **found != Found::Here)
+            .count();
         parts.extend(of(lost, "tag is not there as here", "tags are not there as here"));
         let (against, changed): (Vec<&Doubt>, Vec<&Doubt>) =
             self.online.doubts().iter().partition(|doubt| doubt.is_reported());
-        parts.extend(of(against.len(), "value is against the program", "values are against the program"));
-        parts.extend(of(changed.len(), "value changed while reading", "values changed while reading"));
+        parts.extend(of(
+            against.len(),
+            "value is against the program",
+            "values are against the program",
+        ));
+        parts.extend(of(
+            changed.len(),
+            "value changed while reading",
+            "values changed while reading",
+        ));
         parts.join("; ")
     }
 
@@ -303,7 +318,10 @@ impl Watching {
             };
             told.push(match found {
                 Found::OtherType(ty) => {
-                    format!("{} is {} here, and {ty} in the controller{there}", point.name, point.ty)
+                    format!(
+                        "{} is {} here, and {ty} in the controller{there}",
+                        point.name, point.ty
+                    )
                 }
                 _ => format!("{} is not in the controller{there}", point.name),
             });

@@ -82,7 +82,9 @@ fn takes(setting: &Setting) -> String {
             "a number from 0 to 255 or a list of them, as `{}`",
             setting.example
         ),
-        Kind::Places | Kind::Names => format!("a table of {}, as `{}`", setting.kind.entries(), setting.example),
+        Kind::Places | Kind::Names => {
+            format!("a table of {}, as `{}`", setting.kind.entries(), setting.example)
+        }
         Kind::Overrides => "tables `[[lint.overrides]]`, each with `files` and rules".to_owned(),
     }
 }
@@ -262,7 +264,9 @@ fn described(setting: &Setting, about: &str) -> Value {
             let unit = json!({ "type": "integer", "minimum": 0, "maximum": 255 });
             json!({ "anyOf": [unit, { "type": "array", "items": unit }] })
         }
-        Kind::Places | Kind::Names => json!({ "type": "object", "additionalProperties": { "type": "string" } }),
+        Kind::Places | Kind::Names => {
+            json!({ "type": "object", "additionalProperties": { "type": "string" } })
+        }
         Kind::Overrides => json!({ "type": "array", "items": {
             "type": "object",
             "properties": overriding(),

@@ -68,8 +68,8 @@ pub use search::{
 };
 pub use settings::table;
 pub use settings::{
-    Device, EditorSettings, Files, Levels, Lint, Online, Placed, Plant, Project, Run, ServeModbus, SettingError,
-    Settings, SettingsError, Simulate, Task, Tree,
+    Device, EditorSettings, Files, Levels, Lint, Online, Placed, Plant, Project, Run, ServeModbus,
+    SettingError, Settings, SettingsError, Simulate, Task, Tree,
 };
 pub use stamp::Stamp;
 pub use text::{decode, read, read_bytes};

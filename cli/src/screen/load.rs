@@ -8,9 +8,9 @@ use crate::run::{self, KeptIn, Plants, Retention, Stimulus};
 use ladder_analysis::program::{Program, Role};
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::{NotWhole, Severity};
+use ladder_simulator::{HistoryLimits, Point, Session, Simulation};
 #[cfg(feature = "run")]
 use ladder_simulator::{Options, online::Watching};
-use ladder_simulator::{HistoryLimits, Point, Session, Simulation};
 use ladder_workspace::{Settings, Stamp};
 use std::path::Path;
 use std::sync::Arc;

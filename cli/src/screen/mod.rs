@@ -58,10 +58,10 @@ use crate::run::{Plants, Stimulus};
 use crate::terminal::raw_stdout;
 use app::{App, Next};
 use guard::Guard;
-use plant::Plant;
 use ladder_analysis::Cancel;
 #[cfg(feature = "run")]
 use ladder_simulator::online::Watching;
+use plant::Plant;
 use ratatui::Terminal;
 use ratatui::backend::CrosstermBackend;
 use ratatui::crossterm::event;
@@ -125,7 +125,10 @@ pub(crate) fn watch(
         retain: None,
         watch: &[],
     };
-    show_whole(&request, load::of_controller(source, controller, watching, every)?)
+    show_whole(
+        &request,
+        load::of_controller(source, controller, watching, every)?,
+    )
 }
 
 fn unusable(error: io::Error) -> Failure {

@@ -4,7 +4,7 @@ use super::bind::{Entry, Map};
 use super::place::Table;
 use super::registers::{value, words};
 use ladder_analysis::values::value::Value;
-use ladder_simulator::Simulation;
+use ladder_simulator::{Point, Simulation};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -85,6 +85,14 @@ impl Image {
 
     /// Before a scan: what was written is given to the program; of one request all or nothing.
     pub fn give(&self, simulation: &mut Simulation, now: Instant) {
+        for (point, value) in self.written(simulation, now) {
+            // A tag that is held at another value keeps what was written underneath.
+            let _ = simulation.set(&point, value);
+        }
+    }
+
+    /// What was written since this was asked last, in that order.
+    pub fn written(&self, simulation: &Simulation, now: Instant) -> Vec<(Point, Value)> {
         let mut inner = self.lock();
         let inner = &mut *inner;
         if let (Hold::Initial(after), Some(heard)) = (inner.hold, inner.heard)
@@ -101,12 +109,11 @@ impl Image {
                 .waiting
                 .extend(written.map(|(index, entry)| (index, simulation.initial(&entry.point))));
         }
-        for (index, value) in inner.waiting.drain(..) {
-            if let Some(entry) = inner.map.entries.get(index) {
-                // A tag that is held at another value keeps what was written underneath.
-                let _ = simulation.set(&entry.point, value);
-            }
-        }
+        let entries = &inner.map.entries;
+        let written = inner.waiting.drain(..);
+        written
+            .filter_map(|(index, value)| Some((entries.get(index)?.point.clone(), value)))
+            .collect()
     }
 
     /// After a scan: clients see its values.

@@ -1,7 +1,7 @@
 //! Modbus TCP: tags as coils and registers.
 //!
 //! ```text
-//! [serve.modbus] --Places--> Map (which tag is where, what may be written) --Image (values of one scan)--> Server
+//! [serve.modbus] --ToServe--> Map (which tag is where, what may be written) --Image (values of one scan)--> Server
 //! [[device]] --Device--> Wired (which tag is where) --Devices (one task each)--> other servers
 //! [online] --Map--> Modbus --guard: functions 1 to 4--> a controller that is watched
 //! ```
@@ -18,6 +18,7 @@ mod image;
 mod place;
 mod registers;
 mod server;
+mod settings;
 mod watched;
 
 pub use bind::{Layout, Map, Named, Places, Reading, Wrong};
@@ -27,4 +28,5 @@ pub use image::{Hold, Image, Refused, TIMEOUT};
 pub use place::{Place, Table};
 pub use registers::Words;
 pub use server::{ADDRESS, Listening, Rules, Subnet, serve};
+pub use settings::ToServe;
 pub use watched::Modbus;

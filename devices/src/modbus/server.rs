@@ -9,6 +9,7 @@ use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpListener};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
+use tokio::sync::oneshot;
 use tokio_io_timeout::TimeoutStream;
 use tokio_modbus::server::Service;
 use tokio_modbus::server::tcp::Server;
@@ -91,11 +92,12 @@ impl Subnet {
     }
 }
 
-/// A server that runs; it ends with the process.
+/// A server that runs until this is dropped.
 #[derive(Debug)]
 pub struct Listening {
     /// Where it listens: the port that it got where 0 was asked for.
     pub address: SocketAddr,
+    _ending: oneshot::Sender<()>,
 }
 
 /// Says something to the person who runs the program.
@@ -124,12 +126,17 @@ pub fn serve(
         told: Mutex::default(),
         tell: Arc::new(tell),
     });
+    let (ending, ended) = oneshot::channel();
+    // Only its other end ends it, and that with nothing to say.
+    let ended = async {
+        let _ = ended.await;
+    };
     let listen = move || {
         let listened = runtime.block_on(async {
             let listener = tokio::net::TcpListener::from_std(listener)?;
             let connected = |stream, from| ready(Ok(door.open(stream, from)));
             // What goes wrong with one connection ends that connection.
-            Server::new(listener).serve(&connected, |_| {}).await
+            Server::new(listener).serve_until(&connected, |_| {}, ended).await
         });
         if let Err(error) = listened {
             (door.tell)(&format!("the Modbus server has stopped: {error}"));
@@ -138,7 +145,10 @@ pub fn serve(
     std::thread::Builder::new()
         .name("modbus".to_owned())
         .spawn(listen)?;
-    Ok(Listening { address })
+    Ok(Listening {
+        address,
+        _ending: ending,
+    })
 }
 
 /// What all connections share.

@@ -149,12 +149,7 @@ impl Controller {
     }
 
     #[cfg(feature = "logix")]
-    fn logix(
-        &self,
-        address: &str,
-        stem: &str,
-        points: Vec<Point>,
-    ) -> Result<Asks, Vec<Wrong>> {
+    fn logix(&self, address: &str, stem: &str, points: Vec<Point>) -> Result<Asks, Vec<Wrong>> {
         let wanted = points.into_iter().map(|point| Wanted {
             name: self.name_there(&point.name),
             point,

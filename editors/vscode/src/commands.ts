@@ -178,6 +178,7 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.simulation.record': () => record(simulation, tests),
         'ladder.simulation.warmRestart': () => simulation.command('warmRestart', {}),
         'ladder.simulation.stop': () => simulation.stop(),
+        'ladder.simulation.serve': () => simulation.toggleServing(),
         'ladder.goOnline': () => simulation.goOnline(),
         'ladder.goOffline': () => simulation.stop(),
         'ladder.simulation.set': (tag) => assign(simulation, 'set', tag),

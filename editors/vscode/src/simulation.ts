@@ -250,7 +250,7 @@ export class Simulation implements vscode.Disposable {
         await this.command('run', {});
     }
 
-    async command<Name extends 'step' | 'stepBlock' | 'stepRung' | 'back' | 'goTo' | 'run' | 'speed' | 'set' | 'pulse' | 'force' | 'unforce' | 'reset' | 'warmRestart'>(
+    async command<Name extends 'step' | 'stepBlock' | 'stepRung' | 'back' | 'goTo' | 'run' | 'speed' | 'set' | 'pulse' | 'force' | 'unforce' | 'serve' | 'reset' | 'warmRestart'>(
         name: Name,
         argument: Commands[Name]['argument'],
     ): Promise<void> {
@@ -258,6 +258,15 @@ export class Simulation implements vscode.Disposable {
         const state = session && (await this.#tell(session.command(name, argument)));
         if (state) {
             this.#show(session, state);
+        }
+    }
+
+    /** Serves tags to clients on this computer, or no more. */
+    async toggleServing(): Promise<void> {
+        await this.command('serve', { on: this.current?.state.served === undefined });
+        const served = this.current?.state.served;
+        if (served) {
+            void vscode.window.showInformationMessage(`Ladder: ${served}. Only programs on this computer reach it.`);
         }
     }
 

@@ -33,6 +33,9 @@ pub struct State {
     /// The controller that is watched, if it is not a simulation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub controller: Option<Controller>,
+    /// Where clients on this computer are served, in words.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub served: Option<String>,
     /// How many scans are done; of a controller how many readings there were.
     pub scan: u64,
     /// The simulation's clock, in milliseconds.

@@ -32,7 +32,7 @@ impl Page {
         let event_loop = EventLoop::new(World {
             disk: Arc::new(disk.clone()),
             clock,
-            controllers: None,
+            wires: None,
         });
         let (messages, received) = unbounded();
         let (out, mut spoken) = channel::<String>(0);

@@ -4,8 +4,8 @@
 mod online;
 mod session;
 
-use serde_json::{Value, json};
 use online::Desk;
+use serde_json::{Value, json};
 use session::Session;
 
 const URI: &str = "file:///plant/motor.clad";
@@ -16,9 +16,9 @@ fn opened(text: &str, files: &[(&str, &str)]) -> Session {
     opened_beside(text, files, None)
 }
 
-/// The same, where there is a way to controllers.
-fn opened_beside(text: &str, files: &[(&str, &str)], controllers: Option<Desk>) -> Session {
-    let mut session = Session::beside(controllers, files);
+/// The same, where there is a way to wires.
+fn opened_beside(text: &str, files: &[(&str, &str)], wires: Option<Desk>) -> Session {
+    let mut session = Session::beside(wires, files);
     session.ask(
         "initialize",
         json!({"rootUri": "file:///plant", "capabilities": {}}),

@@ -7,7 +7,8 @@ use std::time::Duration;
 
 use expect_test::expect;
 use ladder_analysis::values::value::Value as Held;
-use ladder_host::{Connection, Controllers};
+use ladder_host::{Connection, Served, Wires};
+use ladder_simulator::Point;
 use ladder_simulator::online::{Connection as State, Found, Newest, Online, Wanted, Watched};
 use serde_json::{Value, json};
 
@@ -16,18 +17,20 @@ use crate::{URI, command, opened_beside};
 
 const MOTOR: &str = "VAR n : INT; END_VAR\n+--\\--[ ]( start )--\\--[/]( stop )--( )( run )--+\n|  /--[ ]( run )----/                           |\n+--[GT]( n, 5 )--( )( high )--------------------+\n";
 
-/// What the controllers of all sessions hold.
+/// What the wires of all sessions hold.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Desk(Arc<Mutex<HashMap<String, Held>>>);
 
 impl Desk {
     fn set(&self, values: &[(&str, Held)]) {
-        let values = values.iter().map(|(name, value)| ((*name).to_owned(), value.clone()));
+        let values = values
+            .iter()
+            .map(|(name, value)| ((*name).to_owned(), value.clone()));
         self.0.lock().unwrap().extend(values);
     }
 }
 
-impl Controllers for Desk {
+impl Wires for Desk {
     fn watch(
         &self,
         asked: &ladder_workspace::Online,
@@ -45,6 +48,40 @@ impl Controllers for Desk {
             snapshots: AtomicU64::new(0),
         };
         Ok((format!("{stem}@{address}"), Box::new(watch)))
+    }
+
+    fn serve(
+        &self,
+        asked: &ladder_workspace::ServeModbus,
+        _: &ladder_simulator::Simulation,
+    ) -> Result<Box<dyn Served>, String> {
+        match asked.hold {
+            Some("initial") => Err("the port is taken".to_owned()),
+            _ => Ok(Box::new(self.clone())),
+        }
+    }
+}
+
+/// Clients write what is on the desk, and find there what the program makes of it.
+impl Served for Desk {
+    fn about(&self) -> String {
+        "a desk: 2 tags, 1 can be written".to_owned()
+    }
+
+    fn written(&self, simulation: &ladder_simulator::Simulation) -> Vec<(Point, Held)> {
+        let start = self.0.lock().unwrap().remove("start");
+        let point = simulation.resolve("start").unwrap();
+        start.into_iter().map(|value| (point.clone(), value)).collect()
+    }
+
+    fn show(&self, simulation: &ladder_simulator::Simulation) {
+        let run = simulation.value(&simulation.resolve("run").unwrap());
+        self.set(&[("run", run)]);
+    }
+
+    fn replace(&self, simulation: &ladder_simulator::Simulation) -> Result<(), String> {
+        let found = simulation.resolve("run").map(|_| ());
+        found.map_err(|unknown| unknown.to_string())
     }
 }
 
@@ -89,7 +126,11 @@ fn online() -> (Session, Desk) {
         ("run", Held::Bool(true)),
         ("high", Held::Bool(false)),
     ]);
-    let started = command(&mut session, "start", json!({"uri": URI, "options": {"online": true}}));
+    let started = command(
+        &mut session,
+        "start",
+        json!({"uri": URI, "options": {"online": true}}),
+    );
     assert_eq!(started["session"], "s1", "{started}");
     session.wait(250);
     (session, desk)
@@ -122,9 +163,18 @@ fn values_and_power_are_those_of_the_controller() {
             "name": "motor@10.0.0.5:502",
             "text": "READ ONLY; values 0.1 s old; 1 tag is not there as here"
           }
-        ]"#]].assert_eq(&format!("{:#}", json!([seen["text"], seen["status"], seen["controller"]])));
+        ]"#]]
+    .assert_eq(&format!(
+        "{:#}",
+        json!([seen["text"], seen["status"], seen["controller"]])
+    ));
     assert!(power(&seen, 1).iter().all(|on| *on), "{seen}");
-    desk.set(&[("stop", Held::Bool(true)), ("run", Held::Bool(false)), ("n", Held::Int(7)), ("high", Held::Bool(true))]);
+    desk.set(&[
+        ("stop", Held::Bool(true)),
+        ("run", Held::Bool(false)),
+        ("n", Held::Int(7)),
+        ("high", Held::Bool(true)),
+    ]);
     session.wait(250);
     let seen = state(&mut session);
     assert_eq!(power(&seen, 1).last(), Some(&false), "{seen}");
@@ -132,7 +182,8 @@ fn values_and_power_are_those_of_the_controller() {
     let why = command(&mut session, "why", json!({"session": "s1", "tag": "run"}));
     expect![[r#"
         run is 0: line 2, ( )( run ) writes 0; blocked by [/]( stop ) (line 2, column 24): stop is 1
-          stop is 1: it is an input"#]].assert_eq(why["text"].as_str().unwrap());
+          stop is 1: it is an input"#]]
+    .assert_eq(why["text"].as_str().unwrap());
 }
 
 #[test]
@@ -161,7 +212,10 @@ fn nothing_that_writes_or_stops_is_done() {
         ("record", json!({})),
     ] {
         let mut argument = json!({"session": "s1"});
-        argument.as_object_mut().unwrap().extend(given.as_object().unwrap().clone());
+        argument
+            .as_object_mut()
+            .unwrap()
+            .extend(given.as_object().unwrap().clone());
         let answer = session.ask(
             "workspace/executeCommand",
             json!({"command": format!("ladder.simulate.{name}"), "arguments": [argument]}),
@@ -184,7 +238,12 @@ fn an_edit_is_watched_on() {
     session.wait(600);
     let seen = state(&mut session);
     assert_eq!(seen["version"], 2, "{seen}");
-    assert!(seen["faults"].to_string().contains("run is not what this rung makes it"), "{seen}");
+    assert!(
+        seen["faults"]
+            .to_string()
+            .contains("run is not what this rung makes it"),
+        "{seen}"
+    );
 }
 
 #[test]
@@ -201,7 +260,32 @@ fn without_a_way_or_a_name_there_is_a_sentence() {
     let all = [
         refused(&[], None),
         refused(&[], Some(Desk::default())),
-        refused(&[("ladder.toml", "[online]\nevery = \"1s\"\n")], Some(Desk::default())),
+        refused(
+            &[("ladder.toml", "[online]\nevery = \"1s\"\n")],
+            Some(Desk::default()),
+        ),
     ];
     expect![[""]].assert_eq(&all.join("\n"));
+}
+
+#[test]
+fn clients_write_before_a_scan_and_read_after_it() {
+    let desk = Desk::default();
+    let mut session = opened_beside(MOTOR, &[], Some(desk.clone()));
+    command(&mut session, "start", json!({"uri": URI}));
+    let served = command(&mut session, "serve", json!({"session": "s1", "on": true}));
+    expect![[""]].assert_eq(served["text"].as_str().unwrap());
+    desk.set(&[("start", Held::Bool(true))]);
+    let held = |name: &str| desk.0.lock().unwrap().get(name).cloned();
+    assert_eq!(held("run"), None);
+    command(&mut session, "step", json!({"session": "s1"}));
+    assert_eq!((held("start"), held("run")), (None, Some(Held::Bool(true))));
+    // An edit that the settings do not fit ends it.
+    let text = MOTOR.replace("run", "runs");
+    session.notify(
+        "textDocument/didChange",
+        json!({"textDocument": {"uri": URI, "version": 2}, "contentChanges": [{"text": text}]}),
+    );
+    session.wait(300);
+    assert_eq!(state(&mut session)["served"], Value::Null);
 }

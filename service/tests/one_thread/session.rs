@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use futures::StreamExt;
 use futures::channel::mpsc::{UnboundedSender, channel, unbounded};
-use ladder_host::{Busy, Clock, Controllers, EventLoop, Host, Wait, World};
+use ladder_host::{Busy, Clock, EventLoop, Host, Wait, Wires, World};
 use ladder_service::{Received, serve};
 use ladder_workspace::{Disk, MemoryDisk};
 use serde_json::{Value, json};
@@ -36,8 +36,8 @@ impl Session {
         Session::beside(None, files)
     }
 
-    /// The same, where there is a way to controllers.
-    pub(crate) fn beside(controllers: Option<Desk>, files: &[(&str, &str)]) -> Session {
+    /// The same, where there is a way to wires.
+    pub(crate) fn beside(wires: Option<Desk>, files: &[(&str, &str)]) -> Session {
         let disk = MemoryDisk::default();
         for (name, text) in files {
             disk.write(&Path::new("/plant").join(name), text.as_bytes());
@@ -49,7 +49,7 @@ impl Session {
             clock: Clock::new(move || {
                 Duration::from_nanos(shown.fetch_add(step.load(Ordering::Relaxed), Ordering::Relaxed))
             }),
-            controllers: controllers.map(|desk| Arc::new(desk) as Arc<dyn Controllers>),
+            wires: wires.map(|desk| Arc::new(desk) as Arc<dyn Wires>),
         });
         let (messages, received) = unbounded();
         let (out, mut spoken) = channel::<String>(0);

@@ -45,7 +45,11 @@ fn check(snapshots: &[&str], expected: Expect) {
         let values: Vec<Option<Value>> = wanted.iter().map(given).collect();
         online.see(&wanted, &values).unwrap();
         for doubt in online.doubts() {
-            let what = if doubt.is_reported() { "against the program" } else { "changed while reading" };
+            let what = if doubt.is_reported() {
+                "against the program"
+            } else {
+                "changed while reading"
+            };
             shown.push_str(&format!("{snapshot}: {} {what}\n", doubt.point.name));
         }
     }
@@ -104,5 +108,11 @@ fn a_contradiction_is_reported_when_it_stays() {
 
 #[test]
 fn of_several_writers_the_last_counts() {
-    check(&["start=0 stop=1 run=0 level=0 high=0 twice=1", "start=1 stop=0 run=1 level=0 high=0 twice=0"], expect![[""]]);
+    check(
+        &[
+            "start=0 stop=1 run=0 level=0 high=0 twice=1",
+            "start=1 stop=0 run=1 level=0 high=0 twice=0",
+        ],
+        expect![[""]],
+    );
 }

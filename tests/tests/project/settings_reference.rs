@@ -3,8 +3,8 @@
 //! After the table of settings or a rule was changed, `UPDATE_EXPECT=1 cargo test -p ladder-tests` writes them again.
 
 use expect_test::expect_file;
-use ladder_devices::online;
 use ladder_devices::modbus::{self, Hold, Layout, Words};
+use ladder_devices::online;
 use ladder_tests::project::{files, read, root};
 use ladder_tests::settings_reference::{extension_settings, schema, tables};
 use ladder_workspace::table::{Kind, SECTIONS, SetBy};

@@ -138,7 +138,10 @@ pub(super) fn places(table: &mut Table, setting: &Setting, reader: &mut Reader) 
     };
     let Value::Table(entries) = given.value else {
         let (key, example) = (setting.key, setting.example);
-        let message = format!("`{key}` is a table of {}, for example {key} = {example}", setting.kind.entries());
+        let message = format!(
+            "`{key}` is a table of {}, for example {key} = {example}",
+            setting.kind.entries()
+        );
         reader.wrong(given.range, message);
         return Vec::new();
     };

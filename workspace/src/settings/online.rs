@@ -95,18 +95,27 @@ pub(super) const ONLINE: Section = Section {
     list: None,
     about: "The running controller whose values `ladder online` and *Go Online* show. It is read, and never written.",
     settings: &[
-        LOGIX, MODBUS, DEVICE_UNIT, LAYOUT, DEVICE_WORDS, EVERY, TIMEOUT, PROGRAM, PLACES, NAMES,
+        LOGIX,
+        MODBUS,
+        DEVICE_UNIT,
+        LAYOUT,
+        DEVICE_WORDS,
+        EVERY,
+        TIMEOUT,
+        PROGRAM,
+        PLACES,
+        NAMES,
     ],
 };
 
 pub(super) fn read(mut table: Table, reader: &mut Reader) -> Online {
     let range = table.range();
-    let (logix, modbus) = (
-        text(&mut table, &LOGIX, reader),
-        address(&mut table, reader),
-    );
+    let (logix, modbus) = (text(&mut table, &LOGIX, reader), address(&mut table, reader));
     if logix.is_some() && modbus.is_some() {
-        reader.wrong(range.clone(), "a program is watched on one controller: write `logix` or `modbus`");
+        reader.wrong(
+            range.clone(),
+            "a program is watched on one controller: write `logix` or `modbus`",
+        );
     }
     let unit = reader.whole(&mut table, &DEVICE_UNIT);
     let names = places(&mut table, &NAMES, reader).into_iter();

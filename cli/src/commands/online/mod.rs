@@ -141,7 +141,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 fn controller(arguments: &Arguments, settings: &Settings) -> Result<Controller, Failure> {
     let asked = settings.online.as_ref();
     let controller = match &arguments.from {
-        Some(text) => Some(Controller::parse(text, asked).map_err(|message| Failure::new(format!("--from: {message}")))?),
+        Some(text) => Some(
+            Controller::parse(text, asked).map_err(|message| Failure::new(format!("--from: {message}")))?,
+        ),
         None => asked.and_then(Controller::of),
     };
     controller.ok_or_else(|| {
@@ -159,7 +161,9 @@ fn stem(file: &Path) -> String {
 
 /// What is wrong with settings next to the program of a file.
 fn failure(file: &Path, wrong: Vec<Wrong>) -> Failure {
-    let found = wrong.iter().map(|wrong| (wrong.at.clone(), wrong.message.clone()));
+    let found = wrong
+        .iter()
+        .map(|wrong| (wrong.at.clone(), wrong.message.clone()));
     // What comes from the command line is at no place.
     let found = found.filter(|(at, _)| !at.is_empty()).collect::<Vec<_>>();
     if found.len() == wrong.len()
@@ -185,14 +189,21 @@ fn first(controller: &Controller, watching: &mut Watching, woken: &Receiver<()>)
         }
         let left = end.saturating_duration_since(Instant::now());
         if woken.recv_timeout(left).is_err() && left.is_zero() {
-            return Err(Failure::new(format!("{controller} has told nothing within {FIRST:?}")));
+            return Err(Failure::new(format!(
+                "{controller} has told nothing within {FIRST:?}"
+            )));
         }
     }
 }
 
 /// Reads on while it is open whether a value contradicts the program or has changed while it was read.
 fn settle(watching: &mut Watching, woken: &Receiver<()>) {
-    while watching.online().doubts().iter().any(|doubt| !doubt.is_reported()) {
+    while watching
+        .online()
+        .doubts()
+        .iter()
+        .any(|doubt| !doubt.is_reported())
+    {
         if woken.recv_timeout(FIRST).is_err() || watching.newest().connection != Connection::Open {
             return;
         }

@@ -34,8 +34,9 @@ pub(super) fn record(
         named.extend(points.into_iter().map(|point| point.name));
     }
     let points = watching.online().points().into_iter();
-    let is_recorded =
-        |point: &Point| watching.online().is_known(point) && (point.takes_force() || named.contains(&point.name));
+    let is_recorded = |point: &Point| {
+        watching.online().is_known(point) && (point.takes_force() || named.contains(&point.name))
+    };
     let points: Vec<Point> = points.filter(is_recorded).collect();
     let asked = crate::signals::asked(arguments.length)
         .map_err(|error| Failure::new(format!("signals cannot be watched: {error}")))?;
@@ -43,7 +44,10 @@ pub(super) fn record(
     let names: Vec<String> = points.iter().map(|point| cell(&point.name)).collect();
     out.write_text(&(names.join(",") + "\n"))?;
     let mut before: Vec<Option<Value>> = vec![None; points.len()];
-    terminal::note(&format_args!("{}; Ctrl+C ends the recording", heading(controller, &watching)));
+    terminal::note(&format_args!(
+        "{}; Ctrl+C ends the recording",
+        heading(controller, &watching)
+    ));
     let (every, began) = (controller.every(), Instant::now());
     let mut rows = 0u32;
     let mut lost = 0u32;

@@ -55,7 +55,9 @@ pub(super) fn once(
         let place = line(doubt.network).map_or_else(String::new, |line| format!("line {line}: "));
         let name = &doubt.point.name;
         let why = if doubt.is_reported() {
-            format!("{name} is not what this rung makes it: something else writes it, or the controller runs another program")
+            format!(
+                "{name} is not what this rung makes it: something else writes it, or the controller runs another program"
+            )
         } else {
             format!("{name} changed while reading")
         };
@@ -64,7 +66,11 @@ pub(super) fn once(
     out.flush()?;
     differences(watching);
     let contradicts = online.doubts().iter().any(|doubt| doubt.is_reported());
-    Ok(if contradicts { Outcome::Findings } else { Outcome::Fine })
+    Ok(if contradicts {
+        Outcome::Findings
+    } else {
+        Outcome::Fine
+    })
 }
 
 /// How controller and program differ, on stderr.

@@ -1,7 +1,7 @@
 //! Whether settings fit a program, without running it.
 
-use super::{served, wired};
-use ladder_devices::modbus::{Map, Wrong, bind};
+use super::wired;
+use ladder_devices::modbus::{ToServe, Wrong, bind};
 use ladder_simulator::Simulation;
 use ladder_workspace::Settings;
 
@@ -10,9 +10,8 @@ pub(crate) fn misfits(settings: &Settings, simulation: &Simulation) -> Vec<Wrong
     let mut wrong = Vec::new();
     let mut map = None;
     if let Some(asked) = &settings.modbus {
-        wrong.extend(served::allowed(asked).err());
-        match Map::new(&served::places(asked), simulation) {
-            Ok(own) => map = Some(own),
+        match ToServe::of(asked, simulation) {
+            Ok(own) => map = Some(own.map),
             Err(own) => wrong.extend(own),
         }
     }

@@ -1,11 +1,10 @@
 //! What happens between the scans of a run: inputs, clients, devices, the retentive file, the service manager.
 
-use super::served::Served;
 use crate::outcome::Failure;
 use crate::run::Retention;
 use crate::terminal;
 use ladder_devices::lateness::Report;
-use ladder_devices::modbus::{Devices, Image, Wired, serve};
+use ladder_devices::modbus::{Devices, Image, Listening, ToServe, Wired, serve};
 use ladder_devices::real::Between;
 use ladder_devices::system::notify;
 use ladder_simulator::{Fault, Inputs, Simulation};
@@ -18,8 +17,8 @@ pub(super) struct Hands {
     retention: Option<Retention>,
     inputs: Inputs,
     /// The server that is to be, until it listens.
-    to_serve: Option<Served>,
-    image: Option<Image>,
+    to_serve: Option<ToServe>,
+    image: Option<(Image, Listening)>,
     devices: Option<Devices>,
     faults: Vec<Fault>,
     is_ready: bool,
@@ -28,7 +27,7 @@ pub(super) struct Hands {
 }
 
 impl Hands {
-    pub(super) fn new(retention: Option<Retention>, inputs: Inputs, to_serve: Option<Served>) -> Hands {
+    pub(super) fn new(retention: Option<Retention>, inputs: Inputs, to_serve: Option<ToServe>) -> Hands {
         let asked = std::env::var("WATCHDOG_USEC")
             .ok()
             .and_then(|time| time.parse().ok());
@@ -78,7 +77,7 @@ impl Hands {
                 if is_read_only { "" } else { " and writes those" }
             ));
         }
-        self.image = Some(image);
+        self.image = Some((image, listening));
         Ok(())
     }
 
@@ -101,8 +100,8 @@ impl Hands {
     }
 
     /// The clients and devices that are there see another program.
-    pub(super) fn replace(&mut self, served: Option<Served>, wired: Vec<Wired>, simulation: &Simulation) {
-        if let (Some(image), Some(served)) = (&self.image, served) {
+    pub(super) fn replace(&mut self, served: Option<ToServe>, wired: Vec<Wired>, simulation: &Simulation) {
+        if let (Some((image, _)), Some(served)) = (&self.image, served) {
             image.replace(&Image::new(served.map, served.hold, simulation));
         }
         if let Some(devices) = &mut self.devices {
@@ -134,7 +133,7 @@ impl Hands {
 impl Between for Hands {
     fn before(&mut self, simulation: &mut Simulation) {
         self.inputs.give(simulation.scans(), simulation);
-        if let Some(image) = &self.image {
+        if let Some((image, _)) = &self.image {
             image.give(simulation, Instant::now());
         }
         if let Some(devices) = &self.devices {
@@ -143,7 +142,7 @@ impl Between for Hands {
     }
 
     fn after(&mut self, simulation: &mut Simulation) {
-        if let Some(image) = &self.image {
+        if let Some((image, _)) = &self.image {
             image.take(simulation);
         }
         if let Some(devices) = &self.devices {

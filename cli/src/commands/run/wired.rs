@@ -1,9 +1,9 @@
 //! What `[[device]]` asks to be connected.
 
 use super::Arguments;
-use super::served::{Served, failure, nanoseconds};
+use super::served::{failure, nanoseconds};
 use crate::outcome::Failure;
-use ladder_devices::modbus::{Device, Named, Wired, Words, bind};
+use ladder_devices::modbus::{Device, Named, ToServe, Wired, Words, bind};
 use ladder_simulator::Simulation;
 use ladder_workspace::Settings;
 
@@ -14,7 +14,7 @@ use ladder_workspace::Settings;
 pub(super) fn wired(
     arguments: &Arguments,
     settings: &Settings,
-    served: Option<&Served>,
+    served: Option<&ToServe>,
     simulation: &Simulation,
 ) -> Result<Vec<Wired>, Failure> {
     if arguments.no_devices {

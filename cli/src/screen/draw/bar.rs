@@ -20,7 +20,11 @@ pub(super) fn draw(buffer: &mut Buffer, pane: Rect, scene: Scene) {
             (false, true) => "■ HELD",
             (false, false) => ". HELD",
         };
-        let left = format!(" {}  {sign}  {controller}  {}", plant.sheet.file, watching.status());
+        let left = format!(
+            " {}  {sign}  {controller}  {}",
+            plant.sheet.file,
+            watching.status()
+        );
         put(buffer, pane, 0, 0, &left, style);
         return;
     }

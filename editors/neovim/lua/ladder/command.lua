@@ -122,6 +122,12 @@ local subcommands = {
       require('ladder.click').start(buffer())
     end,
   },
+  serve = {
+    run = function()
+      local state = require('ladder').state()
+      simulation().command(drawing(), 'serve', { on = not (state and state.served) })
+    end,
+  },
   online = {
     run = function()
       simulation().go_online(drawing())

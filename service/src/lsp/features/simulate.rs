@@ -81,6 +81,7 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
             act(shared, &it.session, Action::Force(it.tag, given)).await
         }
         Request::Unforce(it) => act(shared, &it.session, Action::Unforce(it.tag)).await,
+        Request::Serve(it) => act(shared, &it.session, Action::Serve(it.on)).await,
         Request::State(it) => act(shared, &it.session, Action::State).await,
         Request::Show(Show { session, lines, tags }) => {
             act(shared, &session, Action::Show(Shown { lines, tags })).await
@@ -387,6 +388,7 @@ mod tests {
             status: Status::Paused,
             text: String::new(),
             controller: None,
+            served: None,
             scan: 0,
             time_ms: 0.0,
             scenes: Vec::new(),

@@ -315,9 +315,8 @@ impl Moment {
     /// The networks outside of bodies that read what was not given, but constants and what the system keeps.
     pub(crate) fn open_networks(&self) -> Vec<usize> {
         let scope = Scope::default();
-        let is_open = |(point, _): &(Point, Value)| {
-            !point.is_constant() && !point.is_system() && !self.is_given(point)
-        };
+        let is_open =
+            |(point, _): &(Point, Value)| !point.is_constant() && !point.is_system() && !self.is_given(point);
         let reads_open = |network: &usize| {
             let blocks = &self.simulation.program().networks[*network].blocks;
             let mut read = blocks
