@@ -190,6 +190,7 @@ impl TypesOfText<'_, '_> {
                         spelled: symbol.name.clone(),
                         role: role(symbol)?,
                         ty: self.ty(&symbol.ty, depth + 1),
+                        has_default: true,
                     })
                 });
                 let parameters = parameters.collect();

@@ -194,6 +194,7 @@ impl<'s> Scopes<'s> {
                 spelled: known.path.to_string(),
                 role,
                 ty,
+                has_default: variable.initial.is_some(),
             });
         }
         let returns = block.unit.returns.as_ref().and_then(|returns| {

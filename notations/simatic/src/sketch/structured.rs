@@ -199,6 +199,8 @@ impl TypesOfText<'_> {
                 spelled,
                 role,
                 ty,
+                // A function must be given all of them.
+                has_default: true,
             })
         });
         let parameters = parameters.collect();

@@ -162,6 +162,7 @@ pub(super) fn enter(unit: &Unit, blocks: &mut BlockNames, scope: &mut Scope) {
             spelled,
             role,
             ty,
+            has_default: variable.initial.is_some(),
         });
     }
     let returns = unit.returns.as_ref().map(|returns| {
@@ -197,6 +198,7 @@ fn blocks_in_ladder(exports: &Exports, scope: &mut Scope) {
                 ParameterKind::InOut => ParameterRole::InOut,
             },
             ty: in_ladder(parameter.ty, parameter.declared.as_deref(), scope).unwrap_or(Type::Unknown),
+            has_default: parameter.has_default,
         });
         let shape = Shape {
             name: name.to_owned(),

@@ -75,6 +75,8 @@ pub struct Parameter {
     pub role: ParameterRole,
     /// What it takes.
     pub ty: Type,
+    /// A call may leave it out.
+    pub has_default: bool,
 }
 
 /// Which way a parameter goes.

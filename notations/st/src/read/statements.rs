@@ -2,7 +2,9 @@
 
 use super::cursor::{Cursor, Parsed};
 use super::token::TokenKind;
-use super::tree::{Arm, Assignment, Expression, ExpressionKind, For, Place, Statement, StatementKind};
+use super::tree::{
+    Arm, Assignment, Expression, ExpressionKind, For, Place, Pragma, Statement, StatementKind,
+};
 use ladder_format::program::Operator;
 
 /// What assigns the result of an operator.
@@ -63,6 +65,7 @@ impl Cursor<'_> {
                 | StatementKind::While(..)
                 | StatementKind::Repeat(..)
                 | StatementKind::Label(_)
+                | StatementKind::Pragma(..)
         );
         // CODESYS takes END_IF without `;`, TIA anything before END_.
         let ends = self.is_at_end()
@@ -83,6 +86,9 @@ impl Cursor<'_> {
     }
 
     fn statement_kind(&mut self) -> Parsed<StatementKind> {
+        if self.kind() == TokenKind::Pragma {
+            return Ok(self.pragma());
+        }
         if self.kind() == TokenKind::Word {
             let word = self.word().to_ascii_uppercase();
             match word.as_str() {
@@ -149,6 +155,28 @@ impl Cursor<'_> {
             return Ok(StatementKind::Call(call));
         }
         self.assignment(place)
+    }
+
+    fn pragma(&mut self) -> StatementKind {
+        let words = self.word().split(|c: char| !c.is_alphanumeric() && c != '_');
+        let words: Vec<String> = words
+            .filter(|word| !word.is_empty())
+            .map(str::to_lowercase)
+            .collect();
+        // Statements in C have one.
+        let is_choice = !self.word()[1..].trim_start().contains(';');
+        self.bump();
+        let kind = match words.first().map(String::as_str) {
+            Some("if" | "elsif" | "else" | "end_if" | "define" | "undefine") if is_choice => Pragma::Choice,
+            _ if words
+                .iter()
+                .any(|word| matches!(word.as_str(), "return" | "goto" | "longjmp")) =>
+            {
+                Pragma::Leaving
+            }
+            _ => Pragma::Code,
+        };
+        StatementKind::Pragma(kind, words)
     }
 
     fn assignment(&mut self, place: Place) -> Parsed<StatementKind> {

@@ -32,6 +32,8 @@ pub(super) enum TokenKind {
     Address,
     /// `:=`
     Sign(&'static str),
+    /// `{...}` that chooses what is compiled, or `{...}` and `{{...}}` with text in C.
+    Pragma,
     /// What no token begins with, and what is not closed.
     Stray,
     /// After the last one.
@@ -71,7 +73,7 @@ const DATES: [&str; 9] = [
 ];
 
 /// Pragmas that change nothing. Others choose what is compiled, or are text in C.
-const PRAGMAS: [&str; 8] = [
+const PRAGMAS: [&str; 10] = [
     "attribute",
     "region",
     "endregion",
@@ -79,6 +81,8 @@ const PRAGMAS: [&str; 8] = [
     "info",
     "text",
     "s7_",
+    "enable code generation",
+    "disable code generation",
     "analysis",
 ];
 
@@ -194,6 +198,9 @@ impl<'t> Lexer<'t> {
         } else {
             ("(*", "*)")
         };
+        if let Some(length) = line_of_debugger(rest).or_else(|| description_length(rest)) {
+            return self.comment(length, 2..length - 2);
+        }
         let plain = || rest[2..].find(close).map(|at| at + 4);
         let length = if self.nests && open == "(*" {
             let nested = nested_length(rest);
@@ -211,7 +218,8 @@ impl<'t> Lexer<'t> {
 
     fn pragma(&mut self) {
         let rest = self.rest();
-        let Some(end) = rest.find('}') else {
+        let close = if rest.starts_with("{{") { "}}" } else { "}" };
+        let Some(end) = rest.find(close) else {
             return self.push(TokenKind::Stray, rest.len());
         };
         let inside = rest[1..end].trim_start();
@@ -220,9 +228,9 @@ impl<'t> Lexer<'t> {
             begin.is_some_and(|begin| begin.eq_ignore_ascii_case(word))
         });
         if is_idle {
-            self.at += end + 1;
+            self.at += end + close.len();
         } else {
-            self.push(TokenKind::Stray, end + 1);
+            self.push(TokenKind::Pragma, end + close.len());
         }
     }
 
@@ -378,6 +386,19 @@ fn typed_length(prefix: &str, text: &str) -> usize {
         end += 1 + digits(&text[end + 1..]);
     }
     if end == sign { 0 } else { end }
+}
+
+/// How long a line is that `OpenPLC` writes for its debugger after a program: the C in it may hold `*)`.
+fn line_of_debugger(text: &str) -> Option<usize> {
+    let line = text[..line_length(text)].trim_end();
+    (line.starts_with("(*DBG:") && line.ends_with("*)")).then_some(line.len())
+}
+
+/// How long a description is that MULTIPROG writes between two comments.
+fn description_length(text: &str) -> Option<usize> {
+    const END: &str = "(*@KEY@:END_DESCRIPTION*)";
+    let is_one = text.starts_with("(*@KEY@:DESCRIPTION*)");
+    is_one.then(|| text.find(END).map(|at| at + END.len()))?
 }
 
 /// How long the comment at the beginning is if comments nest.

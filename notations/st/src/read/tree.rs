@@ -166,6 +166,19 @@ pub(super) enum StatementKind {
     While(Expression, Vec<Statement>),
     /// A loop with its condition after each turn.
     Repeat(Vec<Statement>, Expression),
+    /// `{...}`, `{{...}}`: text in C, or a choice of what is compiled. Its words.
+    Pragma(Pragma, Vec<String>),
+}
+
+/// What a pragma is that is not idle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Pragma {
+    /// Text in C.
+    Code,
+    /// Text in C that may leave the body.
+    Leaving,
+    /// What is after it is compiled, or is not.
+    Choice,
 }
 
 /// An arm of a CASE.

@@ -37,9 +37,15 @@ pub(crate) fn file(text: &str, dialect: Dialect) -> (File, Vec<Comment>) {
                 .extend(variables.into_iter().filter(|_| role == Role::Global));
         } else if cursor.is_word("CONFIGURATION") {
             cursor.configuration(&mut file);
-        } else if cursor.is_any(&["NAMESPACE", "END_NAMESPACE", "USING"]) {
-            let span = cursor.span();
-            let _ = cursor.problem::<()>(span, "namespaces are not read");
+        } else if cursor.is_any(&["NAMESPACE", "USING"]) {
+            // What is in it is read as if it were outside: a name that two namespaces have is reported as any that is there twice.
+            cursor.bump();
+            while matches!(cursor.kind(), TokenKind::Word | TokenKind::Sign("." | ","))
+                && !cursor.begins_unit()
+            {
+                cursor.bump();
+            }
+        } else if cursor.is_word("END_NAMESPACE") || cursor.kind() == TokenKind::Pragma {
             cursor.bump();
         } else {
             let _ = cursor.expected::<()>("`PROGRAM`, `FUNCTION_BLOCK`, `FUNCTION`, `TYPE` or `VAR_GLOBAL`");
@@ -60,12 +66,21 @@ pub(crate) fn body(text: &str, dialect: Dialect) -> (Vec<Statement>, Vec<Comment
 impl Cursor<'_> {
     fn skip_to_unit(&mut self) {
         self.bump();
-        while !self.is_at_end()
-            && !UNITS.iter().any(|(word, ..)| self.is_word(word))
-            && !self.is_any(&["TYPE", "VAR_GLOBAL", "CONFIGURATION"])
-        {
+        while !self.is_at_end() && !self.begins_unit() {
             self.bump();
         }
+    }
+
+    fn begins_unit(&self) -> bool {
+        let others = [
+            "TYPE",
+            "VAR_GLOBAL",
+            "CONFIGURATION",
+            "NAMESPACE",
+            "USING",
+            "END_NAMESPACE",
+        ];
+        UNITS.iter().any(|(word, ..)| self.is_word(word)) || self.is_any(&others)
     }
 
     fn unit(&mut self, kind: UnitKind, end: &str) -> Parsed<Unit> {

@@ -162,6 +162,12 @@ impl Uses<'_> {
             }
             // What is after a label may be reached from anywhere.
             StatementKind::Label(_) => self.depth += 1,
+            // Twice, for it may be assigned as well.
+            StatementKind::Pragma(_, words) => {
+                for word in words {
+                    *self.named.entry(word.clone()).or_default() += 2;
+                }
+            }
             StatementKind::Return
             | StatementKind::Exit
             | StatementKind::Continue

@@ -49,14 +49,18 @@ impl Lowering<'_, '_> {
             }
             ExpressionKind::Binary(operator, left, right) => {
                 let stops_early = self.around.dialect == Dialect::Iec && may_fault(right);
-                if stops_early && matches!(operator, Operator::And | Operator::Or) {
-                    return self.lazy(*operator, left, right);
+                let value = self.value(left)?;
+                // Of bits both sides are computed.
+                let is_truth = value.is_bool() && matches!(operator, Operator::And | Operator::Or);
+                if stops_early && is_truth {
+                    return self.lazy(*operator, value, right);
                 }
-                let left = self.operand(left, right)?;
+                let left = self.kept_before(value, right)?;
                 let right = self.value(right)?;
                 self.binary(*operator, left, right)
             }
             ExpressionKind::Lazy(operator, left, right) if may_fault(right) => {
+                let left = self.value(left)?;
                 self.lazy(*operator, left, right)
             }
             ExpressionKind::Lazy(operator, left, right) => {
@@ -69,8 +73,7 @@ impl Lowering<'_, '_> {
     }
 
     /// The left operand: what a function of the user may change is read before the function runs.
-    fn operand(&mut self, left: &Tree, right: &Tree) -> Lowered<Value> {
-        let value = self.value(left)?;
+    fn kept_before(&mut self, value: Value, right: &Tree) -> Lowered<Value> {
         if !self.calls_user(right) || matches!(value.bare(), Expression::Literal(_)) {
             return Ok(value);
         }
@@ -351,8 +354,7 @@ impl Lowering<'_, '_> {
     }
 
     /// `left AND_THEN right`: the right side is reached only if the left one leaves it open.
-    fn lazy(&mut self, operator: Operator, left: &Tree, right: &Tree) -> Lowered<Value> {
-        let left = self.value(left)?;
+    fn lazy(&mut self, operator: Operator, left: Value, right: &Tree) -> Lowered<Value> {
         let left = self.fit(left, Scalar::Bool)?;
         let path = self.temporary(Scalar::Bool);
         self.instruction("CALC", vec![(&path).into(), left.bare().clone().into()])?;

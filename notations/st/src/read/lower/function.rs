@@ -3,6 +3,7 @@
 use super::super::scope::{Parameter, ParameterRole, Shape, Type};
 use super::super::tree::{Argument, Call, Direction, Expression as Tree, ExpressionKind};
 use super::place::converted;
+use super::restarted::zero;
 use super::value::Value;
 use super::{Lowered, Lowering};
 use ladder_analysis::values::types::{Scalar, passes};
@@ -382,6 +383,7 @@ impl Lowering<'_, '_> {
             .scalar()
             .ok_or("a function that returns more than one value is not read")?;
         let mut operands = self.operands(&shape.parameters, call)?;
+        operands.extend(left_out(&shape.parameters, call));
         let result = self.temporary(scalar);
         operands.push(Operand::Taken(output.clone(), (&result).into()));
         let block = Block::user(shape.name.clone(), operands)?;
@@ -443,6 +445,28 @@ impl Lowering<'_, '_> {
             None => Err("an argument is of another type".to_owned()),
         }
     }
+}
+
+/// Inputs that a call leaves out and that have no value of their own: they have that of their type.
+fn left_out(parameters: &[Parameter], call: &Call) -> Vec<Operand> {
+    let is_by_name = call.arguments.iter().any(|argument| argument.name.is_some());
+    let is_given = |parameter: &Parameter| {
+        let mut names = call
+            .arguments
+            .iter()
+            .filter(|it| it.value.is_some())
+            .filter_map(|it| it.name.as_ref());
+        names.any(|name| name.eq_ignore_ascii_case(&parameter.name))
+    };
+    let open = parameters
+        .iter()
+        .filter(|it| is_by_name && it.role == ParameterRole::Input && !it.has_default && !is_given(it));
+    let plain = |ty: &Type| match ty {
+        Type::Scalar(scalar) => Some(*scalar),
+        _ => None,
+    };
+    open.filter_map(|it| Some(Operand::Given(it.spelled.clone(), zero(plain(&it.ty)?).into())))
+        .collect()
 }
 
 /// What a conversion makes of what: `INT_TO_REAL`, `TO_REAL`, `REAL_TRUNC_INT`

@@ -2,7 +2,8 @@
 
 use super::super::scope::{ParameterRole, Scope, Type};
 use super::super::tree::{
-    Assignment, Expression as Tree, ExpressionKind, LiteralKind, Place, Span, Statement, StatementKind, Step,
+    Assignment, Expression as Tree, ExpressionKind, LiteralKind, Place, Pragma, Span, Statement,
+    StatementKind, Step,
 };
 use super::super::uses::Uses;
 use super::condition::Power;
@@ -83,6 +84,10 @@ impl Lowering<'_, '_> {
             StatementKind::For(counting) => self.counting(statement, counting),
             StatementKind::While(condition, body) => self.while_loop(condition, body),
             StatementKind::Repeat(body, condition) => self.repeat(body, condition),
+            StatementKind::Pragma(Pragma::Choice, _) => Err("what is compiled is chosen here".to_owned()),
+            StatementKind::Pragma(Pragma::Code | Pragma::Leaving, _) => {
+                Err("it is text in C, or for the compiler".to_owned())
+            }
         }
     }
 

@@ -1,7 +1,7 @@
 //! Statements that ladder text does not have: each is an unread part at its place.
 
 use super::super::tree::{
-    Call, Direction, Expression as Tree, ExpressionKind, Place, Span, Statement, StatementKind, Step,
+    Call, Direction, Expression as Tree, ExpressionKind, Place, Pragma, Span, Statement, StatementKind, Step,
 };
 use super::Lowering;
 use ladder_format::Circuit;
@@ -161,6 +161,10 @@ impl Writes {
             StatementKind::While(condition, body) | StatementKind::Repeat(body, condition) => {
                 self.value(condition);
                 self.turns(body);
+            }
+            StatementKind::Pragma(kind, _) => {
+                self.is_open = true;
+                self.leaves |= *kind != Pragma::Code;
             }
         }
     }

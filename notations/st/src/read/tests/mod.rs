@@ -1,5 +1,6 @@
 //! Each construct of Structured Text, with the ladder text that it becomes.
 
+mod dialects;
 mod enabled;
 mod expressions;
 mod files;

@@ -102,7 +102,7 @@ fn comments_nest_where_they_do() {
         Dialect::Codesys,
         &expect![[r#"
         Word x
-        Stray {IF defined(b)}
+        Pragma {IF defined(b)}
         Text 'it$'s'
         Text "w"
         Stray '
