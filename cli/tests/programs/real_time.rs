@@ -20,6 +20,13 @@ pub(crate) struct Running {
     stderr: BufReader<ChildStderr>,
 }
 
+impl Drop for Running {
+    /// A test that fails leaves no program that runs.
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+    }
+}
+
 impl Running {
     pub(crate) fn new(folder: &Folder, arguments: &[&str]) -> Running {
         let mut command = folder.command(env!("CARGO_BIN_EXE_ladder"), arguments);

@@ -35,7 +35,14 @@ impl Work<'_> {
         let line = line_at(self.context, what.start()).ok_or("there is no comment there")?;
         let parse = &self.context.parse;
         if parse.lines()[line].kind == LineKind::Comment {
-            let range = range_of(self.context, line..line + 1);
+            // Several that follow one another are one for who edits them.
+            let last = line_at(self.context, what.end()).map_or(line, |last| last.max(line));
+            let is_between =
+                |line: &usize| matches!(parse.lines()[*line].kind, LineKind::Comment | LineKind::Blank);
+            if !(line..=last).all(|line| is_between(&line)) {
+                return Err("there is something between these comments".to_owned());
+            }
+            let range = range_of(self.context, line..last + 1);
             let old = parse.text_in(range);
             let ending = &old[old.trim_end_matches(['\r', '\n']).len()..];
             let text = lines.join(line_end(parse));

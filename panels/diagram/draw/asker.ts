@@ -2,7 +2,7 @@
 import { reasonOf } from '../../reason.ts';
 import type { FromPage, Question, ToPage } from '../messages.ts';
 import type { OtherCommands, Range } from '../../protocol.ts';
-import { commands, type Edit, type Edited, type Requests } from './requests.ts';
+import { commands, type Edited, type Requests } from './requests.ts';
 
 /** Sends a command to the server. */
 type Execute = <Name extends keyof OtherCommands>(command: Name, argument: OtherCommands[Name]['argument']) => Promise<OtherCommands[Name]['answer']>;
@@ -52,9 +52,6 @@ export async function answerOf(question: Question, uri: string, { execute, make,
         case 'edit': {
             const edited = await execute(commands.edit, { uri, ...question.argument });
             const { select, focus, said } = edited;
-            if (!isWhole(question.argument.edit, edited)) {
-                throw new Error('Several comments follow one another here: change them in the text (T)');
-            }
             return { select, focus, said, version: await make(edited) };
         }
         case 'fixes':
@@ -64,17 +61,6 @@ export async function answerOf(question: Question, uri: string, { execute, make,
         default:
             return execute(commands[question.name], { uri, ...question.argument } as never);
     }
-}
-
-/** Whether the comments on several lines that are to have another text are all gone: the server changes one at a time. */
-function isWhole(edit: Edit, { edits }: Edited): boolean {
-    if (edit.op !== 'comment' || !('what' in edit)) {
-        return true;
-    }
-    const { start, end } = edit.what;
-    const lines = edit.text.split('\n').filter((line) => line.trim() !== '').length;
-    const more = edits.map(({ range, newText }) => newText.split('\n').length - 1 - (range.end.line - range.start.line));
-    return start.line === end.line || lines - (end.line - start.line + 1) === more.reduce((sum, count) => sum + count, 0);
 }
 
 /** Replies to a question of a page. */

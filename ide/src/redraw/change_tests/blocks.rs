@@ -83,6 +83,22 @@ fn comments_come_and_go() {
     "#]],
     );
     check(
+        "# $0one #\n\n# two$1 #\n+--[ ]( a )--( )( y )--+\n",
+        edit("new"),
+        expect![[r#"
+            «# new #»
+            +--[ ]( a )--( )( y )--+
+            Comment changed
+        "#]],
+    );
+    check(
+        "# $0one #\n+--[ ]( a )--( )( y )--+\n# two$1 #\n",
+        edit("new"),
+        expect![[r#"
+            there is something between these comments
+        "#]],
+    );
+    check(
         "+--[ ]( a )--# $0in$1 #--( )( y )--+\n",
         edit("new"),
         expect![[r#"
