@@ -44,7 +44,22 @@ fn one_reading_shows_the_power_and_says_why() {
     let (folder, _press, source) = press(&[]);
     let once = folder.ladder(&["online", "press.clad", "--from", &source, "--once"]);
     assert_eq!(once.status, Some(0), "{once}");
-    expect![[""]].assert_eq(&shown(&once.stdout, &source));
+    expect![[r#"
+        SOURCE: READ ONLY; values OLD
+
+        │     start     stop                                                    run   │
+        ┝━━┳━━┥━━━┝━━┳━━┥━/━┝━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━(━━━)━━┥
+        │  ┃   run   ┃                                                                │
+        │  ┗━━┥━━━┝━━┛                                                                │
+
+        │     70                                                                      │
+        │    level    spare                                                    high   │
+        ┝━━━━┥━>━┝━━━━┥   ├────────────────────────────────────────────────────(   )──┤
+        │     50                                                                      │
+
+        not known, because a value that they need was not read: the rungs in line 14
+    "#]]
+    .assert_eq(&shown(&once.stdout, &source));
     let why = folder.ladder(&[
         "online",
         "press.clad",
@@ -57,10 +72,31 @@ fn one_reading_shows_the_power_and_says_why() {
         "values.csv",
     ]);
     assert_eq!(why.status, Some(0), "{why}");
-    expect![[""]].assert_eq(&shown(&why.stdout, &source));
-    expect![[""]].assert_eq(&folder.read("values.csv"));
+    expect![[r#"
+        SOURCE: READ ONLY; values OLD
+
+        run is 1: line 12, ( )( run ) writes 1; power came through [ ]( start ) (line 12, column 7): start is 1, [/]( stop ) (line 12, column 24): stop is 0
+          start is 1: it is an input
+          stop is 0: it is an input
+
+        │     start     stop                                                    run   │
+        ┝━━┳━━┥━━━┝━━┳━━┥━/━┝━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━(━━━)━━┥
+        │  ┃   run   ┃                                                                │
+        │  ┗━━┥━━━┝━━┛                                                                │
+
+        not known, because a value that they need was not read: the rungs in line 14
+    "#]].assert_eq(&shown(&why.stdout, &source));
+    expect![[r#"
+        name,value
+        start,TRUE
+        stop,FALSE
+        level,70
+        run,TRUE
+        high,FALSE
+    "#]]
+    .assert_eq(&folder.read("values.csv"));
     let later = folder.ladder(&["why", "press.clad", "high", "--tags", "values.csv"]);
-    expect![[""]].assert_eq(later.stdout.lines().next().unwrap_or_default());
+    expect!["high is 0, as far as the table goes: line 14, ( )( high ) writes 0; blocked by [ ]( spare ) (line 14, column 23): spare is 0"].assert_eq(later.stdout.lines().next().unwrap_or_default());
 }
 
 #[test]
@@ -77,7 +113,21 @@ fn a_controller_with_another_program_is_told() {
         "run",
     ]);
     assert_eq!(once.status, Some(1), "{once}");
-    expect![[""]].assert_eq(&shown(&once.stdout, &source));
+    expect![[r#"
+        SOURCE: READ ONLY; values OLD; 1 value is against the program
+
+        run is 1, against the program: line 12, ( )( run ) writes 0; blocked by [ ]( stop ) (line 12, column 24): stop is 0
+          stop is 0: it is an input
+
+        │     start     stop                                                    run   │
+        ┝━━┳━━┥━━━┝━━┳━━┥   ├──────────────────────────────────────────────────(   )──┤
+        │  ┃   run   ┃                                                                │
+        │  ┗━━┥━━━┝━━┛                                                                │
+
+        not known, because a value that they need was not read: the rungs in line 14
+
+        line 12: run is not what this rung makes it: something else writes it, or the controller runs another program
+    "#]].assert_eq(&shown(&once.stdout, &source));
 }
 
 #[test]
@@ -98,7 +148,7 @@ fn what_was_recorded_is_played() {
     let rows: Vec<&str> = text.lines().collect();
     assert_eq!(
         rows[..2],
-        ["run,high,start,stop,level", "TRUE,FALSE,TRUE,FALSE,70"],
+        ["start,stop,level,run,high", "TRUE,FALSE,70,TRUE,FALSE"],
         "{text}"
     );
     assert!(
@@ -153,5 +203,15 @@ fn what_cannot_be_watched_is_refused() {
         refused(&["own/press.clad", "--once"]),
         refused(&["map/press.clad", "--once"]),
     ];
-    expect![[""]].assert_eq(&all.concat());
+    expect![[r#"
+        error: which controller? Write --from logix:192.168.1.10/0 or --from modbus:192.168.1.20:502, or put [online] into ladder.toml
+        error: --from: 10.0.0.5 is not a controller: write logix:ADDRESS/SLOT as in logix:192.168.1.10/0, or modbus:HOST:PORT as in modbus:192.168.1.10:502
+        error: say what is to be done: --once writes the diagram with its power, --record FILE.csv records; on a terminal it is shown live
+        error: the controller cannot be reached at 127.0.0.1:1: Connection refused (os error 111)
+        error: nothing is known to be at any place of the controller: no tag has a direct address such as %QX0.0, and [online.map] in ladder.toml names none
+        error: "1.2.3.4/x" is not the address of a Logix controller (what follows the host is neither a slot nor a route): write HOST/SLOT, as 10.0.0.5/0 for the processor in slot 0, or a route as 10.0.0.5/bp/1/enet/10.1.1.1/bp/0
+        error: own/ladder.toml:1:1: a program is watched on one controller: write `logix` or `modbus`
+        own/ladder.toml:4:9: `odd` is not one of them: known here are big, little
+        error: map/ladder.toml:4:1: there is no tag `nothing` in this program
+    "#]].assert_eq(&all.concat());
 }

@@ -192,7 +192,23 @@ fn what_stays_against_the_program_is_a_fault_of_its_rung() {
     desk.set(&[("high", Held::Bool(true)), ("n", Held::Int(0))]);
     session.wait(400);
     let seen = state(&mut session);
-    expect![[""]].assert_eq(&format!("{:#}", seen["faults"]));
+    expect![[r#"
+        [
+          {
+            "message": "high is not what this rung makes it: something else writes it, or the controller runs another program",
+            "range": {
+              "end": {
+                "character": 0,
+                "line": 4
+              },
+              "start": {
+                "character": 0,
+                "line": 3
+              }
+            },
+            "scan": 9
+          }
+        ]"#]].assert_eq(&format!("{:#}", seen["faults"]));
 }
 
 #[test]
@@ -265,7 +281,11 @@ fn without_a_way_or_a_name_there_is_a_sentence() {
             Some(Desk::default()),
         ),
     ];
-    expect![[""]].assert_eq(&all.join("\n"));
+    expect![[r#"
+        there is no way to a controller from here
+        which controller? Put [online] into ladder.toml, for example with logix = "192.168.1.10/0"
+        no address"#]]
+    .assert_eq(&all.join("\n"));
 }
 
 #[test]
@@ -274,7 +294,8 @@ fn clients_write_before_a_scan_and_read_after_it() {
     let mut session = opened_beside(MOTOR, &[], Some(desk.clone()));
     command(&mut session, "start", json!({"uri": URI}));
     let served = command(&mut session, "serve", json!({"session": "s1", "on": true}));
-    expect![[""]].assert_eq(served["text"].as_str().unwrap());
+    expect!["paused, scan 0, 0ms, a desk: 2 tags, 1 can be written"]
+        .assert_eq(served["text"].as_str().unwrap());
     desk.set(&[("start", Held::Bool(true))]);
     let held = |name: &str| desk.0.lock().unwrap().get(name).cloned();
     assert_eq!(held("run"), None);

@@ -79,7 +79,19 @@ fn power_is_what_the_values_say() {
 
 #[test]
 fn what_was_not_read_is_not_known() {
-    check(&["start=1 stop=0 run=1 high=0"], expect![[""]]);
+    check(
+        &["start=1 stop=0 run=1 high=0"],
+        expect![[r#"
+        not known: +--[ ]( run )--[TON]( t1, T#5s )--( )( warm )---+
+        not known: +--[GT]( level, 50 )--( )( high )---------------+
+        +==\==[ ]( start )==\==[/]( stop )==( )( run )==+
+        |  /==[ ]( run )====/                           |
+        +==[ ]( run )==[TON]( t1, T#5s )--( )( warm )---+
+        +==[GT]( level, 50 )--( )( high )---------------+
+        +==[ ]( start )==( )( twice )===================+
+        +==[ ]( stop )--(S)( twice )====================+
+    "#]],
+    );
 }
 
 #[test]
@@ -113,6 +125,14 @@ fn of_several_writers_the_last_counts() {
             "start=0 stop=1 run=0 level=0 high=0 twice=1",
             "start=1 stop=0 run=1 level=0 high=0 twice=0",
         ],
-        expect![[""]],
+        expect![[r#"
+            not known: +--[ ]( run )--[TON]( t1, T#5s )--( )( warm )---+
+            +==\==[ ]( start )==\==[/]( stop )==( )( run )==+
+            |  /==[ ]( run )====/                           |
+            +==[ ]( run )==[TON]( t1, T#5s )--( )( warm )---+
+            +==[GT]( level, 50 )--( )( high )---------------+
+            +==[ ]( start )==( )( twice )===================+
+            +==[ ]( stop )--(S)( twice )--------------------+
+        "#]],
     );
 }

@@ -198,8 +198,12 @@ impl<'t> Lexer<'t> {
         } else {
             ("(*", "*)")
         };
-        if let Some(length) = line_of_debugger(rest).or_else(|| description_length(rest)) {
-            return self.comment(length, 2..length - 2);
+        if let Some(length) = line_of_debugger(rest) {
+            self.at += length;
+            return;
+        }
+        if let Some(length) = description_length(rest) {
+            return self.comment(length, DESCRIPTION.0.len()..length - DESCRIPTION.1.len());
         }
         let plain = || rest[2..].find(close).map(|at| at + 4);
         let length = if self.nests && open == "(*" {
@@ -394,11 +398,14 @@ fn line_of_debugger(text: &str) -> Option<usize> {
     (line.starts_with("(*DBG:") && line.ends_with("*)")).then_some(line.len())
 }
 
+/// Around the descriptions of MULTIPROG.
+const DESCRIPTION: (&str, &str) = ("(*@KEY@:DESCRIPTION*)", "(*@KEY@:END_DESCRIPTION*)");
+
 /// How long a description is that MULTIPROG writes between two comments.
 fn description_length(text: &str) -> Option<usize> {
-    const END: &str = "(*@KEY@:END_DESCRIPTION*)";
-    let is_one = text.starts_with("(*@KEY@:DESCRIPTION*)");
-    is_one.then(|| text.find(END).map(|at| at + END.len()))?
+    let (begin, end) = DESCRIPTION;
+    let inside = text.strip_prefix(begin)?.find(end)?;
+    Some(begin.len() + inside + end.len())
 }
 
 /// How long the comment at the beginning is if comments nest.

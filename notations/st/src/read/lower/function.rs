@@ -383,7 +383,7 @@ impl Lowering<'_, '_> {
             .scalar()
             .ok_or("a function that returns more than one value is not read")?;
         let mut operands = self.operands(&shape.parameters, call)?;
-        operands.extend(left_out(&shape.parameters, call));
+        operands.extend(left_out(&shape.parameters, &operands));
         let result = self.temporary(scalar);
         operands.push(Operand::Taken(output.clone(), (&result).into()));
         let block = Block::user(shape.name.clone(), operands)?;
@@ -448,25 +448,20 @@ impl Lowering<'_, '_> {
 }
 
 /// Inputs that a call leaves out and that have no value of their own: they have that of their type.
-fn left_out(parameters: &[Parameter], call: &Call) -> Vec<Operand> {
-    let is_by_name = call.arguments.iter().any(|argument| argument.name.is_some());
+fn left_out(parameters: &[Parameter], operands: &[Operand]) -> Vec<Operand> {
     let is_given = |parameter: &Parameter| {
-        let mut names = call
-            .arguments
+        operands
             .iter()
-            .filter(|it| it.value.is_some())
-            .filter_map(|it| it.name.as_ref());
-        names.any(|name| name.eq_ignore_ascii_case(&parameter.name))
+            .any(|operand| matches!(operand, Operand::Given(name, _) if *name == parameter.spelled))
     };
     let open = parameters
         .iter()
-        .filter(|it| is_by_name && it.role == ParameterRole::Input && !it.has_default && !is_given(it));
-    let plain = |ty: &Type| match ty {
-        Type::Scalar(scalar) => Some(*scalar),
+        .filter(|it| it.role == ParameterRole::Input && !it.has_default && !is_given(it));
+    open.filter_map(|it| match &it.ty {
+        Type::Scalar(scalar) => Some(Operand::Given(it.spelled.clone(), zero(*scalar).into())),
         _ => None,
-    };
-    open.filter_map(|it| Some(Operand::Given(it.spelled.clone(), zero(plain(&it.ty)?).into())))
-        .collect()
+    })
+    .collect()
 }
 
 /// What a conversion makes of what: `INT_TO_REAL`, `TO_REAL`, `REAL_TRUNC_INT`
