@@ -108,10 +108,8 @@ fn the_server_of_another_program_is_a_device() {
     };
     let image = Image::new(Map::new(&places, &remote).unwrap(), Hold::Last, &remote);
     let any = SocketAddr::from((Ipv4Addr::LOCALHOST, 0));
-    let address = serve(any, &image, Rules::default(), |_: &str| {})
-        .unwrap()
-        .address;
-    let mut controller = Controller::new(address);
+    let listening = serve(any, &image, Rules::default(), |_: &str| {}).unwrap();
+    let mut controller = Controller::new(listening.address);
     let speed = remote.resolve("speed").unwrap();
     let end = Instant::now() + PATIENCE;
     // The switch is on while the lamp is off, which the switch turns on: both are seen in both states.

@@ -1,6 +1,6 @@
 //! A server next to a client that others wrote, and bytes that no client sends.
 
-use ladder_devices::modbus::{Hold, Image, Map, Named, Places, Rules, serve};
+use ladder_devices::modbus::{Hold, Image, Listening, Map, Named, Places, Rules, serve};
 use ladder_simulator::{Options, Simulation};
 use std::io::{Read, Write};
 use std::net::{Ipv4Addr, SocketAddr, TcpStream};
@@ -17,6 +17,8 @@ struct Served {
     simulation: Simulation,
     address: SocketAddr,
     told: Arc<Mutex<Vec<String>>>,
+    /// It is served as long as this is there.
+    listening: Listening,
 }
 
 impl Served {
@@ -45,12 +47,13 @@ impl Served {
         let keep = told.clone();
         let tell = move |line: &str| keep.lock().unwrap().push(line.to_owned());
         let any = SocketAddr::from((Ipv4Addr::LOCALHOST, 0));
-        let address = serve(any, &image, rules, tell).unwrap().address;
+        let listening = serve(any, &image, rules, tell).unwrap();
         Served {
             image,
             simulation,
-            address,
+            address: listening.address,
             told,
+            listening,
         }
     }
 
@@ -69,6 +72,19 @@ impl Served {
 fn with_client<T>(asks: impl Future<Output = T>) -> T {
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
     runtime.unwrap().block_on(asks)
+}
+
+#[test]
+fn a_server_ends_with_its_handle() {
+    let Served {
+        address, listening, ..
+    } = Served::new(Rules::default());
+    drop(listening);
+    let end = Instant::now() + Duration::from_secs(30);
+    while TcpStream::connect(address).is_ok() {
+        assert!(Instant::now() < end);
+        std::thread::sleep(Duration::from_millis(5));
+    }
 }
 
 #[test]

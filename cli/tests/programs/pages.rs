@@ -86,6 +86,7 @@ fn manual_pages() {
         ladder-mcp.1
         ladder-merge.1
         ladder-new.1
+        ladder-online.1
         ladder-prove.1
         ladder-render.1
         ladder-run.1

@@ -69,7 +69,7 @@ fn what_cannot_be_wired_is_refused() {
     };
     expect![[r#"
         error: ladder.toml:1:1: a device has `name`, for example name = "rio"
-        ladder.toml:2:10: `192.168.1.20` is not the address of a device with its port, for example "192.168.1.20:502"
+        ladder.toml:2:10: `192.168.1.20` is not an address with its port, for example "192.168.1.20:502"
         ladder.toml:3:8: a whole number from 0 to 255 is expected here
         ladder.toml:4:9: `write` is a table of places and tags, for example write = { "coil 0..7" = "%QX10.0", "holding 4" = "speed" }
         ladder.toml:5:1: a device has `read`, `write` or both, for example read = { "discrete 0..7" = "%IX10.0", "input 0" = "level" }

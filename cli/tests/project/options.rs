@@ -4,11 +4,12 @@ use ladder_tests::{book, project};
 use std::collections::BTreeSet;
 use std::process::Command;
 
-const COMMANDS: [&str; 18] = [
+const COMMANDS: [&str; 19] = [
     "check",
     "fmt",
     "sim",
     "run",
+    "online",
     "tags",
     "test",
     "prove",

@@ -167,6 +167,11 @@ async fn the_page_shows_every_command_whole() {
                 is_whole::<messages::Stopped>(answer);
                 continue;
             }
+            // The program of the page has nothing to serve.
+            "serve" => {
+                is_whole::<messages::Serve>(argument);
+                continue;
+            }
             // Its answer depends on the moment.
             "pause" => {
                 is_whole::<messages::OfSession>(argument);
