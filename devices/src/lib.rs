@@ -26,6 +26,7 @@ pub mod modbus;
 pub mod online;
 pub mod pace;
 pub mod real;
+mod source;
 pub mod system;
 
 #[cfg(test)]

@@ -5,8 +5,9 @@ use super::blocks::{Block, GAP, Limits, blocks};
 use super::client::{Client, Failed, open};
 use super::guard::Guard;
 use super::registers::value;
-use crate::online::{Found, Source, Wanted};
+use crate::source::Source;
 use ladder_analysis::values::value::Value;
+use ladder_simulator::online::{Found, Wanted};
 use std::time::Duration;
 use tokio::runtime::{Builder, Runtime};
 

@@ -1,8 +1,9 @@
 //! Which controller is watched, and what of the program is asked for there.
 
-use super::{Source, Wanted, Watch};
+use super::watch::Watch;
+use crate::source::Source;
 use ladder_simulator::Point;
-use ladder_simulator::online::Online;
+use ladder_simulator::online::{Online, Wanted};
 use ladder_workspace::Online as Asked;
 use std::fmt;
 use std::ops::Range;

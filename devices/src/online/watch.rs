@@ -1,6 +1,6 @@
 //! The thread that reads a controller again and again, and what it has read last.
 
-use super::Source;
+use crate::source::Source;
 use ladder_simulator::online::{Connection, Newest, Wanted, Watched};
 use std::io;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};

@@ -14,12 +14,13 @@ mod path;
 mod plan;
 mod values;
 
-use super::{Found, Source, Wanted};
+use crate::source::Source;
 use ciplink::cip::CipOptions;
 use ciplink::logix::driver::{LogixDriver, LogixOptions};
 use ciplink::{Error, ErrorKind};
 use guard::Terms;
 use ladder_analysis::values::value::Value;
+use ladder_simulator::online::{Found, Wanted};
 use plan::{Ask, plan};
 use std::fmt;
 use std::time::Duration;

@@ -2,10 +2,10 @@
 
 use super::path::{Path, Piece, is_of_program};
 use super::values::{fits, width};
-use crate::online::{Found, Wanted};
 use ciplink::logix::{driver::Definitions, types};
 use ciplink::types::Elementary;
 use ladder_analysis::values::types::Scalar;
+use ladder_simulator::online::{Found, Wanted};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 use types::{DataType, TagDef, TypeRef};
