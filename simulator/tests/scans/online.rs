@@ -58,7 +58,8 @@ fn check(snapshots: &[&str], expected: Expect) {
         let range = networks[network].location.range;
         shown.push_str(&format!("not known: {}\n", PRESS[range].lines().next().unwrap()));
     }
-    shown.push_str(&diagram(PRESS, online.simulation()).split_once("\n\n").unwrap().1);
+    let drawn = diagram(PRESS, online.simulation());
+    shown.push_str(drawn.split_once("\n\n").unwrap().1);
     expected.assert_eq(&shown);
 }
 

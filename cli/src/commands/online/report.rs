@@ -9,7 +9,7 @@ use crate::output::Output;
 use crate::terminal::{self, Stdout};
 use ladder_devices::online::Controller;
 use ladder_picture::letters::Style;
-use ladder_simulator::online::Watching;
+use ladder_simulator::online::{Doubt, Watching};
 use ladder_simulator::value_text;
 use ladder_workspace::shown;
 use std::io::Write;
@@ -65,7 +65,7 @@ pub(super) fn once(
     }
     out.flush()?;
     differences(watching);
-    let contradicts = online.doubts().iter().any(|doubt| doubt.is_reported());
+    let contradicts = online.doubts().iter().any(Doubt::is_reported);
     Ok(if contradicts {
         Outcome::Findings
     } else {
