@@ -16,6 +16,9 @@ return function(t, messages)
     local bufnr = t.open('watched.clad')
     local settings = vim.fn.expand('%:p:h') .. '/ladder.toml'
     vim.fn.writefile({ '[online]', ('modbus = "%s"'):format(vim.env.LADDER_CONTROLLER) }, settings)
+    local client = vim.lsp.get_clients({ bufnr = bufnr, name = 'ladder' })[1]
+    -- Not every system reports files that are new.
+    client:notify('workspace/didChangeWatchedFiles', { changes = { { uri = vim.uri_from_fname(settings), type = 1 } } })
     vim.cmd('Ladder online')
     t.eventually('the values', function()
       local state = ladder.state()
