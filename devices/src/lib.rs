@@ -28,6 +28,7 @@ pub mod pace;
 pub mod real;
 mod source;
 pub mod system;
+mod wrong;
 
 #[cfg(test)]
 mod tests {

@@ -135,10 +135,7 @@ impl Engine {
         let faults = reported.map(|doubt| {
             let (uri, range) = self.place(online.simulation().program().networks[doubt.network].location);
             messages::Fault {
-                message: format!(
-                    "{} is not what this rung makes it: something else writes it, or the controller runs another program",
-                    doubt.point.name
-                ),
+                message: doubt.to_string(),
                 uri,
                 range,
                 scan: self.scans(),

@@ -16,7 +16,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 /// So many snapshots in a row a value has to contradict the program in until that is reported.
-const PATIENCE: u32 = 3;
+pub const PATIENCE: u32 = 3;
 
 /// So many values are judged in a snapshot.
 const MOST: usize = 100;
@@ -65,8 +65,6 @@ pub struct Newest {
     pub values: Arc<[Option<Value>]>,
     /// How long ago that was complete.
     pub age: Option<Duration>,
-    /// How long it took to read.
-    pub took: Duration,
 }
 
 /// A controller that is watched until this is dropped.
@@ -101,6 +99,20 @@ impl Doubt {
     /// It has been so for longer than a read between two scans explains.
     pub fn is_reported(&self) -> bool {
         self.times >= PATIENCE
+    }
+}
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = &self.point.name;
+        if self.is_reported() {
+            write!(
+                f,
+                "{name} is not what this rung makes it: something else writes it, or the controller runs another program"
+            )
+        } else {
+            write!(f, "{name} changed while reading")
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use super::blocks::{GAP, Limits, blocks};
 use super::place::{Place, Table, address_after};
 use super::registers::{Words, width};
+use crate::wrong::Wrong;
 use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Scalar;
 use ladder_simulator::{Point, Simulation};
@@ -78,15 +79,6 @@ pub struct Reading<'m> {
     pub tags: Vec<(Place, &'m Point)>,
 }
 
-/// Something that was written and cannot be.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Wrong {
-    /// Where it is written.
-    pub at: Range<usize>,
-    /// What is wrong, and what to do.
-    pub message: String,
-}
-
 /// A tag at its place.
 #[derive(Debug, Clone)]
 pub(super) struct Entry {
@@ -106,17 +98,6 @@ pub struct Map {
     pub(super) words: Words,
     /// In the order of their places.
     pub(super) entries: Vec<Entry>,
-}
-
-#[cfg(test)]
-impl Wrong {
-    /// What is wrong, a line each, with where it is written.
-    pub(super) fn lines(wrong: &[Wrong]) -> Vec<String> {
-        let lines = wrong.iter();
-        lines
-            .map(|wrong| format!("{}: {}", wrong.at.start, wrong.message))
-            .collect()
-    }
 }
 
 #[cfg(test)]

@@ -21,12 +21,13 @@ mod server;
 mod settings;
 mod watched;
 
-pub use bind::{Layout, Map, Named, Places, Reading, Wrong};
+pub use crate::wrong::Wrong;
+pub use bind::{Layout, Map, Named, Places, Reading};
 pub use device::{Device, Devices, Wired, bind};
 pub use freeze::freeze;
 pub use image::{Hold, Image, Refused, TIMEOUT};
 pub use place::{Place, Table};
 pub use registers::Words;
 pub use server::{ADDRESS, Listening, Rules, Subnet, serve};
-pub use settings::ToServe;
+pub use settings::{NOTHING, ToServe, allowed, map};
 pub use watched::Modbus;

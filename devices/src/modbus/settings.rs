@@ -1,13 +1,17 @@
 //! What `[serve.modbus]` asks to be served.
 
-use super::bind::{Layout, Map, Named, Places, Wrong};
+use super::bind::{Layout, Map, Named, Places};
 use super::image::{Hold, TIMEOUT};
 use super::registers::Words;
 use super::server::{ADDRESS, Rules, Subnet};
+use crate::wrong::Wrong;
 use ladder_simulator::Simulation;
 use ladder_workspace::ServeModbus;
 use std::net::SocketAddr;
 use std::time::Duration;
+
+/// Why a map without a tag is not served.
+pub const NOTHING: &str = "there is nothing to serve on Modbus: no tag has a direct address such as %QX0.0, and [serve.modbus.map] in ladder.toml names none";
 
 /// A server that is to be.
 #[derive(Debug)]
@@ -30,7 +34,7 @@ impl ToServe {
     pub fn of(asked: &ServeModbus, simulation: &Simulation) -> Result<ToServe, Vec<Wrong>> {
         let usual = Rules::default();
         let nanoseconds = |time: i64| Duration::from_nanos(time.unsigned_abs());
-        let (map, allow) = match (Map::new(&places(asked), simulation), allowed(asked)) {
+        let (map, allow) = match (map(asked, simulation), allowed(asked)) {
             (Ok(map), Ok(allow)) => (map, allow),
             (map, allow) => {
                 return Err(map.err().into_iter().flatten().chain(allow.err()).collect());
@@ -54,7 +58,10 @@ impl ToServe {
 }
 
 /// From where connections are taken.
-fn allowed(asked: &ServeModbus) -> Result<Vec<Subnet>, Wrong> {
+///
+/// # Errors
+/// A network is not one.
+pub fn allowed(asked: &ServeModbus) -> Result<Vec<Subnet>, Wrong> {
     let allowed = asked.allow.iter().map(|(text, at)| {
         Subnet::parse(text).map_err(|message| Wrong {
             at: at.clone(),
@@ -62,6 +69,14 @@ fn allowed(asked: &ServeModbus) -> Result<Vec<Subnet>, Wrong> {
         })
     });
     allowed.collect()
+}
+
+/// Which tags are where.
+///
+/// # Errors
+/// The settings do not fit the program.
+pub fn map(asked: &ServeModbus, simulation: &Simulation) -> Result<Map, Vec<Wrong>> {
+    Map::new(&places(asked), simulation)
 }
 
 /// What is asked to be where.

@@ -2,11 +2,11 @@
 
 use super::watch::Watch;
 use crate::source::Source;
+use crate::wrong::Wrong;
 use ladder_simulator::Point;
 use ladder_simulator::online::{Online, Wanted};
 use ladder_workspace::Online as Asked;
 use std::fmt;
-use std::ops::Range;
 use std::time::Duration;
 
 /// From one reading to the next, unless something else is asked for.
@@ -27,15 +27,6 @@ pub struct Controller {
 enum Place {
     Logix(String),
     Modbus(String),
-}
-
-/// Something in the settings that does not fit the program.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Wrong {
-    /// Where it is written; of what no place is known the whole section.
-    pub at: Range<usize>,
-    /// What is wrong, and what to do.
-    pub message: String,
 }
 
 /// A controller, and what it is asked for.
@@ -133,12 +124,7 @@ impl Controller {
             write: Vec::new(),
             at: asked.range.clone(),
         };
-        let map = Map::new(&places, program.simulation()).map_err(|wrong| {
-            let wrong = wrong.into_iter();
-            wrong
-                .map(|crate::modbus::Wrong { at, message }| Wrong { at, message })
-                .collect::<Vec<_>>()
-        })?;
+        let map = Map::new(&places, program.simulation())?;
         let source = Modbus::new(address, asked.unit.unwrap_or(1), map, self.patience());
         let wanted = source.wanted();
         Ok((Box::new(source), wanted))

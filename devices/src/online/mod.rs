@@ -13,6 +13,7 @@ pub mod logix;
 mod watch;
 
 pub use crate::source::Source;
-pub use controller::{Controller, EVERY, PATIENCE, Wrong};
+pub use crate::wrong::Wrong;
+pub use controller::{Controller, EVERY, PATIENCE};
 pub use ladder_simulator::online::{Found, Wanted};
 pub use watch::Watch;

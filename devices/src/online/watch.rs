@@ -35,7 +35,6 @@ impl Watch {
             snapshots: 0,
             values: Arc::new([]),
             age: None,
-            took: Duration::ZERO,
         };
         let newest = Arc::new(Mutex::new((nothing, None)));
         let (ending, ended) = channel::<()>();
@@ -101,7 +100,6 @@ fn attend(
             newest.snapshots += 1;
             newest.values = values.into();
             *at = Some(Instant::now());
-            newest.took = began.elapsed();
         }
         wake();
         // What is late is not caught up: a slow controller would never be left alone.

@@ -4,7 +4,7 @@ use std::net::{Ipv4Addr, SocketAddr};
 use std::time::Instant;
 
 use ladder_analysis::values::value::Value;
-use ladder_devices::modbus::{Image, Listening, Map, ToServe, Wrong, serve};
+use ladder_devices::modbus::{Image, Listening, Map, NOTHING, ToServe, Wrong, serve};
 use ladder_devices::online::Controller;
 use ladder_host::{Connection, Served, Wires};
 use ladder_simulator::online::Online;
@@ -87,7 +87,7 @@ fn to_serve(asked: &ServeModbus, simulation: &Simulation) -> Result<ToServe, Str
     let served =
         served.map_err(|wrong: Vec<Wrong>| sentence(wrong.into_iter().map(|wrong| wrong.message)))?;
     if served.map.is_empty() {
-        return Err("there is nothing to serve on Modbus: no tag has a direct address such as %QX0.0, and [serve.modbus.map] in ladder.toml names none".to_owned());
+        return Err(NOTHING.to_owned());
     }
     Ok(served)
 }

@@ -111,7 +111,6 @@ impl Watched for Watch {
             snapshots: self.snapshots.fetch_add(1, Ordering::Relaxed),
             values: values.into(),
             age: Some(Duration::from_millis(100)),
-            took: Duration::from_millis(3),
         }
     }
 }

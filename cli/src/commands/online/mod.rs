@@ -3,6 +3,7 @@
 mod record;
 mod report;
 
+use crate::commands::run::served;
 use crate::findings::Source;
 use crate::outcome::{Failure, Outcome};
 use crate::output::{Existing, Output};
@@ -12,10 +13,10 @@ use crate::screen;
 use crate::terminal;
 use clap::Args;
 use ladder_devices::online::{Controller, Wrong};
-use ladder_simulator::online::{Connection, Online, Watching};
+use ladder_simulator::online::{Connection, Doubt, Online, PATIENCE, Watching};
 use ladder_workspace::{Settings, shown};
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{Receiver, channel};
+use std::sync::mpsc::{Receiver, sync_channel};
 use std::time::{Duration, Instant};
 
 const EXAMPLES: &str = "\
@@ -103,10 +104,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return Ok(Outcome::Findings);
     };
     let online = Online::new(program).map_err(Failure::new)?;
-    let (wake, woken) = channel();
-    // Nobody waits for it on the screen.
+    let (wake, woken) = sync_channel(1);
+    // Once is enough; on the screen, and while it records, nobody waits for it.
     let wake = move || {
-        let _ = wake.send(());
+        let _ = wake.try_send(());
     };
     let watch = controller.watch(&stem(&arguments.file), &online, wake);
     let watch = watch.map_err(|wrong| failure(&arguments.file, wrong))?;
@@ -161,15 +162,9 @@ fn stem(file: &Path) -> String {
 
 /// What is wrong with settings next to the program of a file.
 fn failure(file: &Path, wrong: Vec<Wrong>) -> Failure {
-    let found = wrong
-        .iter()
-        .map(|wrong| (wrong.at.clone(), wrong.message.clone()));
     // What comes from the command line is at no place.
-    let found = found.filter(|(at, _)| !at.is_empty()).collect::<Vec<_>>();
-    if found.len() == wrong.len()
-        && let Some(error) = Settings::found_wrong(file, found)
-    {
-        return error.into();
+    if wrong.iter().all(|wrong| !wrong.at.is_empty()) {
+        return served::failure(file, wrong);
     }
     Failure::of_lines(wrong.into_iter().map(|wrong| wrong.message))
 }
@@ -198,16 +193,13 @@ fn first(controller: &Controller, watching: &mut Watching, woken: &Receiver<()>)
 
 /// Reads on while it is open whether a value contradicts the program or has changed while it was read.
 fn settle(watching: &mut Watching, woken: &Receiver<()>) {
-    while watching
-        .online()
-        .doubts()
-        .iter()
-        .any(|doubt| !doubt.is_reported())
-    {
+    // On a busy machine something always has: what does not stay is not waited for.
+    let mut left = PATIENCE - 1;
+    while left > 0 && !watching.online().doubts().iter().all(Doubt::is_reported) {
         if woken.recv_timeout(FIRST).is_err() || watching.newest().connection != Connection::Open {
             return;
         }
-        watching.look();
+        left -= u32::from(watching.look());
     }
 }
 

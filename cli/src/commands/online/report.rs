@@ -53,15 +53,7 @@ pub(super) fn once(
     }
     for doubt in online.doubts() {
         let place = line(doubt.network).map_or_else(String::new, |line| format!("line {line}: "));
-        let name = &doubt.point.name;
-        let why = if doubt.is_reported() {
-            format!(
-                "{name} is not what this rung makes it: something else writes it, or the controller runs another program"
-            )
-        } else {
-            format!("{name} changed while reading")
-        };
-        writeln!(out, "\n{place}{}", shown::line(&why))?;
+        writeln!(out, "\n{place}{}", shown::line(&doubt.to_string()))?;
     }
     out.flush()?;
     differences(watching);

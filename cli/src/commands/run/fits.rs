@@ -1,7 +1,7 @@
 //! Whether settings fit a program, without running it.
 
 use super::wired;
-use ladder_devices::modbus::{ToServe, Wrong, bind};
+use ladder_devices::modbus::{self, Wrong, bind};
 use ladder_simulator::Simulation;
 use ladder_workspace::Settings;
 
@@ -10,8 +10,9 @@ pub(crate) fn misfits(settings: &Settings, simulation: &Simulation) -> Vec<Wrong
     let mut wrong = Vec::new();
     let mut map = None;
     if let Some(asked) = &settings.modbus {
-        match ToServe::of(asked, simulation) {
-            Ok(own) => map = Some(own.map),
+        wrong.extend(modbus::allowed(asked).err());
+        match modbus::map(asked, simulation) {
+            Ok(own) => map = Some(own),
             Err(own) => wrong.extend(own),
         }
     }

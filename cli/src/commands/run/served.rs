@@ -2,7 +2,7 @@
 
 use super::Arguments;
 use crate::outcome::Failure;
-use ladder_devices::modbus::{Map, ToServe, Wrong};
+use ladder_devices::modbus::{self, Map, NOTHING, ToServe, Wrong};
 use ladder_simulator::Simulation;
 use ladder_workspace::{ServeModbus, Settings};
 use std::path::Path;
@@ -35,9 +35,7 @@ pub(super) fn served(
         served.map = served.map.read_only();
     }
     if served.map.is_empty() {
-        return Err(Failure::new(
-            "there is nothing to serve on Modbus: no tag has a direct address such as %QX0.0, and [serve.modbus.map] in ladder.toml names none",
-        ));
+        return Err(Failure::new(NOTHING));
     }
     Ok(Some(served))
 }
@@ -51,9 +49,7 @@ pub(super) fn nanoseconds(time: i64) -> Duration {
 /// # Errors
 /// The settings do not fit the program.
 pub(crate) fn map(asked: &ServeModbus, file: &Path, simulation: &Simulation) -> Result<Map, Failure> {
-    ToServe::of(asked, simulation)
-        .map(|served| served.map)
-        .map_err(|wrong| failure(file, wrong))
+    modbus::map(asked, simulation).map_err(|wrong| failure(file, wrong))
 }
 
 /// What is wrong with settings next to the program of a file.

@@ -8,9 +8,10 @@
 mod client;
 mod exchange;
 
-use super::bind::{Entry, Map, Named, Wrong, at, in_order, may_be_given};
+use super::bind::{Entry, Map, Named, at, in_order, may_be_given};
 use super::blocks::{GAP, Limits, blocks};
 use super::registers::Words;
+use crate::wrong::Wrong;
 pub use exchange::Devices;
 use exchange::Plan;
 use ladder_analysis::values::types::Scalar;
