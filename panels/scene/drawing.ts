@@ -11,15 +11,15 @@ export class Drawing {
     /** What attributes were before there were values. */
     readonly #atRest: readonly (string | null)[];
     readonly #onRow: (row: number, value: string) => void;
-    readonly #onAlert: (text: string) => void;
+    readonly #onAlarm: (text: string, isShown: boolean) => void;
     readonly #animations: Animation[] = [];
     #waiting = new Map<number, string>();
     #isAsked = false;
 
-    constructor(parent: HTMLElement, shown: SceneShown, onRow: (row: number, value: string) => void, onAlert: (text: string) => void) {
+    constructor(parent: HTMLElement, shown: SceneShown, onRow: (row: number, value: string) => void, onAlarm: (text: string, isShown: boolean) => void) {
         this.#shown = shown;
         this.#onRow = onRow;
-        this.#onAlert = onAlert;
+        this.#onAlarm = onAlarm;
         const nodes: Node[] = [];
         for (const { parent: above, name, attributes, text } of shown.nodes) {
             const node = name === undefined ? document.createTextNode(text ?? '') : document.createElementNS(SVG, name);
@@ -76,7 +76,6 @@ export class Drawing {
     #apply(values: Iterable<Changed>): void {
         for (const [slot, value] of values) {
             const { node, use } = this.#shown.slots[slot] ?? { node: 0, use: '' };
-            const before = this.values[slot];
             if (use === '') {
                 continue;
             }
@@ -84,12 +83,12 @@ export class Drawing {
             if (use === 'row') {
                 this.#onRow(node, value);
             } else if (use !== 'given') {
-                this.#put(this.element(node), use, value, this.#atRest[slot] ?? null, before);
+                this.#put(this.element(node), use, value, this.#atRest[slot] ?? null);
             }
         }
     }
 
-    #put(element: SVGElement | undefined, use: string, value: string, atRest: string | null, before: string | undefined): void {
+    #put(element: SVGElement | undefined, use: string, value: string, atRest: string | null): void {
         if (use === 'text') {
             if (element && element.textContent !== value) {
                 element.textContent = value;
@@ -102,8 +101,8 @@ export class Drawing {
         } else if (element?.getAttribute(use) !== wanted) {
             element?.setAttribute(use, wanted);
         }
-        if (use === 'display' && value === '' && before === 'none' && element?.getAttribute('role') === 'alert') {
-            this.#onAlert(element.getAttribute('aria-label') ?? element.textContent ?? '');
+        if (use === 'display' && element?.getAttribute('role') === 'alert') {
+            this.#onAlarm(element.getAttribute('aria-label') ?? element.textContent ?? '', value === '');
         }
     }
 

@@ -27,6 +27,8 @@ const told = element('details', { class: 'told', hidden: '' });
 const alarm = element('div', { class: 'spoken', 'aria-live': 'assertive' });
 document.body.append(element('div', { class: 'toolbar', role: 'toolbar', 'aria-label': 'Scene' }, run, asTable, standing), notice, picture, element('div', { class: 'values', tabindex: '0', role: 'region', 'aria-label': 'Values' }, table), told, alarm);
 
+/** The alarms that are shown and were announced. */
+const alarms = new Set<string>();
 let drawing: Drawing | undefined;
 let letGo: (() => void) | undefined;
 let situation: SceneSituation = { live: false, running: false, text: '' };
@@ -35,6 +37,18 @@ function say(text: string): void {
     notice.hidden = text === '';
     if (notice.textContent !== text) {
         notice.textContent = text;
+    }
+}
+
+/** An alarm that comes is announced, also when it comes with the picture; not again where the picture is only drawn again. */
+function announce(text: string, isShown: boolean): void {
+    if (isShown && situation.live) {
+        if (!alarms.has(text)) {
+            alarms.add(text);
+            alarm.textContent = text;
+        }
+    } else if (alarms.delete(text) && alarm.textContent === text) {
+        alarm.textContent = '';
     }
 }
 
@@ -53,7 +67,7 @@ function show(shown: SceneShown): void {
             cell.textContent = value;
         }
     };
-    drawing = new Drawing(picture, shown, onRow, (text) => (alarm.textContent = text));
+    drawing = new Drawing(picture, shown, onRow, announce);
     letGo = handsOn(drawing, shown.acts, (tag, given) => {
         if (situation.live) {
             send({ kind: 'give', tag, given });

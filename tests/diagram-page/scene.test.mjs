@@ -102,6 +102,21 @@ scene('an alarm is said when it comes', files('<g l:show="a" role="alert" l:alt=
     await until('the words', async () => (await page.locator('[aria-live="assertive"]').innerText()) === 'too hot');
 });
 
+scene('an alarm that comes with the picture is said, and only once', files('<g l:show="not a" role="alert" l:alt="too cold"><rect width="9" height="9"/></g>'), 'main.scene.svg', {}, async ({ page, teller, start }) => {
+    const words = () => page.locator('[aria-live="assertive"]').innerText();
+    assert.equal(await words(), '');
+    await start();
+    await until('the words', async () => (await words()) === 'too cold');
+    await page.evaluate(() => {
+        window.announced = 0;
+        new MutationObserver(() => (window.announced += 1)).observe(document.querySelector('[aria-live="assertive"]'), { childList: true, characterData: true, subtree: true });
+    });
+    const drawn = await page.locator('.picture svg').elementHandle();
+    await teller.open();
+    await until('the picture again', () => drawn.evaluate((svg) => !svg.isConnected));
+    assert.equal(await page.evaluate(() => window.announced), 0);
+});
+
 const blinking = files('<g l:show="not a" l:blink="500ms" l:alt="lamp"><rect width="9" height="9"/></g>');
 const animated = (page) => page.evaluate(() => document.getAnimations().length);
 scene('it blinks', blinking, 'main.scene.svg', { context: { reducedMotion: 'no-preference' } }, async ({ page }) => assert.equal(await animated(page), 1));
