@@ -109,7 +109,7 @@ export class Hands {
             this.#take(event, found);
             return;
         }
-        this.#page.select(found, false);
+        this.#page.press(found);
         const tag = this.#mainTag(found);
         const isName = found.part.operands.some(({ node }) => node === event.target);
         if (isName || !isSwitch(found.part.kind, tag) || !toggles(tag)) {
@@ -172,7 +172,7 @@ export class Hands {
         } else if (!pen.selection.has(found)) {
             pen.selection.forget();
         }
-        this.#page.select(found, false);
+        this.#page.press(found);
         const isName = found.part.operands.some(({ node }) => node === event.target);
         const pressed = () => {
             if (!found.part.node.isConnected) {

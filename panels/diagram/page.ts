@@ -487,6 +487,12 @@ export class Page {
         }
     }
 
+    /** An element that was pressed has the focus, and keeps it, whatever else was to get it. */
+    press(found: Found): void {
+        this.#soon &&= { ...this.#soon, isLeft: true };
+        this.select(found, false);
+    }
+
     /** So that the tabulator comes to some element, and to the page itself only while there is none. */
     makeReachable(): void {
         this.#view.tabIndex = this.isEmpty ? 0 : -1;

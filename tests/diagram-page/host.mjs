@@ -50,7 +50,7 @@ function offsetOf(text, { line, character }) {
 export async function openDiagram(browser, text, { theme = 'light', width = 1000, height = 700, context = {}, names } = {}) {
     const opened = await browser.newContext({ viewport: { width, height }, reducedMotion: 'reduce', ...context });
     const page = await opened.newPage();
-    const host = { text, version: 1, past: [], future: [], edits: 0, findings: [], errors: [], open: 0 };
+    const host = { text, version: 1, past: [], future: [], edits: 0, findings: [], errors: [], open: 0, held: undefined };
     page.on('pageerror', (error) => host.errors.push(String(error)));
     page.on('console', (message) => message.type() === 'error' && host.errors.push(message.text()));
     const server = startServer(LADDER_BIN, ({ diagnostics }) => {
@@ -113,7 +113,7 @@ export async function openDiagram(browser, text, { theme = 'light', width = 1000
             await report();
         },
         version: () => host.version,
-        draw: ({ lines, rail, known }) => server.execute('ladder.diagram', { uri: URI, lines, rail, known }),
+        draw: async ({ lines, rail, known }) => (await host.held, server.execute('ladder.diagram', { uri: URI, lines, rail, known })),
         look() {},
         reveal() {},
         request: (question) => {

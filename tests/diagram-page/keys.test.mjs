@@ -245,3 +245,18 @@ test('after an undo the focus is on what is nearest to what is gone', async () =
     await becomes(STARTER);
     await focusOn('Open contact run');
 });
+
+test('what is pressed while a change is drawn keeps the focus', async () => {
+    const { page, host, focusOn, element, settled } = await open(STARTER);
+    await element('contact', 'stop').focus();
+    let draw;
+    host.held = new Promise((done) => (draw = done));
+    await page.keyboard.press('/');
+    await until('the change', () => host.text === STARTER.replace('[/]( stop )', '[ ]( stop )'));
+    await element('contact', 'start').locator('.hit').click();
+    draw();
+    await settled();
+    await focusOn('Open contact start');
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(done)));
+    await focusOn('Open contact start');
+});

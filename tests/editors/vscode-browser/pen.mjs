@@ -82,6 +82,7 @@ export async function pen(page, { step, until, screenshot }) {
         await page.keyboard.press('Enter');
         await write('warm, 5s');
         await becomes([...STARTER, '', '+--[ ]( run )----------------------------------[RTO]( warm, 5s )--( )( lamp )--+']);
+        await until('the timer', async () => (await focused()).startsWith('Retentive on-delay timer warm'));
     });
     await step('one undo takes back one change, and what cannot be done is said', async () => {
         await page.keyboard.press('Control+Z');
@@ -94,6 +95,9 @@ export async function pen(page, { step, until, screenshot }) {
     });
     await step('a contact is dragged from the palette below another, and its new tag is declared', async () => {
         await show('dragged.clad');
+        // What is above the drawing has its height.
+        await frame.locator('.declarations summary', { hasText: '(2)' }).waitFor();
+        await frame.locator('.wave').first().waitFor({ state: 'attached' });
         const go = await frame.locator('g.element.contact .hit').first().boundingBox();
         const closed = await frame.locator('.favourites button', { hasText: '[/]' }).boundingBox();
         await page.mouse.move(closed.x + 10, closed.y + 10);
