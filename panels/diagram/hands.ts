@@ -109,7 +109,7 @@ export class Hands {
             this.#take(event, found);
             return;
         }
-        this.#page.press(found);
+        this.#page.select(found, false);
         const tag = this.#mainTag(found);
         const isName = found.part.operands.some(({ node }) => node === event.target);
         if (isName || !isSwitch(found.part.kind, tag) || !toggles(tag)) {
@@ -172,7 +172,7 @@ export class Hands {
         } else if (!pen.selection.has(found)) {
             pen.selection.forget();
         }
-        this.#page.press(found);
+        this.#page.select(found, false);
         const isName = found.part.operands.some(({ node }) => node === event.target);
         const pressed = () => {
             if (!found.part.node.isConnected) {
@@ -284,12 +284,11 @@ export class Hands {
         const direction = arrows[event.key];
         if (direction) {
             event.preventDefault();
-            if (mode.isDraw && event.shiftKey && found) {
-                tools.pen.selection.extend(found);
-            } else if (mode.isDraw) {
-                tools.pen.selection.forget();
+            if (mode.isDraw) {
+                this.#done = this.#done.then(() => this.#goAlong(direction, event.shiftKey));
+            } else {
+                this.#go(direction);
             }
-            this.#go(direction);
         } else if (mode.isDraw) {
             if (found && (event.key === 'Home' || event.key === 'End')) {
                 event.preventDefault();
@@ -298,6 +297,18 @@ export class Hands {
         } else if (found && this.#act(event.key, event.shiftKey, found)) {
             event.preventDefault();
         }
+    }
+
+    /** Goes on while somebody draws, with what was selected or without it. */
+    #goAlong(direction: Direction, isExtended: boolean): void {
+        const { selection } = this.#drawing.tools.pen;
+        const found = this.#page.find(document.activeElement);
+        if (isExtended && found) {
+            selection.extend(found);
+        } else {
+            selection.forget();
+        }
+        this.#go(direction);
     }
 
     #go(direction: Direction): void {

@@ -42,7 +42,7 @@ interface Soon {
     /** Of the text that has it. */
     readonly version: number;
     readonly isPoint?: boolean;
-    /** Something else was pressed meanwhile: it keeps the focus. */
+    /** Something else was chosen meanwhile: it keeps the focus. */
     readonly isLeft?: boolean;
 }
 
@@ -74,6 +74,8 @@ export class Page {
     #findings: readonly Finding[] = [];
     /** What is to get the focus, and is shown as new. */
     #soon: (Soon & { done(): void }) | undefined;
+    /** What gets the focus now does so by itself. */
+    #isGiven = false;
 
     constructor(view: HTMLElement, canvas: HTMLElement, live: Live, called: Called, send: (message: FromPage) => void) {
         this.#view = view;
@@ -272,7 +274,7 @@ export class Page {
         this.#order([...seen.values()]);
         const focused = hadFocus ? (this.#selectedPart() ?? this.#nearestPart()) : undefined;
         if (focused) {
-            this.select(focused, false);
+            this.#give(() => this.select(focused, false));
         } else if (hadFocus) {
             this.#view.focus({ preventScroll: true });
         }
@@ -315,7 +317,7 @@ export class Page {
             following = node;
         }
         if (document.activeElement !== focused && focused instanceof SVGElement && focused.isConnected) {
-            focused.focus({ preventScroll: true });
+            this.#give(() => focused.focus({ preventScroll: true }));
         }
     }
 
@@ -469,8 +471,11 @@ export class Page {
         return this.#selectedPart();
     }
 
-    /** The tabulator comes back to this element. */
+    /** The tabulator comes back to this element. Where a person chose it, it keeps the focus, whatever else was to get it. */
     hasFocus({ drawing, part }: Found): void {
+        if (!this.#isGiven) {
+            this.#soon &&= { ...this.#soon, isLeft: true };
+        }
         for (const node of this.#canvas.querySelectorAll('g.element[tabindex="0"]')) {
             node.setAttribute('tabindex', '-1');
         }
@@ -478,19 +483,20 @@ export class Page {
         this.selected = { line: drawing.first + part.at[0], character: part.at[1], isPoint: drawing.points.includes(part) };
     }
 
-    /** Gives an element the focus. */
-    select({ drawing, part }: Found, scrolls = true): void {
-        this.hasFocus({ drawing, part });
-        part.node.focus({ preventScroll: true });
+    /** Gives an element the focus: a person chose it. */
+    select(found: Found, scrolls = true): void {
+        this.hasFocus(found);
+        found.part.node.focus({ preventScroll: true });
         if (scrolls) {
-            this.#bringIntoView({ drawing, part });
+            this.#bringIntoView(found);
         }
     }
 
-    /** An element that was pressed has the focus, and keeps it, whatever else was to get it. */
-    press(found: Found): void {
-        this.#soon &&= { ...this.#soon, isLeft: true };
-        this.select(found, false);
+    /** Gives it the focus by itself, since something is drawn. */
+    #give(act: () => void): void {
+        this.#isGiven = true;
+        act();
+        this.#isGiven = false;
     }
 
     /** So that the tabulator comes to some element, and to the page itself only while there is none. */
