@@ -14,7 +14,7 @@ const COLUMNS = [
     ['name', 'Name', 'name'],
     ['type', 'Type', 'BOOL'],
     ['address', 'Address', '%IX0.0'],
-    ['initial', 'At the start', ''],
+    ['initial', 'Initial', ''],
     ['comment', 'Comment', ''],
 ] as const satisfies readonly (readonly [keyof Cells, string, string])[];
 
@@ -126,7 +126,11 @@ export class DeclarationsTable {
         for (const title of ['Section', ...COLUMNS.map(([, label]) => label), 'Delete']) {
             const cell = document.createElement('th');
             cell.scope = 'col';
-            cell.textContent = title;
+            const words = document.createElement('span');
+            words.textContent = title;
+            // What a button with a cross does needs no words above it for who sees it.
+            words.classList.toggle('unseen', title === 'Delete');
+            cell.append(words);
             titles.append(cell);
         }
         head.append(titles);
