@@ -31,8 +31,7 @@
 //!
 //! - `screen` is `ladder sim` on a terminal: the diagram with live power.
 //!
-//! `ldfmt` is the command `fmt` alone. Both programs are linked from this library; the linker leaves out what a
-//! program does not reach, so `ldfmt` holds neither the language server nor its runtime.
+//! `ldfmt` is the command `fmt` alone: a small program that starts `ladder ldfmt`, which speaks of itself under that name.
 
 mod arguments;
 mod commands;
@@ -74,12 +73,11 @@ mod xml;
 use clap::Parser;
 use std::process::ExitCode;
 
-/// The program `ladder`, with the process's arguments.
+/// The program `ladder`, or `ldfmt` if that has started it, with the process's arguments.
 pub fn ladder() -> ExitCode {
+    let mut own = std::env::args_os().skip(1).peekable();
+    if own.next_if(|first| first == "ldfmt").is_some() {
+        return arguments::Ldfmt::parse_from(std::iter::once("ldfmt".into()).chain(own)).run();
+    }
     arguments::Ladder::parse().run()
-}
-
-/// The program `ldfmt`, with the process's arguments.
-pub fn ldfmt() -> ExitCode {
-    arguments::Ldfmt::parse().run()
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """ldfmt next to `ruff format` and `taplo fmt`: bytes a second of the whole process, and peak memory.
 
-    cargo build --release -p ladder-cli --bin ldfmt
+    cargo build --release -p ladder-cli
     python3 -m venv /tmp/formatters && /tmp/formatters/bin/pip install ruff taplo
     python3 tests/benches/formatters.py target/release/ldfmt /tmp/formatters/bin
 

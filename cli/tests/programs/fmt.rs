@@ -305,3 +305,30 @@ fn what_is_excluded_is_formatted_when_it_is_named_unless_excluding_is_forced() {
     assert_eq!(folder.ldfmt(&["old/a.clad"]).to_string(), "exit status 0\n");
     assert_eq!(folder.read("old/a.clad"), MOTOR);
 }
+
+/// It holds nothing but the way to `ladder`, which is in the same folder whatever link it was started by.
+#[test]
+fn ldfmt_starts_the_ladder_next_to_it() {
+    let folder = Folder::with(&[("a.clad", MOTOR), ("path/ladder", "")]);
+    let alone = folder.path("ldfmt");
+    std::fs::copy(env!("CARGO_BIN_EXE_ldfmt"), &alone).unwrap();
+    let run = folder.run(
+        alone.to_str().unwrap(),
+        &["--check", "a.clad"],
+        b"",
+        &[("PATH", "path")],
+    );
+    assert_eq!((run.status, run.stdout.as_str()), (Some(2), ""));
+    assert!(
+        run.stderr
+            .starts_with("error: ldfmt needs the program ladder in its own folder, and cannot start it: "),
+        "{run}"
+    );
+    #[cfg(unix)]
+    {
+        let link = folder.path("link");
+        std::os::unix::fs::symlink(env!("CARGO_BIN_EXE_ldfmt"), &link).unwrap();
+        let run = folder.run(link.to_str().unwrap(), &["--check", "a.clad"], b"", &[]);
+        assert_eq!(run.to_string(), "exit status 0\n");
+    }
+}

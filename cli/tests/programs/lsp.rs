@@ -21,18 +21,3 @@ fn it_answers_and_ends_as_the_protocol_asks() {
     let abrupt = folder.run(ladder, &["lsp"], (initialize + &exit).as_bytes(), &[]);
     assert_eq!(abrupt.status, Some(1), "{abrupt}");
 }
-
-/// An editor starts `ldfmt` at every save: it is to be small, and quick to start.
-#[test]
-fn ldfmt_holds_no_server_and_no_runtime() {
-    let holds_runtime = |program: &str| {
-        let bytes = std::fs::read(program).unwrap();
-        // As symbols spell the path `tokio::runtime`.
-        bytes.windows(14).any(|window| window == b"5tokio7runtime")
-    };
-    assert!(
-        holds_runtime(env!("CARGO_BIN_EXE_ladder")),
-        "the check finds a runtime that is there"
-    );
-    assert!(!holds_runtime(env!("CARGO_BIN_EXE_ldfmt")));
-}
