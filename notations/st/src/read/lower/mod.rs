@@ -14,6 +14,7 @@ mod pieces;
 mod place;
 mod restarted;
 mod statement;
+mod timed;
 mod unread;
 mod value;
 

@@ -22,11 +22,18 @@ const MOST_IN_ONE: usize = 3;
 
 impl Lowering<'_, '_> {
     pub(super) fn statements(&mut self, statements: &[Statement]) {
-        for statement in statements {
-            if self.body.unread.is_some() {
-                return;
+        let mut rest = statements;
+        while let [statement, after @ ..] = rest
+            && self.body.unread.is_none()
+        {
+            rest = after;
+            if let Some(whole) = self.with_output(statement, after.first())
+                && self.translated(&whole).is_ok()
+            {
+                rest = &after[1..];
+            } else {
+                self.statement(statement);
             }
-            self.statement(statement);
         }
     }
 
@@ -38,22 +45,28 @@ impl Lowering<'_, '_> {
     }
 
     fn statement(&mut self, statement: &Statement) {
+        if let Err(why) = self.translated(statement) {
+            self.unread(statement, &why);
+        }
+    }
+
+    /// The networks of a statement; none where it is not read.
+    fn translated(&mut self, statement: &Statement) -> Lowered<()> {
         self.take_comments(statement.span.start);
         self.body.origins.push(statement.span.start);
         self.origin = Some(self.first_origin + self.body.origins.len() as u32 - 1);
         let state = self.state();
         let used = state.used;
-        match self.lowered(statement) {
-            Ok(()) => self
-                .body
+        let done = self.lowered(statement);
+        if done.is_ok() {
+            self.body
                 .entries
-                .push((statement.span.clone(), Outcome::Translated)),
-            Err(why) => {
-                self.restore(state);
-                self.unread(statement, &why);
-            }
+                .push((statement.span.clone(), Outcome::Translated));
+        } else {
+            self.restore(state);
         }
         self.release(used);
+        done
     }
 
     fn lowered(&mut self, statement: &Statement) -> Lowered<()> {

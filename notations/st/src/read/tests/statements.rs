@@ -277,3 +277,29 @@ fn mistakes_are_reported_at_their_places() {
         "#]],
     );
 }
+
+#[test]
+fn a_timer_and_the_line_that_takes_its_output_are_one_rung() {
+    check(
+        "t(IN := a, PT := T#3s);\nb := t.Q;\n(* why *)\nz(CU := c, PV := 5);  (* counted *)\nd := z.Q;\n",
+        Dialect::Iec,
+        &expect![[r#"
+            +--[ ]( a )----------------------------------------[TON]( t, T#3s )--( )( b )--+
+
+            # why #
+            # counted #
+            +--[ ]( c )-----------------------------------------------------[CTU]( z, 5 )--+
+            +--[ ]( z.Q )--------------------------------------------------------( )( d )--+
+        "#]],
+    );
+    // A line that does something else with it stays one of its own.
+    check(
+        "t(IN := a, PT := T#3s);\n\nb := t.Q;\nc := NOT t.Q;\n",
+        Dialect::Iec,
+        &expect![[r#"
+            +--[ ]( a )--------------------------------------------------[TON]( t, T#3s )--+
+            +--[ ]( t.Q )--------------------------------------------------------( )( b )--+
+            +--[/]( t.Q )--------------------------------------------------------( )( c )--+
+        "#]],
+    );
+}
