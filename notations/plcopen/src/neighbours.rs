@@ -1,6 +1,6 @@
 //! What a unit uses of the other files of its project: units, types, globals.
 
-use crate::model::{Body, Project, Type, TypeDeclaration, Unit, UnitKind, Variable};
+use crate::model::{Body, Evaluation, Project, Role, Type, TypeDeclaration, Unit, UnitKind, Variable};
 use ladder_notation::{Companion, LineColumn, Outcome, ReadError, Report, Source};
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -8,7 +8,7 @@ use std::sync::Arc;
 /// What a file holds that units of other files may use.
 #[derive(Debug, Default)]
 pub struct Held {
-    /// Functions and function blocks; programs are not used.
+    /// Functions and function blocks, and programs, which others may call in CODESYS.
     pub units: Vec<Unit>,
     /// Types.
     pub types: Vec<TypeDeclaration>,
@@ -42,10 +42,24 @@ pub fn add_with_used(
     project.units.rotate_left(1);
 }
 
-/// Adds all names of a text, in small letters.
+/// Adds all names of a text, in small letters, and those that are called once more with a parenthesis.
 fn add_names(names: &mut HashSet<String>, text: &str) {
     let words = text.split(|c: char| !(c.is_alphanumeric() || c == '_'));
-    names.extend(words.map(str::to_lowercase));
+    let mut end = 0;
+    for word in words {
+        // What comes after a word is one character further.
+        let after = &text[(end + word.len()).min(text.len())..];
+        if after.trim_start().starts_with('(') {
+            names.insert(called(word));
+        }
+        end = text.len() - after.len() + after.chars().next().map_or(0, char::len_utf8);
+        names.insert(word.to_lowercase());
+    }
+}
+
+/// How a name is among the others that is called.
+fn called(name: &str) -> String {
+    format!("{}(", name.to_lowercase())
 }
 
 /// Another file of the project.
@@ -67,7 +81,6 @@ impl<'f> File<'f> {
             let text = Source::alone("", bytes).text();
             let mut held = text.and_then(|text| read(&file.name, text, &mut report));
             if let Ok(held) = &mut held {
-                held.units.retain(|unit| unit.kind != UnitKind::Program);
                 at_start(held);
             }
             Arc::new((held, report))
@@ -84,6 +97,7 @@ impl<'f> File<'f> {
     fn take(&mut self, project: &mut Project, names: &mut HashSet<String>) {
         let read = Arc::clone(&self.read);
         let taken = self.taken.len();
+        let runs_programs = project.evaluation == Evaluation::Once;
         let mut is_wanted = |name: &str| {
             let name = name.to_lowercase();
             names.contains(&name) && self.taken.insert(name)
@@ -112,7 +126,12 @@ impl<'f> File<'f> {
         };
         let mut types: Vec<&TypeDeclaration> = held.types.iter().filter(is_wanted_type).collect();
         types.retain(|declared| is_new(&project.types, |it| &it.name, &declared.name));
-        let mut units: Vec<&Unit> = held.units.iter().filter(|unit| is_wanted(&unit.name)).collect();
+        let is_wanted_unit = |unit: &&Unit| {
+            let is_seen =
+                unit.kind != UnitKind::Program || runs_programs && names.contains(&called(&unit.name));
+            is_seen && is_wanted(&unit.name)
+        };
+        let mut units: Vec<&Unit> = held.units.iter().filter(is_wanted_unit).collect();
         units.retain(|unit| is_new(&project.units, |it| &it.name, &unit.name));
         if self.taken.len() == taken {
             return;
@@ -137,7 +156,19 @@ impl<'f> File<'f> {
         }
         project.globals.extend(globals.into_iter().cloned());
         project.types.extend(types.into_iter().cloned());
-        project.units.extend(units.into_iter().cloned());
+        for unit in units {
+            let mut unit = unit.clone();
+            // A program that others call is a block that is there once.
+            if unit.kind == UnitKind::Program {
+                unit.kind = UnitKind::FunctionBlock;
+                let instance = Variable::local(unit.place, unit.name.clone(), Type::Named(unit.name.clone()));
+                project.globals.push(Variable {
+                    role: Role::Global,
+                    ..instance
+                });
+            }
+            project.units.push(unit);
+        }
     }
 }
 

@@ -2,10 +2,10 @@
 
 use super::along;
 use super::brought;
-use super::model::{Body, Evaluation, Project, Role, Type, Unit, UnitKind, Variable};
+use super::model::{Body, Evaluation, Initial, Project, Role, Type, Unit, UnitKind, Variable};
 use super::own;
 use super::standard::{self, StandardBlock};
-use ladder_format::program::Path;
+use ladder_format::program::{Path, Qualifier};
 use ladder_notation::{BlockNames, Names};
 use std::collections::{HashMap, HashSet};
 
@@ -34,6 +34,10 @@ pub(crate) struct Scope {
 /// What the whole project knows.
 pub(crate) struct Shared<'p> {
     pub(crate) globals: Scope,
+    /// What constants begin with, by their names here in small letters.
+    pub(crate) constants: HashMap<String, &'p str>,
+    /// The addresses that several variables have, in capital letters.
+    pub(crate) several: HashSet<String>,
     /// The types, by their names in small letters: how each is spelled, and what it is.
     pub(crate) types: HashMap<String, (String, &'p Type)>,
     /// The names of members that are more than a word, in small letters.
@@ -140,6 +144,15 @@ impl Scope {
         self.alias(name, Path::tag(spelled), ty);
     }
 
+    /// Takes in what a unit says is declared elsewhere, and what the project does not have.
+    fn elsewhere(&mut self, unit: &Unit, globals: &Scope) {
+        let external = unit.variables.iter().filter(|one| one.role == Role::External);
+        for variable in external.filter(|one| globals.get(&one.name).is_none()) {
+            let ty = Type::Other("a global that the project does not have".to_owned());
+            self.alias(&variable.name, Path::tag(&variable.name), &ty);
+        }
+    }
+
     fn alias(&mut self, name: &str, path: Path, ty: &Type) {
         let ty = ty.clone();
         self.known.insert(name.to_lowercase(), Known { path, ty });
@@ -169,6 +182,16 @@ impl<'p> Shared<'p> {
                 None => globals.declare(&variable.name, &variable.ty, ""),
             }
         }
+        let constants = project.globals.iter().filter_map(|variable| {
+            let is_constant = variable.qualifier == Some(Qualifier::Constant);
+            match (&variable.initial, globals.get(&variable.name)) {
+                (Some(Initial::Simple(text)), Some(known)) if is_constant => {
+                    Some((known.path.root.to_lowercase(), text.as_str()))
+                }
+                _ => None,
+            }
+        });
+        let constants = constants.collect();
         let mut blocks = HashMap::new();
         let mut taken = BlockNames::default();
         for unit in &project.units {
@@ -184,6 +207,7 @@ impl<'p> Shared<'p> {
             let power = Type::Named("BOOL".to_owned());
             scope.alias("EN", Path::tag("EN"), &power);
             scope.alias("ENO", Path::tag("ENO"), &power);
+            scope.elsewhere(unit, &globals);
             for variable in local(unit) {
                 match own::power(variable) {
                     Some(name) => scope.alias(&variable.name, Path::tag(name), &power),
@@ -199,6 +223,8 @@ impl<'p> Shared<'p> {
             odd_members: odd_members(project),
             evaluation: project.evaluation,
             is_compiled: project.evaluation == Evaluation::EachOutput && !project.is_own,
+            constants,
+            several: shared_addresses(project),
             globals,
             types,
             blocks,
@@ -208,6 +234,7 @@ impl<'p> Shared<'p> {
     /// The scope of a program; `others` is that of programs in the same file.
     pub(crate) fn program(&self, unit: &Unit, others: Option<&Scope>) -> Scope {
         let mut scope = others.map_or_else(|| Scope::next_to(&self.globals), Scope::next_to);
+        scope.elsewhere(unit, &self.globals);
         for variable in local(unit) {
             scope.declare(&variable.name, &variable.ty, &unit.name);
         }
@@ -247,6 +274,15 @@ impl<'p> Shared<'p> {
         let Type::Named(name) = ty else { return None };
         self.blocks.get(&name.to_lowercase())
     }
+}
+
+/// The addresses that several variables have.
+fn shared_addresses(project: &Project) -> HashSet<String> {
+    let all = project.globals.iter().chain(project.units.iter().flat_map(local));
+    let mut seen = HashSet::new();
+    all.filter_map(|variable| Some(variable.address.as_deref()?.to_ascii_uppercase()))
+        .filter(|address| !address.ends_with('*') && !seen.insert(address.clone()))
+        .collect()
 }
 
 /// The members of types and units whose names are more than a word.

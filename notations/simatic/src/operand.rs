@@ -103,6 +103,19 @@ fn read(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
     Err(format!("`{text}` is no operand here"))
 }
 
+/// Whether neither the project nor ladder text has a type.
+fn is_unknown(scope: &Scope<'_>, ty: &Type) -> bool {
+    match ty {
+        Type::Named(name) => {
+            plain(ty).is_none()
+                && trigger(name).is_none()
+                && !scope.library.contains_key(&name.to_lowercase())
+        }
+        Type::Array(_, of) => is_unknown(scope, of),
+        _ => false,
+    }
+}
+
 /// One step of a path.
 pub(crate) enum Step {
     Member(String),
@@ -120,6 +133,11 @@ fn path(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
     let mut steps = steps.into_iter().peekable();
     let (mut out, mut ty) = if is_own {
         match scope.own(&root) {
+            Some(known) if is_unknown(scope, &known.ty) => {
+                return Err(format!(
+                    "`{root}` is not declared here: the project does not have its type"
+                ));
+            }
             Some(known) => (known.path(), Some(known.ty.clone())),
             None => return Err(format!("the block declares no `{root}`")),
         }

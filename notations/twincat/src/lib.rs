@@ -14,6 +14,7 @@ mod archive;
 mod flag;
 mod network;
 mod project;
+mod system;
 mod unit;
 mod write;
 

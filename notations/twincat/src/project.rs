@@ -1,6 +1,6 @@
 //! A unit with what it uses of the other files of its project.
 
-use crate::unit;
+use crate::{system, unit};
 use ladder_notation::xml::{Element, Xml};
 use ladder_notation::{ReadError, Report, Source};
 use ladder_notation_plcopen::model::{Evaluation, Project};
@@ -40,6 +40,7 @@ pub(crate) fn project(source: &Source<'_>) -> Result<Project, ReadError> {
     add_with_used(&mut project, own, text, source, |_, text, report| {
         held(text, report)
     });
+    system::types(&mut project, text);
     Ok(project)
 }
 

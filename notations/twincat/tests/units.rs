@@ -2,7 +2,7 @@
 
 use expect_test::{Expect, expect};
 use ladder_format::Options;
-use ladder_notation::{Outcome, Source, convert};
+use ladder_notation::{Companion, Outcome, Source, convert};
 use ladder_notation_twincat::TwinCat;
 use std::path::PathBuf;
 
@@ -477,16 +477,291 @@ fn types_as_they_are_written() {
     check(
         &unit(declaration, ""),
         expect![[r#"
-        VAR
-            a : ARRAY[0..2] OF INT;
-            b : ARRAY[1..2] OF TON;
-            d : INT(0..100) := 7;
-            e : TON;
-            f : STRING[80]  := 'x:=(1..2)';
-            g : BOOL;
-        END_VAR
-        refused variable c: the project has no type `T_MaxString`, and neither has ladder text
-        approximated Tc2_Standard.TON(PT := T#1S, IN := TRUE): constructors are not run: what is handed to it is left out
-    "#]],
+            TYPE
+                T_MaxString : STRING[255];  # of the system's library #
+            END_TYPE
+
+            VAR
+                a : ARRAY[0..2] OF INT;
+                b : ARRAY[1..2] OF TON;
+                c : T_MaxString;
+                d : INT(0..100) := 7;
+                e : TON;
+                f : STRING[80]  := 'x:=(1..2)';
+                g : BOOL;
+            END_VAR
+            approximated Tc2_Standard.TON(PT := T#1S, IN := TRUE): constructors are not run: what is handed to it is left out
+        "#]],
     );
+}
+
+/// A unit in Structured Text, with what follows its body.
+fn in_text(declaration: &str, body: &str, more: &str) -> String {
+    format!(
+        "<TcPlcObject><POU Name=\"Main\"><Declaration><![CDATA[{declaration}]]></Declaration>\n<Implementation><ST><![CDATA[{body}]]></ST></Implementation>{more}</POU></TcPlcObject>"
+    )
+}
+
+#[test]
+fn what_has_no_type_here_is_not_declared() {
+    check(
+        &in_text(
+            "PROGRAM Main\nVAR\n\tname : T_MaxString := 'a;$'b';\n\tbusy : BOOL;\n\tfile : FB_FileOpen;\n\tat : POINTER TO INT;\n\tone : ST_One;\nEND_VAR\nVAR_STAT\n\tcount : INT(1..5);\n\tangle : LREAL := 3.0 / 4 * 2;\nEND_VAR",
+            "name := CONCAT(STR1 := name, STR2 := 'x');\nfile(bExecute := TRUE, bBusy => busy);\nIF file.bBusy THEN\n\tcount := 1;\nEND_IF\nat := ADR(count);",
+            "",
+        ),
+        expect![[r#"
+            TYPE
+                T_MaxString : STRING[255];  # of the system's library #
+            END_TYPE
+
+            # line 2 of Main: `file` is not a block that can be called; it is not run here. #
+            FUNCTION_BLOCK [$line_2_of_Main]
+            # ladder: unread #
+            # file(bExecute := TRUE, bBusy => busy) #
+            END_FUNCTION_BLOCK
+
+            # line 3 of Main: `file` has no member `bBusy` that is read; it is not run here. #
+            FUNCTION_BLOCK [$line_3_of_Main]
+            # ladder: unread, writes count #
+            # IF file.bBusy THEN #
+            # 	count := 1; #
+            # END_IF #
+            END_FUNCTION_BLOCK
+
+            # line 6 of Main: `ADR`: it works on memory by address, which ladder text does not have; it is not run here. #
+            FUNCTION_BLOCK [$line_6_of_Main]
+            # ladder: unread #
+            # at := ADR(count) #
+            END_FUNCTION_BLOCK
+
+            VAR
+                name  : T_MaxString := 'a;$'b';
+                busy  : BOOL;
+                count : INT(1..5);
+                angle : LREAL       := 1.5;
+            END_VAR
+
+            +-------------------------------------------------[CONCAT]( name, name, 'x' )--+
+            +-----------------------------------------------------------[$line_2_of_Main]--+
+            +-----------------------------------------------------------[$line_3_of_Main]--+
+            +-----------------------------------------------------------[$line_6_of_Main]--+
+            approximated variable file: the project has no type `FB_FileOpen`, and neither has ladder text; it is not declared
+            approximated variable at: `POINTER TO INT`, which is an address, has no counterpart; it is not declared
+            approximated variable one: the project has no type `ST_One`, and neither has ladder text; it is not declared
+            approximated file(bExecute := TRUE, bBusy => busy): `file` is not a block that can be called: it is not run
+            approximated IF file.bBusy THEN: `file` has no member `bBusy` that is read: it is not run
+            approximated at := ADR(count): `ADR`: it works on memory by address, which ladder text does not have: it is not run
+        "#]],
+    );
+    check(
+        &in_text(
+            "FUNCTION_BLOCK Main\nVAR_INPUT\n\tmode : E_Mode;\n\tsize : UINT(1..9);\nEND_VAR\nVAR_STAT\n\tcount : INT;\nEND_VAR",
+            "count := count + 1;\nsize := 2;",
+            "",
+        ),
+        expect![[r#"
+            FUNCTION_BLOCK [$Main]
+            VAR_INPUT
+                size : UINT(1..9);
+            END_VAR
+
+            +-----------------------------------------------------------[$line_1_of_Main]--+
+            +------------------------------------------------------------[MOV]( size, 2 )--+
+            END_FUNCTION_BLOCK
+
+            # line 1 of Main: the type of `count` is not known here; it is not run here. #
+            FUNCTION_BLOCK [$line_1_of_Main]
+            # ladder: unread #
+            # count := count + 1 #
+            END_FUNCTION_BLOCK
+            approximated variable mode: the project has no type `E_Mode`, and neither has ladder text; it is not declared
+            approximated variable count: a variable that all instances have in common has no counterpart; it is not declared
+            approximated count := count + 1: the type of `count` is not known here: it is not run
+        "#]],
+    );
+    let block = tree("FB_Drive", "drive", &[("bEnable", leaf("a", 0))], &[]);
+    let coil = assign(&[target("b", 0)], &leaf("drive.bReady", 0));
+    check(
+        &unit(
+            "PROGRAM Main\nVAR\n\tdrive : FB_Drive;\n\ta, b : BOOL;\nEND_VAR",
+            &(network(&block) + &network(&coil)),
+        ),
+        expect![[r#"
+            # FB_Drive is not read: a scan runs past it, and what it may write is not known. #
+            FUNCTION_BLOCK [$FB_Drive]
+            VAR_INPUT
+                operands : STRING[254] := '';
+            END_VAR
+            # ladder: unread #
+            END_FUNCTION_BLOCK
+
+            # input drive.bReady: `drive` is not declared here: the project has no type `FB_Drive`, and neither has ladder text; it is not run here. #
+            FUNCTION_BLOCK [$input_drive_bReady]
+            VAR_INPUT
+                operands : STRING[254] := '';
+            END_VAR
+            # ladder: unread, writes #
+            +------------------------------------------------------------------(R)( ENO )--+
+            END_FUNCTION_BLOCK
+
+            VAR
+                a : BOOL;
+                b : BOOL;
+            END_VAR
+
+            +----------------------------------------[$FB_Drive]( 'drive, bEnable := a' )--+
+
+            +---------------------------[$input_drive_bReady]( 'drive.bReady' )--( )( b )--+
+            approximated variable drive: it holds the state of a block that is not read, and is left out with that
+            approximated FB_Drive drive: neither the project nor ladder text has a block `FB_Drive`: a scan runs past it, and what it may write is not known
+            approximated input drive.bReady: `drive` is not declared here: the project has no type `FB_Drive`, and neither has ladder text: it is not run
+        "#]],
+    );
+}
+
+#[test]
+fn actions_stand_where_they_are_called() {
+    let action = |name: &str, text: &str| {
+        format!(
+            "<Action Name=\"{name}\"><Implementation><ST><![CDATA[{text}]]></ST></Implementation></Action>"
+        )
+    };
+    check(
+        &in_text(
+            "PROGRAM Main\nVAR\n\ta, b : BOOL;\n\tn : INT;\nEND_VAR",
+            "// Count();\nIF a THEN\n\tCount();\nEND_IF\nStop();\nOther();",
+            &(action("Count", "n := n + 1; (* one more *)\nInner ( ) ;")
+                + &action("Inner", "b := Unknown(n);\nCount();")
+                + &action("Stop", "IF b THEN RETURN; END_IF")),
+        ),
+        expect![[r#"
+            # line 6 of Main: `Unknown` is not declared, and is not a function that is read; it is not run here. #
+            FUNCTION_BLOCK [$line_6_of_Main]
+            # ladder: unread #
+            # b := Unknown(n) #
+            END_FUNCTION_BLOCK
+
+            # line 10 of Main: `Unknown` is not declared, and is not a function that is read; it is not run here. #
+            FUNCTION_BLOCK [$line_10_of_Main]
+            # ladder: unread #
+            # b := Unknown(n) #
+            END_FUNCTION_BLOCK
+
+            # line 14 of Main: `Unknown` is not declared, and is not a function that is read; it is not run here. #
+            FUNCTION_BLOCK [$line_14_of_Main]
+            # ladder: unread #
+            # b := Unknown(n) #
+            END_FUNCTION_BLOCK
+
+            # line 18 of Main: `Unknown` is not declared, and is not a function that is read; it is not run here. #
+            FUNCTION_BLOCK [$line_18_of_Main]
+            # ladder: unread #
+            # b := Unknown(n) #
+            END_FUNCTION_BLOCK
+
+            # line 19 of Main: `Count` is not declared, and is not a function that is read; it is not run here. #
+            FUNCTION_BLOCK [$line_19_of_Main]
+            # ladder: unread #
+            # Count() #
+            END_FUNCTION_BLOCK
+
+            # line 29 of Main: `Stop` is not declared, and is not a function that is read; it is not run here. #
+            FUNCTION_BLOCK [$line_29_of_Main]
+            # ladder: unread #
+            # Stop() #
+            END_FUNCTION_BLOCK
+
+            # line 30 of Main: `Other` is not declared, and is not a function that is read; it is not run here. #
+            FUNCTION_BLOCK [$line_30_of_Main]
+            # ladder: unread #
+            # Other() #
+            END_FUNCTION_BLOCK
+
+            VAR
+                a : BOOL;
+                b : BOOL;
+                n : INT;
+            END_VAR
+
+            # Count(); #
+            # IF a THEN #
+            +--[/]( a )---------------------------------------------------<JMP>( endif1 )--+
+
+            # one more #
+            +----------------------------------------------------------[CALC]( n, n + 1 )--+
+            +-----------------------------------------------------------[$line_6_of_Main]--+
+
+            # one more #
+            +----------------------------------------------------------[CALC]( n, n + 1 )--+
+            +----------------------------------------------------------[$line_10_of_Main]--+
+
+            # one more #
+            +----------------------------------------------------------[CALC]( n, n + 1 )--+
+            +----------------------------------------------------------[$line_14_of_Main]--+
+
+            # one more #
+            +----------------------------------------------------------[CALC]( n, n + 1 )--+
+            +----------------------------------------------------------[$line_18_of_Main]--+
+            +----------------------------------------------------------[$line_19_of_Main]--+
+            +--<LBL>( endif1 )-----------------------------------------[$line_29_of_Main]--+
+            +----------------------------------------------------------[$line_30_of_Main]--+
+
+            # action Stop: #
+            # IF b THEN RETURN; END_IF #
+            approximated Stop(): `Stop` is not declared, and is not a function that is read: it is not run
+            approximated Other(): `Other` is not declared, and is not a function that is read: it is not run
+            approximated b := Unknown(n): `Unknown` is not declared, and is not a function that is read: it is not run
+            approximated b := Unknown(n): `Unknown` is not declared, and is not a function that is read: it is not run
+            approximated b := Unknown(n): `Unknown` is not declared, and is not a function that is read: it is not run
+            approximated b := Unknown(n): `Unknown` is not declared, and is not a function that is read: it is not run
+            approximated Count(): `Count` is not declared, and is not a function that is read: it is not run
+            approximated action Stop: nothing that is read runs it: it is a function that nothing calls
+        "#]],
+    );
+}
+
+#[test]
+fn programs_are_called_as_blocks_that_are_there_once() {
+    let other = "<TcPlcObject><POU Name=\"Lift\"><Declaration><![CDATA[PROGRAM Lift\nVAR_INPUT\n\tup : BOOL;\nEND_VAR\nVAR_OUTPUT\n\ttop : BOOL;\nEND_VAR]]></Declaration><Implementation><ST><![CDATA[top := up;]]></ST></Implementation></POU></TcPlcObject>";
+    let idle = "<TcPlcObject><POU Name=\"Idle\"><Declaration><![CDATA[PROGRAM Idle]]></Declaration><Implementation><ST><![CDATA[;]]></ST></Implementation></POU></TcPlcObject>";
+    let own = in_text(
+        "PROGRAM Main\nVAR\n\ta, Idle : BOOL;\nEND_VAR",
+        "Lift(up := a);\nIdle := Lift.top;",
+        "",
+    );
+    let companion = |name: &str, text: &str| Companion {
+        name: name.to_owned(),
+        bytes: text.as_bytes().to_vec().into(),
+    };
+    let source = Source {
+        companions: vec![companion("Lift.TcPOU", other), companion("Idle.TcPOU", idle)],
+        ..Source::alone("test", own.as_bytes())
+    };
+    let converted = convert(&TwinCat, &source, &Options::default()).expect("it is read");
+    expect![[r#"
+        VAR_GLOBAL
+            Lift : $Lift;
+        END_VAR
+
+        FUNCTION_BLOCK [$Lift]
+        VAR_INPUT
+            up : BOOL := FALSE;
+        END_VAR
+        VAR_OUTPUT
+            top : BOOL;
+        END_VAR
+
+        +--[ ]( up )-------------------------------------------------------( )( top )--+
+        END_FUNCTION_BLOCK
+
+        VAR
+            a    : BOOL;
+            Idle : BOOL;
+        END_VAR
+
+        +----------------------------------------------------[$Lift]( Lift, up := a )--+
+        +--[ ]( Lift.top )------------------------------------------------( )( Idle )--+
+    "#]]
+    .assert_eq(&converted.written.text);
 }

@@ -361,8 +361,20 @@ impl Tags {
     /// Notes a path that may become a tag of its own.
     pub(crate) fn note_undeclared(&mut self, scope: usize, path: &Path) {
         let is_whole = |step: &Step| matches!(step, Step::Member(_) | Step::Bit(_));
-        if path.steps.iter().all(is_whole) && self.entry(scope, &path.root.to_ascii_uppercase()).is_none() {
-            self.undeclared.insert(module(path));
+        let (mut scope, mut path) = (scope, path.clone());
+        for _ in 0..16 {
+            match self.entry(scope, &path.root.to_ascii_uppercase()) {
+                Some((of, Entry::Alias(target))) => {
+                    let mut target = target.clone();
+                    target.steps.append(&mut path.steps);
+                    (scope, path) = (of, target);
+                }
+                Some(_) => return,
+                None => break,
+            }
+        }
+        if path.steps.iter().all(is_whole) {
+            self.undeclared.insert(module(&path));
         }
     }
 

@@ -64,6 +64,11 @@ impl Tags {
                 Some((of, Entry::Alias(target))) => {
                     let mut target = target.clone();
                     let is_known = self.entry(of, &target.root.to_ascii_uppercase()).is_some();
+                    // A member of what a module has is a tag of its own, as where no alias leads there.
+                    if !is_known && matches!(path.steps.first(), Some(Step::Member(_))) {
+                        target.steps.append(&mut path.steps);
+                        return self.unknown(of, &target, role);
+                    }
                     if !is_known && self.scopes[of].own_names.is_none() {
                         return self.alias_of_unknown(of, &path, &target, role);
                     }

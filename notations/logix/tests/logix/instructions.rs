@@ -654,3 +654,28 @@ fn rungs_with_nop() {
     .assert_eq(&text[own..]);
     comes_back(&text);
 }
+
+#[test]
+fn members_of_what_an_alias_of_a_module_stands_for() {
+    let source = whole(
+        "",
+        &[("ai", "= Rack:1:I", ""), ("x", "DINT", ""), ("y", "BOOL", "")],
+        &[("Main", &["MOV(ai.Ch01.Data,x)XIC(ai.Ch01.Fault)OTE(y);"])],
+    );
+    expect![[r#"
+        # ladder: profile logix #
+        # Controller Cell #
+
+        VAR_INPUT
+            Rack_1_I_Ch01_Data  : DINT;  # Rack:1:I.Ch01.Data #
+            Rack_1_I_Ch01_Fault : BOOL;  # Rack:1:I.Ch01.Fault #
+        END_VAR
+
+        VAR
+            x : DINT;
+            y : BOOL;
+        END_VAR
+
+        +--[MOV]( x, Rack_1_I_Ch01_Data )--[ ]( Rack_1_I_Ch01_Fault )--------( )( y )--+
+    "#]].assert_eq(&converted(&L5x, source.as_bytes()).written.text);
+}

@@ -57,7 +57,7 @@ impl Declared<'_> {
             body: Body::Empty,
             parts: Vec::new(),
         };
-        unit.variables = self.variables(report, |statement| {
+        let mut variables = self.variables(report, |statement| {
             let upper = statement.to_ascii_uppercase();
             if upper.starts_with("FUNCTION") && upper.contains(':') {
                 unit.returns = statement.rsplit(':').next().map(|ty| type_of(ty.trim()));
@@ -66,16 +66,24 @@ impl Declared<'_> {
             let word = upper.split_whitespace().next().unwrap_or_default();
             KINDS.iter().any(|(name, _)| word == *name)
         });
+        // A program is there once.
+        if *kind != UnitKind::Program {
+            for (variable, _) in variables.iter_mut().filter(|(_, is_static)| *is_static) {
+                variable.ty = Type::Other("a variable that all instances have in common".to_owned());
+            }
+        }
+        unit.variables = variables.into_iter().map(|(variable, _)| variable).collect();
         Ok(unit)
     }
 
     /// The globals that are declared.
     pub fn globals(&self, report: &mut Report) -> Vec<Variable> {
-        let mut globals = self.variables(report, |_| false);
-        for global in &mut globals {
-            global.role = Role::Global;
-        }
-        globals
+        let globals = self.variables(report, |_| false).into_iter();
+        let global = |(variable, _)| Variable {
+            role: Role::Global,
+            ..variable
+        };
+        globals.map(global).collect()
     }
 
     /// The type that is declared, as in `TYPE Phase : (IDLE, FILLING); END_TYPE`.
@@ -122,10 +130,11 @@ impl Declared<'_> {
         self.plain.len() - self.plain.trim_start_matches('\u{feff}').trim_start().len()
     }
 
-    /// The variables of all sections. What is outside of them is an error, unless it is `known`.
-    fn variables(&self, report: &mut Report, mut known: impl FnMut(&str) -> bool) -> Vec<Variable> {
+    /// The variables of all sections, each with whether it is in `VAR_STAT`. What is outside of them is an error, unless it is `known`.
+    fn variables(&self, report: &mut Report, mut known: impl FnMut(&str) -> bool) -> Vec<(Variable, bool)> {
         let mut variables = Vec::new();
         let mut section: Option<(Role, Option<Qualifier>)> = None;
+        let mut is_static = false;
         for (offset, statement) in statements(self.plain) {
             let upper = statement.to_ascii_uppercase();
             let word = upper.split_whitespace().next().unwrap_or_default();
@@ -137,10 +146,12 @@ impl Declared<'_> {
                     (has("RETAIN") || has("PERSISTENT")).then_some(Qualifier::Retain)
                 };
                 section = Some((role, qualifier));
+                is_static = word == STATIC;
             } else if word == "END_VAR" {
                 section = None;
             } else if let Some(section) = section {
-                variables.extend(self.variable((offset, statement), section, report));
+                let declared = self.variable((offset, statement), section, report);
+                variables.extend(declared.into_iter().map(|variable| (variable, is_static)));
             } else if !known(statement) {
                 let at = (self.place)(offset);
                 report.refused(at, statement, "it is outside of a section of variables");
@@ -200,9 +211,12 @@ fn told(text: &str) -> Option<String> {
     (!inside.is_empty()).then(|| inside.to_owned())
 }
 
+/// What begins a section of variables that all instances of a unit have in common.
+const STATIC: &str = "VAR_STAT";
+
 fn role(word: &str) -> Option<Role> {
     Some(match word {
-        "VAR" | "VAR_INST" => Role::Local,
+        "VAR" | "VAR_INST" | STATIC => Role::Local,
         "VAR_TEMP" => Role::Temp,
         "VAR_INPUT" => Role::Input,
         "VAR_OUTPUT" => Role::Output,
@@ -240,7 +254,7 @@ pub fn without_comments(text: &str) -> String {
         match quote {
             Some(open) if c == open || c == '\n' => quote = None,
             // What a sign before a quote makes of it ends no string: JSON has \, IEC has $.
-            Some(_) if matches!(c, '\\' | '$') => {
+            Some(open) if c == '$' || c == '\\' && open == '"' => {
                 let next = rest[c.len_utf8()..].chars().next().filter(|next| *next != '\n');
                 let length = c.len_utf8() + next.map_or(0, char::len_utf8);
                 out.push_str(&rest[..length]);
@@ -280,7 +294,7 @@ fn statements(head: &str) -> Vec<(usize, &str)> {
         } else if KINDS.iter().any(|(name, _)| word == *name) {
             line
         } else {
-            rest.find(';').unwrap_or(rest.len())
+            declaration_length(rest)
         };
         let statement = rest[..end].trim().trim_end_matches(';');
         if !statement.is_empty() {
@@ -292,6 +306,23 @@ fn statements(head: &str) -> Vec<(usize, &str)> {
         }
     }
     out
+}
+
+/// How long a text is up to the `;` that is not in a string.
+fn declaration_length(text: &str) -> usize {
+    let mut quote: Option<char> = None;
+    let mut is_plain = true;
+    let end = text.find(|c| {
+        match quote {
+            _ if !is_plain => is_plain = true,
+            Some(_) if c == '$' => is_plain = false,
+            Some(open) if c == open || c == '\n' => quote = None,
+            None if matches!(c, '\'' | '"') => quote = Some(c),
+            _ => {}
+        }
+        c == ';' && quote.is_none()
+    });
+    end.unwrap_or(text.len())
 }
 
 /// How long the keyword of a section is, with what qualifies it.
@@ -420,9 +451,11 @@ fn initial_in(text: &str, depth: usize) -> Initial {
 
 /// The parts of a list between its commas, each without blanks around it.
 fn parts(text: &str) -> impl Iterator<Item = &str> {
-    let (mut depth, mut is_text) = (0_i32, false);
+    let (mut depth, mut is_text, mut is_plain) = (0_i32, false, true);
     text.split(move |c| {
         match c {
+            _ if !is_plain => is_plain = true,
+            '$' if is_text => is_plain = false,
             '\'' => is_text = !is_text,
             '(' | '[' if !is_text => depth += 1,
             ')' | ']' if !is_text => depth -= 1,
@@ -443,6 +476,12 @@ const DEEPEST: usize = 8;
 
 fn type_in(text: &str, depth: usize) -> Type {
     let upper = text.to_ascii_uppercase();
+    let word = upper.split_whitespace().next().unwrap_or_default();
+    match word {
+        "POINTER" | "REFERENCE" => return Type::Other(format!("`{text}`, which is an address,")),
+        "UNION" => return Type::Other("a UNION, which is memory by address,".to_owned()),
+        _ => {}
+    }
     if let Some(rest) = upper.strip_prefix("ARRAY") {
         let shown = || Type::Other(format!("`{text}`"));
         let (Some(open), Some(close)) = (rest.find('['), rest.find(']')) else {
@@ -469,8 +508,12 @@ fn type_in(text: &str, depth: usize) -> Type {
         let Some(bounds) = bounds else { return shown() };
         return Type::Array(bounds, Box::new(type_in(text[offset + of..].trim(), depth + 1)));
     }
-    if let Some(rest) = upper.strip_prefix("STRING") {
+    let is_end = |rest: &&str| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_');
+    if let Some(rest) = upper.strip_prefix("STRING").filter(is_end) {
         let length = rest.trim().trim_matches(['[', ']', '(', ')']).trim();
+        if !length.is_empty() && length.parse::<u32>().is_err() {
+            return Type::Other(format!("`{text}`, whose length is computed,"));
+        }
         return Type::Text(length.parse().ok());
     }
     if let Some((ty, range)) = text.strip_suffix(')').and_then(|text| text.split_once('('))

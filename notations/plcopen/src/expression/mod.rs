@@ -5,6 +5,7 @@ mod tokens;
 use super::model::Type;
 use super::own;
 use super::scope::{Known, Scope, Shared, member, trigger};
+use super::sketch::type_text;
 use super::standard;
 use ladder_analysis::values::types::{Scalar, passes};
 use ladder_format::program::{Expression, Literal, Operator, Path, Sign};
@@ -322,6 +323,9 @@ impl<'t, 'm> Parser<'t, 'm> {
             None => (Path::tag(member(word)), None),
         };
         loop {
+            if let Some(Err(why)) = ty.as_ref().map(|ty| type_text(shared, ty)) {
+                return Err(format!("`{path}` is not declared here: {why}"));
+            }
             if self.next_is("[") {
                 let (indices, _) = self.nested("]")?;
                 path = path.index(indices);

@@ -28,6 +28,32 @@ pub(super) struct Reading {
     continuations: Vec<(usize, String)>,
 }
 
+/// Lets a value that comes through connectors and continuations come from where it is.
+fn pass_values(graph: &mut Graph, passed: &[usize]) {
+    let source = |node: usize| match &graph.nodes[node].inputs[..] {
+        [pin] if pin.modifier == Modifier::default() => match pin.from[..] {
+            [end] => Some((node, end)),
+            _ => None,
+        },
+        _ => None,
+    };
+    let sources: HashMap<usize, End> = passed.iter().filter_map(|node| source(*node)).collect();
+    let values: HashMap<usize, End> = passed
+        .iter()
+        .filter_map(|node| {
+            let mut end = *sources.get(node)?;
+            for _ in 0..passed.len() {
+                end = sources.get(&end.node).copied().unwrap_or(end);
+            }
+            matches!(graph.nodes[end.node].kind, Kind::Value(..)).then_some((*node, end))
+        })
+        .collect();
+    let pins = graph.nodes.iter_mut().flat_map(|node| &mut node.inputs);
+    for end in pins.flat_map(|pin| &mut pin.from) {
+        *end = values.get(&end.node).copied().unwrap_or(*end);
+    }
+}
+
 impl<'x> Reader<'x, '_> {
     pub(super) fn body(&mut self, node: Node<'x, '_>) -> Body {
         let Some(language) = node
@@ -92,6 +118,11 @@ impl<'x> Reader<'x, '_> {
             connectors,
             continuations,
         } = reading;
+        let passed: Vec<usize> = connectors
+            .values()
+            .copied()
+            .chain(continuations.iter().map(|(node, _)| *node))
+            .collect();
         self.continued(
             &mut graph,
             &connectors,
@@ -125,6 +156,7 @@ impl<'x> Reader<'x, '_> {
             };
             graph.nodes[connection.node].inputs[connection.pin].from.push(end);
         }
+        pass_values(&mut graph, &passed);
         graph.open(&mut self.project.report);
         graph
     }

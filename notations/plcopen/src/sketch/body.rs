@@ -5,6 +5,7 @@ use super::blocks::{self, Class};
 use super::draw::{Drawn, Target};
 use super::state::{Facts, Next, State, Tags};
 use super::texts::Texts;
+use super::unknown::may_be_unread;
 use crate::expression::{self, Meaning, Typed};
 use crate::graph::{End, Graph, Kind};
 use crate::model::Evaluation;
@@ -28,6 +29,8 @@ pub(super) struct Made {
     pub(super) unread: UnreadParts,
     /// The texts of actions and methods that boxes call, by their names in small letters.
     pub(super) actions: HashMap<String, String>,
+    /// The actions whose texts are in the places of their calls, by their names in small letters.
+    pub(super) in_place: HashSet<String>,
     /// The texts of boxes.
     pub(super) texts: Texts,
 }
@@ -42,6 +45,7 @@ impl Made {
             needed: HashSet::new(),
             unread: UnreadParts::default(),
             actions: HashMap::new(),
+            in_place: HashSet::new(),
             texts: Texts::new(),
         }
     }
@@ -328,6 +332,7 @@ impl<'b> Body<'b> {
     /// Draws a network, if it can be drawn as one, and above it what sees the falls in it.
     pub(super) fn network(&mut self, targets: &[Target]) -> bool {
         let (items, helpers) = (self.made.items.len(), self.made.helpers.len());
+        let unread = self.made.unread.len();
         let (comments, labels) = (self.next.comments.clone(), self.next.labels.clone());
         let falls = self.see_falls(targets);
         let is_drawn = self.one_network(targets);
@@ -337,6 +342,7 @@ impl<'b> Body<'b> {
         if !is_drawn {
             self.made.items.truncate(items);
             self.made.helpers.truncate(helpers);
+            self.made.unread.truncate(unread);
             self.next.comments = comments;
             self.next.labels = labels;
         }
@@ -511,7 +517,9 @@ impl<'b> Body<'b> {
                     | Kind::Comment(_)
                     | Kind::Other(_)
             );
-            if draws && !is_told {
+            if draws && !is_told && self.is_of_unread(node) {
+                self.state.seen[node] = true;
+            } else if draws && !is_told {
                 self.refuse(node, "it is part of what is not translated");
                 self.next.comments.push(format!(
                     "{}: not translated",
@@ -529,6 +537,9 @@ impl<'b> Body<'b> {
             match outcome {
                 None => report.translated(drawn.place, shown),
                 Some(Outcome::Approximated(why)) => report.approximated(drawn.place, shown, why),
+                Some(Outcome::Refused(why)) if self.state.seen[node] && may_be_unread(&drawn.kind) => {
+                    report.approximated(drawn.place, shown, format!("{why}: it is not run"));
+                }
                 Some(Outcome::Refused(why)) => report.refused(drawn.place, shown, why),
                 Some(Outcome::Translated) => {}
             }

@@ -1,6 +1,6 @@
 //! Declarations: types, variables, initial values.
 
-use super::initial::{initial_text, zero};
+use super::initial::{computed, initial_text, zero};
 use super::structured;
 use crate::along;
 use crate::expression::{Meaning, address_of, operand};
@@ -9,6 +9,7 @@ use crate::model::{Body, Project, Role, Type, Unit, UnitKind, Variable};
 use crate::own;
 use crate::scope::{Scope, Shared, local, member, trigger};
 use crate::standard::{self, StandardBlock};
+use ladder_analysis::values::types::Scalar;
 use ladder_format::program::{Declaration, Item, Qualifier, Section, SectionKind};
 use ladder_notation::{LineColumn, Reading};
 
@@ -17,14 +18,21 @@ use ladder_notation::{LineColumn, Reading};
 /// # Errors
 ///
 /// Why it has no counterpart.
-pub(super) fn type_text(shared: &Shared<'_>, ty: &Type) -> Result<String, String> {
-    if let Type::Other(what) = shared.real(ty) {
-        return Err(format!("{what} has no counterpart"));
-    }
+pub(crate) fn type_text(shared: &Shared<'_>, ty: &Type) -> Result<String, String> {
+    type_text_in(shared, ty, 0)
+}
+
+/// Types are made of others no deeper.
+const DEEPEST: usize = 16;
+
+fn type_text_in(shared: &Shared<'_>, ty: &Type, depth: usize) -> Result<String, String> {
     Ok(match ty {
         Type::Named(name) => {
-            if let Some((spelled, _)) = shared.types.get(&name.to_lowercase()) {
-                return Ok(spelled.clone());
+            if let Some((spelled, declared)) = shared.types.get(&name.to_lowercase()) {
+                return match is_declared(shared, declared, depth) {
+                    Ok(()) => Ok(spelled.clone()),
+                    Err(why) => Err(format!("the type `{name}` is not declared: {why}")),
+                };
             }
             if let Some(block) = shared.block_of(ty) {
                 return match block.unit.kind {
@@ -53,10 +61,14 @@ pub(super) fn type_text(shared: &Shared<'_>, ty: &Type) -> Result<String, String
                 .iter()
                 .map(|(low, high)| Ok(format!("{}..{}", bound(shared, low)?, bound(shared, high)?)))
                 .collect();
-            format!("ARRAY[{}] OF {}", bounds?.join(", "), type_text(shared, of)?)
+            format!(
+                "ARRAY[{}] OF {}",
+                bounds?.join(", "),
+                type_text_in(shared, of, depth + 1)?
+            )
         }
         Type::Range(base, low, high) => {
-            let base = type_text(shared, &Type::Named(base.clone()))?;
+            let base = type_text_in(shared, &Type::Named(base.clone()), depth + 1)?;
             format!("{base}({}..{})", bound(shared, low)?, bound(shared, high)?)
         }
         Type::Enumeration(_) | Type::Structure(_) => {
@@ -64,6 +76,47 @@ pub(super) fn type_text(shared: &Shared<'_>, ty: &Type) -> Result<String, String
         }
         Type::Other(what) => return Err(format!("{what} has no counterpart")),
     })
+}
+
+/// Whether a variable of a type may lie at an address.
+fn is_as_wide(shared: &Shared<'_>, address: &str, ty: &Type) -> bool {
+    let width = match address.as_bytes()[2] {
+        b'X' => 1,
+        b'B' => 8,
+        b'W' => 16,
+        b'D' => 32,
+        _ => 64,
+    };
+    let Type::Named(name) = shared.real(ty) else {
+        return false;
+    };
+    let scalar = standard::elementary(name).and_then(Scalar::from_name);
+    scalar.is_some_and(|ty| !ty.is_string() && ty.width() == width)
+}
+
+/// Whether a type of the project is declared here: of a structure one of its members is enough, and the others are not there.
+fn is_declared(shared: &Shared<'_>, declared: &Type, depth: usize) -> Result<(), String> {
+    if depth >= DEEPEST {
+        return Ok(());
+    }
+    match declared {
+        Type::Structure(members) => {
+            let mut why = "it has no members".to_owned();
+            for member in members {
+                match type_text_in(shared, &member.ty, depth + 1) {
+                    Ok(_) => return Ok(()),
+                    Err(because) => why = because,
+                }
+            }
+            Err(why)
+        }
+        Type::Enumeration(values) if values.is_empty() => Err("it has no values".to_owned()),
+        Type::Enumeration(values) => {
+            let mut numbers = values.iter().filter_map(|(_, number)| number.as_ref());
+            numbers.try_for_each(|number| bound(shared, number).map(drop))
+        }
+        other => type_text_in(shared, other, depth + 1).map(drop),
+    }
 }
 
 /// Whether a variable is the instance of a block that neither the project nor ladder text has.
@@ -87,6 +140,9 @@ pub(super) fn bound(shared: &Shared<'_>, text: &str) -> Result<String, String> {
         scope: &scope,
     };
     let bound = operand(text, meaning).map_err(|why| format!("of the bound `{text}`: {why}"))?;
+    if let Some(number) = computed(shared, &bound.value) {
+        return Ok(number.as_str().to_owned());
+    }
     // A number or the name of a constant; no address, no text.
     let bound = bound.value.to_string();
     let is_known = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '+' | '#');
@@ -97,8 +153,13 @@ pub(super) fn bound(shared: &Shared<'_>, text: &str) -> Result<String, String> {
     }
 }
 
-/// What a type is in its declaration, with what is inside of it.
-fn definition(shared: &Shared<'_>, ty: &Type, depth: usize) -> Result<String, String> {
+/// What a type is in its declaration, with what is inside of it. The names of members that are not there are added to `left_out`.
+fn definition(
+    shared: &Shared<'_>,
+    ty: &Type,
+    left_out: &mut Vec<(String, String)>,
+) -> Result<String, String> {
+    is_declared(shared, ty, 0)?;
     match ty {
         Type::Enumeration(values) if !values.is_empty() => {
             let values: Result<Vec<String>, String> = values
@@ -110,11 +171,16 @@ fn definition(shared: &Shared<'_>, ty: &Type, depth: usize) -> Result<String, St
                 .collect();
             Ok(format!("({})", values?.join(", ")))
         }
-        Type::Structure(members) if !members.is_empty() && depth == 0 => {
+        Type::Structure(members) if !members.is_empty() => {
             let mut out = String::from("STRUCT\n");
             for variable in members {
-                let ty = type_text(shared, &variable.ty)
-                    .map_err(|why| format!("member `{}`: {why}", variable.name))?;
+                let ty = match type_text(shared, &variable.ty) {
+                    Ok(ty) => ty,
+                    Err(why) => {
+                        left_out.push((variable.name.clone(), why));
+                        continue;
+                    }
+                };
                 out.push_str(&format!("{} : {ty}", member(&variable.name)));
                 if let Some(Ok(initial)) = variable
                     .initial
@@ -132,6 +198,11 @@ fn definition(shared: &Shared<'_>, ty: &Type, depth: usize) -> Result<String, St
     }
 }
 
+/// What becomes of something that has no type here: what uses it is unread.
+fn not_declared(why: &str) -> String {
+    format!("{why}; it is not declared")
+}
+
 /// The types of the project.
 pub(super) fn types(shared: &Shared<'_>, project: &Project, reading: &mut Reading) -> Vec<Item> {
     let mut section = Section::new(SectionKind::Type);
@@ -144,13 +215,22 @@ pub(super) fn types(shared: &Shared<'_>, project: &Project, reading: &mut Readin
                 .refused(declared.place, shown, "another type has this name, and is read");
             continue;
         };
-        let ty = match definition(shared, &declared.ty, 0) {
+        let mut left_out = Vec::new();
+        let ty = match definition(shared, &declared.ty, &mut left_out) {
             Ok(ty) => ty,
             Err(why) => {
-                reading.report.refused(declared.place, shown, why);
+                reading
+                    .report
+                    .approximated(declared.place, shown, not_declared(&why));
                 continue;
             }
         };
+        for (member, why) in left_out {
+            let shown = format!("member {member} of {}", declared.name);
+            reading
+                .report
+                .approximated(declared.place, shown, not_declared(&why));
+        }
         let initial = declared
             .initial
             .as_ref()
@@ -243,9 +323,8 @@ pub(super) fn variables(
             if is_there {
                 reading.report.translated(variable.place, shown);
             } else {
-                reading
-                    .report
-                    .refused(variable.place, shown, "the project has no global of this name");
+                let why = not_declared("the project has no global of this name");
+                reading.report.approximated(variable.place, shown, why);
             }
             continue;
         }
@@ -301,9 +380,11 @@ pub(super) fn variables(
                 declaration.comment = Some("what the function returns".to_owned());
                 sections.push(SectionKind::VarOutput, None, declaration);
             }
-            Err(why) => reading
-                .report
-                .refused(unit.place, format!("result of {}", unit.name), why),
+            Err(why) => reading.report.approximated(
+                unit.place,
+                format!("result of {}", unit.name),
+                not_declared(&why),
+            ),
         }
     }
     let has_state = local(unit).any(|variable| matches!(variable.role, Role::Local | Role::Temp));
@@ -357,7 +438,7 @@ impl Sections {
         shared: &Shared<'_>,
         scope: &Scope,
         variable: &Variable,
-        kind: SectionKind,
+        mut kind: SectionKind,
         is_block: bool,
         reading: &mut Reading,
     ) {
@@ -375,7 +456,9 @@ impl Sections {
         let ty = match ty {
             Ok(ty) => ty,
             Err(why) => {
-                reading.report.refused(variable.place, shown, why);
+                reading
+                    .report
+                    .approximated(variable.place, shown, not_declared(&why));
                 return;
             }
         };
@@ -392,8 +475,20 @@ impl Sections {
             comment = Some(format!("{before}{told} in the project"));
         };
         if let Some(address) = &variable.address {
-            declaration.address = address_of(address).filter(|_| kind != SectionKind::VarInOut);
+            let is_one =
+                |address: &String| kind != SectionKind::VarInOut && is_as_wide(shared, address, &variable.ty);
+            declaration.address = address_of(address).filter(is_one);
+            if declaration.address.is_none() && shared.several.contains(&address.to_ascii_uppercase()) {
+                let why = not_declared(&format!("another variable is at `{address}`, too"));
+                reading.report.approximated(variable.place, shown, why);
+                return;
+            }
             if declaration.address.is_none() {
+                // What comes from outside is an input.
+                let is_input = address.to_ascii_uppercase().starts_with("%I");
+                if kind == SectionKind::Var && !is_block && is_input {
+                    kind = SectionKind::VarInput;
+                }
                 note(
                     reading,
                     format!("AT {address}"),

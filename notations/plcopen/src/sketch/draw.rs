@@ -247,8 +247,11 @@ impl Pencil<'_, '_> {
         to
     }
 
-    /// A comment in the place of an element.
+    /// An unread part in the place of an element, or a comment where nothing is to be run.
     pub(super) fn stand_in(&mut self, from: usize, node: usize) -> usize {
+        if let Some(block) = self.body.unread_element(node) {
+            return self.series(from, [block], node);
+        }
         let shown = super::blocks::shown(&self.body.graph.nodes[node]);
         let shown = crate::scope::short(&shown);
         let origin = self.body.reading.origin(self.body.graph.nodes[node].place);

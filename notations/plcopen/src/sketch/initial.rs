@@ -6,6 +6,7 @@ use crate::model::{Initial, Type};
 use crate::scope::{Scope, Shared, member};
 use crate::standard;
 use ladder_format::program::{Expression, Literal};
+use ladder_notation::folded;
 
 /// What an input has that nothing is wired to.
 pub(super) fn zero(shared: &Shared<'_>, ty: &Type) -> Option<Literal> {
@@ -66,6 +67,25 @@ pub(super) fn initial_text(shared: &Shared<'_>, ty: &Type, initial: &Initial) ->
     }
 }
 
+/// The number that an expression of numbers and constants of the project is, where it is more than one of them.
+pub(super) fn computed(shared: &Shared<'_>, expression: &Expression) -> Option<Literal> {
+    if matches!(expression, Expression::Literal(_) | Expression::Path(_)) {
+        return None;
+    }
+    let scope = Scope::default();
+    folded(expression, &|path| {
+        let text = shared.constants.get(&path.whole()?.to_lowercase())?;
+        let value = operand(
+            text,
+            Meaning {
+                shared,
+                scope: &scope,
+            },
+        );
+        value.ok().map(|value| value.value)
+    })
+}
+
 fn simple(shared: &Shared<'_>, ty: &Type, text: &str) -> Result<String, String> {
     let real = shared.real(ty);
     let name = match real {
@@ -88,10 +108,20 @@ fn simple(shared: &Shared<'_>, ty: &Type, text: &str) -> Result<String, String> 
             scope: &Scope::default(),
         },
     )?;
-    if !matches!(value.value, Expression::Literal(_) | Expression::Path(_)) {
+    let value = match &value.value {
+        Expression::Literal(_) | Expression::Path(_) => value.value.to_string(),
+        other => {
+            let number = computed(shared, other).ok_or("it is not a value")?;
+            number.as_str().to_owned()
+        }
+    };
+    let is_real = |name: &str| matches!(name, "REAL" | "LREAL");
+    if value.contains('.')
+        && name.is_some_and(|name| name != "STRING" && !is_real(name))
+        && Literal::read(&*value).is_ok_and(|it| it.as_str().parse::<f64>().is_ok())
+    {
         return Err("it is not a value".to_owned());
     }
-    let value = value.value.to_string();
     let is_whole = value.bytes().all(|c| c.is_ascii_digit() || c == b'-');
     Ok(match name {
         Some("REAL" | "LREAL") if is_whole => value + ".0",

@@ -1,5 +1,6 @@
 //! From the model to ladder text: as one program that runs as the project does, and as the files of a workspace.
 
+mod actions;
 mod blocks;
 mod body;
 mod call;
@@ -24,6 +25,7 @@ mod unknown;
 use super::graph::{End, Kind};
 use super::model::{Body, Evaluation, Project, Task, Unit, UnitKind};
 use super::scope::{Scope, Shared};
+pub(crate) use declare::type_text;
 use ladder_format::Circuit;
 use ladder_format::program::{Block, Drawing, Element, Item, Network, Path, ProgramSketch};
 use ladder_notation::{

@@ -204,7 +204,11 @@ impl Body<'_> {
         for pin in operand_pins(self, node) {
             let is_wired = !self.graph.nodes[node].inputs[pin].from.is_empty();
             if is_wired && !self.tags.operands.contains_key(&(node, pin)) {
-                self.direct(node, pin, seen)?;
+                match self.direct(node, pin, seen) {
+                    // Its text has the value as the source does.
+                    Err(_) if class == Class::Unknown => {}
+                    done => drop(done?),
+                }
             }
         }
         self.enabled(node, seen);

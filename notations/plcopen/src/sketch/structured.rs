@@ -1,14 +1,15 @@
 //! Bodies in Structured Text.
 
+use super::actions::WithActions;
 use super::body::Made;
-use super::declare::bound;
+use super::declare::{bound, type_text};
 use super::initial::initial_text;
 use crate::model::{Project, Role, Type, Unit, UnitKind, Variable};
 use crate::scope::{BlockOf, Scope, Shared, local, member, trigger};
 use crate::standard::{self, StandardBlock};
 use ladder_analysis::values::types::Scalar;
 use ladder_format::program::Expression;
-use ladder_notation::{LineColumn, Lines, Reading};
+use ladder_notation::{LineColumn, Reading};
 use ladder_notation_st::read::{
     self as st, Dialect, Edge, Enumeration, Parameter, ParameterRole, Restarted, Shape, Structure,
 };
@@ -34,6 +35,8 @@ pub(super) fn body(
     let Seen { shared, .. } = seen;
     let scope = seen.in_text(&made.scope);
     let restarted = restarted(shared, unit);
+    let whole = WithActions::of(unit, (text, place), seen.dialect());
+    let text = whole.text.as_str();
     let source = st::Source {
         text,
         dialect: seen.dialect(),
@@ -44,11 +47,11 @@ pub(super) fn body(
         first_origin: reading.places.len() as u32,
         first_label: 0,
     };
-    let lines = Lines::of(text);
-    let in_file = |at: usize| within(place, lines.place(text, at));
+    let in_file = |at: usize| whole.place(at);
     let (names, unread) = (made.scope.names_mut(), &mut made.unread);
     let body = st::read_body(&source, names, unread, |at| in_file(at).line)?;
     body.note(text, in_file, reading);
+    made.in_place.extend(whole.in_place);
     made.needed
         .extend(body.used.iter().map(|name| name.to_lowercase()));
     made.items.extend(body.items);
@@ -146,7 +149,7 @@ impl<'s> Scopes<'s> {
             scope: st::Scope::default(),
         };
         for declared in &project.types {
-            let ty = scopes.named(&declared.name, 0);
+            let ty = scopes.declared(&Type::Named(declared.name.clone()));
             scopes.scope.data_type(&declared.name, ty);
         }
         for (name, block) in &shared.blocks {
@@ -158,7 +161,7 @@ impl<'s> Scopes<'s> {
             }
         }
         for (name, known) in shared.globals.all() {
-            let ty = scopes.ty(&known.ty, 0);
+            let ty = scopes.declared(&known.ty);
             scopes.scope.tag(name, known.path.clone(), ty, false);
         }
         scopes
@@ -166,8 +169,9 @@ impl<'s> Scopes<'s> {
 
     fn of_unit(&self, unit: &Scope) -> st::Scope {
         let mut own = self.clone();
+        own.scope.begin_unit();
         for (name, known) in unit.all() {
-            let ty = own.ty(&known.ty, 0);
+            let ty = own.declared(&known.ty);
             own.scope.tag(name, known.path.clone(), ty, false);
         }
         for (name, (active, elapsed)) in unit.steps() {
@@ -188,7 +192,7 @@ impl<'s> Scopes<'s> {
             let Some(known) = block.scope.get(&variable.name) else {
                 continue;
             };
-            let ty = self.ty(&variable.ty, 0);
+            let ty = self.declared(&variable.ty);
             parameters.push(Parameter {
                 name: variable.name.clone(),
                 spelled: known.path.to_string(),
@@ -199,7 +203,7 @@ impl<'s> Scopes<'s> {
         }
         let returns = block.unit.returns.as_ref().and_then(|returns| {
             let known = block.scope.get(&block.unit.name)?;
-            Some((known.path.to_string(), self.ty(returns, 0)))
+            Some((known.path.to_string(), self.declared(returns)))
         });
         let name = block.name.trim_start_matches('$').to_owned();
         Rc::new(Shape {
@@ -207,6 +211,14 @@ impl<'s> Scopes<'s> {
             parameters,
             returns,
         })
+    }
+
+    /// The type of something that is declared, if its type is one here.
+    fn declared(&mut self, ty: &Type) -> st::Type {
+        match type_text(self.shared, ty) {
+            Ok(_) => self.ty(ty, 0),
+            Err(_) => st::Type::Unknown,
+        }
     }
 
     /// A type by its name.

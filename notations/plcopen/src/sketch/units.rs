@@ -123,7 +123,10 @@ pub(super) fn unit_items(
             Networks::draw(shared, graph, &mut made, reading);
         }
         for part in &unit.parts {
-            if !chart::has(unit, part) {
+            if made.in_place.contains(&part.name.to_lowercase()) {
+                let shown = format!("{} {}", part.what, part.name);
+                reading.report.translated(part.place, shown);
+            } else if !chart::has(unit, part) {
                 part_items(shared, (unit, part), (place, when), &mut made, reading);
             }
         }
@@ -137,6 +140,7 @@ pub(super) fn unit_items(
         unread: parts,
         actions: _,
         texts: _,
+        in_place: _,
     } = made;
     *unread = parts;
     let is_needed = |name: &str| needed.contains(&name.to_lowercase());

@@ -583,6 +583,11 @@ fn blocks_of_the_project() {
             +------------------------------------------------------[ADD]( Average, x, x )--+
             END_FUNCTION_BLOCK
 
+            # Motor_2 M2: nothing is wired to `count`, which is read and written; it is not run here. #
+            FUNCTION_BLOCK [$Motor_2_M2]
+            # ladder: unread #
+            END_FUNCTION_BLOCK
+
             VAR
                 a        : BOOL;
                 n        : INT;
@@ -605,8 +610,8 @@ fn blocks_of_the_project() {
 
             +--[P]( a )---------------------------------------------------( )( M2_start )--+
 
-            +--# Motor_2 M2: not translated #----------------------------------------------+
-            refused Motor_2 M2: nothing is wired to `count`, which is read and written
+            +---------------------------------------------------------------[$Motor_2_M2]--+
+            approximated Motor_2 M2: nothing is wired to `count`, which is read and written: it is not run
         "#]],
     );
 }
@@ -625,6 +630,15 @@ fn names_that_cannot_be_spelled() {
          contact 6 from=1 Ton-2
          coil 7 from=6 TON",
         expect![[r#"
+            # contact a;b: `;` has no place in an expression here; it is not run here. #
+            FUNCTION_BLOCK [$contact_a_b]
+            VAR_INPUT
+                operands : STRING[254] := '';
+            END_VAR
+            # ladder: unread, writes #
+            +------------------------------------------------------------------(R)( ENO )--+
+            END_FUNCTION_BLOCK
+
             VAR
                 _ton  : BOOL;  # ton in the project #
                 Ton_2 : BOOL;  # Ton-2 in the project #
@@ -633,13 +647,13 @@ fn names_that_cannot_be_spelled() {
 
             +--[ ]( _ton )----------------------------------------------------( )( _SYS )--+
 
-            +--# contact a;b: not translated #--------------------------( )( undeclared )--+
+            +----------------------------------[$contact_a_b]( 'a;b' )--( )( undeclared )--+
 
             +--[ ]( Ton_2 )---------------------------------------------------( )( _ton )--+
             approximated variable ton: it is spelled `_ton` here
             approximated variable Ton-2: it is spelled `Ton_2` here
             approximated variable SYS: it is spelled `_SYS` here
-            refused contact a;b: `;` has no place in an expression here
+            approximated contact a;b: `;` has no place in an expression here: it is not run
         "#]],
     );
 }
@@ -723,58 +737,81 @@ fn formulas() {
         "n : INT\nx : REAL\ny : REAL\nz : REAL",
         &drawn,
         expect![[r#"
-        VAR
-            n : INT;
-            x : REAL;
-            y : REAL;
-            z : REAL;
-        END_VAR
+            # block MOVE: it is no expression; it is not run here. #
+            FUNCTION_BLOCK [$block_MOVE]
+            VAR_INPUT
+                operands : STRING[254] := '';
+            END_VAR
+            # ladder: unread #
+            END_FUNCTION_BLOCK
 
-        +----------------------------------------------------[CALC]( z, (x ^ y) ^ 2 )--+
+            # output z: nothing holds what `MOVE` has at `OUT`; it is not run here. #
+            FUNCTION_BLOCK [$output_z]
+            VAR_INPUT
+                operands : STRING[254] := '';
+            END_VAR
+            # ladder: unread, writes z #
+            END_FUNCTION_BLOCK
 
-        +----------------------------------------------------[CALC]( z, -x ^ 2 + -y )--+
+            # block MOVE: something is missing in it; it is not run here. #
+            FUNCTION_BLOCK [$block_MOVE2]
+            VAR_INPUT
+                operands : STRING[254] := '';
+            END_VAR
+            # ladder: unread #
+            END_FUNCTION_BLOCK
 
-        +--------------------------------------------------------------[MOV]( z, -5 )--+
+            # block MOVE: its parentheses do not match; it is not run here. #
+            FUNCTION_BLOCK [$block_MOVE3]
+            VAR_INPUT
+                operands : STRING[254] := '';
+            END_VAR
+            # ladder: unread #
+            END_FUNCTION_BLOCK
 
-        +-----------------------------------------------[CALC]( z, x * -5 - (y - 1) )--+
+            VAR
+                n : INT;
+                x : REAL;
+                y : REAL;
+                z : REAL;
+            END_VAR
 
-        +----------------------------------------------------[CALC]( z, (n + 1) * x )--+
+            +----------------------------------------------------[CALC]( z, (x ^ y) ^ 2 )--+
 
-        +-------------------------------------------------[CALC]( z, MAX(x, ABS(y)) )--+
+            +----------------------------------------------------[CALC]( z, -x ^ 2 + -y )--+
 
-        +--# block MOVE: not translated #----------------------------------------------+
+            +--------------------------------------------------------------[MOV]( z, -5 )--+
 
-        +--# block MOVE: not translated #--# output z: not translated #----------------+
+            +-----------------------------------------------[CALC]( z, x * -5 - (y - 1) )--+
 
-        +--# block MOVE: not translated #----------------------------------------------+
+            +----------------------------------------------------[CALC]( z, (n + 1) * x )--+
 
-        +--# block MOVE: not translated #--# output z: not translated #----------------+
+            +-------------------------------------------------[CALC]( z, MAX(x, ABS(y)) )--+
 
-        +--# block MOVE: not translated #----------------------------------------------+
+            +--------------------------------------[$block_MOVE]( 'IN := x y, OUT => z' )--+
 
-        +--# block MOVE: not translated #--# output z: not translated #----------------+
+            +------------------[$block_MOVE]( 'IN := x y, OUT => z' )--[$output_z]( 'z' )--+
 
-        +--# block MOVE: not translated #----------------------------------------------+
+            +-----------------------------------[$block_MOVE]( 'IN := (x, y), OUT => z' )--+
 
-        +--# block MOVE: not translated #--# output z: not translated #----------------+
+            +---------------[$block_MOVE]( 'IN := (x, y), OUT => z' )--[$output_z]( 'z' )--+
 
-        # input x y: not translated #
-        # input (x, y): not translated #
-        # input x + AND: not translated #
-        # input (x: not translated #
-        refused input x y: it is part of what is not translated
-        refused block MOVE: it is no expression
-        refused output z: nothing holds what `MOVE` has at `OUT`
-        refused input (x, y): it is part of what is not translated
-        refused block MOVE: it is no expression
-        refused output z: nothing holds what `MOVE` has at `OUT`
-        refused input x + AND: it is part of what is not translated
-        refused block MOVE: something is missing in it
-        refused output z: nothing holds what `MOVE` has at `OUT`
-        refused input (x: it is part of what is not translated
-        refused block MOVE: its parentheses do not match
-        refused output z: nothing holds what `MOVE` has at `OUT`
-    "#]],
+            +---------------------------------[$block_MOVE2]( 'IN := x + AND, OUT => z' )--+
+
+            +-------------[$block_MOVE2]( 'IN := x + AND, OUT => z' )--[$output_z]( 'z' )--+
+
+            +--------------------------------------[$block_MOVE3]( 'IN := (x, OUT => z' )--+
+
+            +------------------[$block_MOVE3]( 'IN := (x, OUT => z' )--[$output_z]( 'z' )--+
+            approximated block MOVE: it is no expression: it is not run
+            approximated output z: nothing holds what `MOVE` has at `OUT`: it is not run
+            approximated block MOVE: it is no expression: it is not run
+            approximated output z: nothing holds what `MOVE` has at `OUT`: it is not run
+            approximated block MOVE: something is missing in it: it is not run
+            approximated output z: nothing holds what `MOVE` has at `OUT`: it is not run
+            approximated block MOVE: its parentheses do not match: it is not run
+            approximated output z: nothing holds what `MOVE` has at `OUT`: it is not run
+        "#]],
     );
 }
 

@@ -91,7 +91,7 @@ fn several_programs_in_one() {
 
             # First in task slow: it runs every 1s there, between any two networks of the other tasks. #
             FUNCTION_BLOCK [$First_in_task_slow]
-            # ladder: unread, at any time, writes total, First_out, deep, phase, motor, mix, text, share, First_hold, level #
+            # ladder: unread, at any time, writes total, First_out, phase, motor, mix, text, share, First_hold, level #
             # every 1s #
             END_FUNCTION_BLOCK
 
@@ -116,13 +116,15 @@ fn several_programs_in_one() {
             END_VAR
             VAR
                 First_out  AT %QX0.1 : BOOL;  # out in the project: the pump #
-                deep                 : BOOL;  # AT %IX0.1.2 in the project #
                 phase                : Phase              := IDLE;
                 motor                : Motor              := (speed := 20.0);
                 mix                  : ARRAY[1..4] OF INT := [1, 3(2)];
                 text                 : STRING[20]         := 'it$'s';
                 share                : Percent;
                 First_hold           : BOOL;  # hold in the project #
+            END_VAR
+            VAR_INPUT
+                deep : BOOL;  # AT %IX0.1.2 in the project #
             END_VAR
 
             # of Idle #
@@ -160,13 +162,13 @@ fn several_programs_in_one() {
             +--<FUN>( Idle )---------------------------------------------------------------+
 
             +----------------------------------------------------------[CALC]( x, x + 1 )--+
-            refused type Far: a pointer has no counterpart
+            approximated type Far: a pointer has no counterpart; it is not declared
             approximated variable out: it is spelled `First_out` here
             approximated variable deep AT %IX0.1.2: there is no such address here: the tag has none
-            refused variable far: a pointer has no counterpart
+            approximated variable far: the type `Far` is not declared: a pointer has no counterpart; it is not declared
             approximated variable hold: it keeps its value from one scan to the next here
             approximated variable hold: it is spelled `First_hold` here
-            refused variable gone: the project has no global of this name
+            approximated variable gone: the project has no global of this name; it is not declared
             approximated input motor.speed: nothing is wired to it: it is a comment
             approximated program Idle: no task runs it: it is a function that nothing calls
             approximated task slow: it runs every 1s there, and in every scan here
@@ -231,13 +233,15 @@ fn several_programs_as_files() {
         END_VAR
         VAR
             out   AT %QX0.1 : BOOL;  # the pump #
-            deep            : BOOL;  # AT %IX0.1.2 in the project #
             phase           : Phase              := IDLE;
             motor           : Motor              := (speed := 20.0);
             mix             : ARRAY[1..4] OF INT := [1, 3(2)];
             text            : STRING[20]         := 'it$'s';
             share           : Percent;
             hold            : BOOL;
+        END_VAR
+        VAR_INPUT
+            deep : BOOL;  # AT %IX0.1.2 in the project #
         END_VAR
 
         # motor.speed, which nothing is wired to #

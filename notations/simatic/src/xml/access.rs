@@ -77,7 +77,9 @@ impl Words<'_, '_> {
             }
             "Text" => self.text.push_str(&node.words()),
             "ConstantValue" => self.text.push_str(&node.words()),
-            "ConstantType" | "TemplateValue" => {}
+            // What the editor knows of a name besides.
+            "ConstantType" | "TemplateValue" | "BooleanAttribute" | "IntegerAttribute"
+            | "StringAttribute" => {}
             "Address" => self.text.push_str(&address(node)),
             "StructuredText" | "Access" | "Symbol" | "Constant" | "CallInfo" | "Instruction" | "Instance"
             | "Component" | "Parameter" | "NamelessParameter"

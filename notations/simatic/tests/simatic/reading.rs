@@ -190,7 +190,7 @@ fn what_is_unknown_does_nothing_and_says_so() {
             |                                                               /--[ ]( Plant_pumps_3_run )----------( )( %QX0.5 )--/  |
             1:1: approximated: tag Plant.pumps.3.run: another file of the project declares it: its type is the one that its place asks for
             9:5: approximated: variable pid: it is not declared here: the type `PID_Compact` is declared in no file of the project (the folder that is converted or opened, or one above with a ladder.toml)
-            12:35: approximated: #pid( Setpoint := 5.0, Output => #y ): the block `PID_Compact` is in no file of the project: a scan runs past it, and what it may write is not known
+            12:35: approximated: #pid( Setpoint := 5.0, Output => #y ): `pid` is not declared here: the project does not have its type: a scan runs past it, and what it may write is not known
             12:81: approximated: "Other"( x := #n ): `Other` is no instruction that is known here, and no block of the project: a scan runs past it, and what it may write is not known
         "##]],
     );

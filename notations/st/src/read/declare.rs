@@ -6,6 +6,7 @@ use super::lower;
 use super::scope::{Scope, Type};
 use super::types::{self, type_text};
 use ladder_format::program::{Declaration, Item, Qualifier, Section, SectionKind};
+use std::collections::HashSet;
 
 /// The sections of a unit, with what was declared so far.
 #[derive(Debug, Default)]
@@ -45,9 +46,9 @@ impl Sections {
         &mut self,
         variable: &Variable,
         spelled: &str,
-        kind: SectionKind,
+        mut kind: SectionKind,
         origin: u32,
-        scope: &Scope,
+        (scope, shared, is_program): (&Scope, &HashSet<String>, bool),
     ) -> Result<(Type, Option<String>), String> {
         let ty = types::of(&variable.ty, scope)?;
         let mut declaration = Declaration::new(spelled, type_text(&variable.ty, &ty, scope)?);
@@ -60,9 +61,24 @@ impl Sections {
                 why = why.or(Some("its address is given elsewhere".to_owned()));
             }
             Some(text) => {
-                let address =
-                    lower::address(text).ok_or_else(|| format!("`{text}` is not an address that is read"))?;
-                declaration.address = Some(address);
+                declaration.address = lower::address(text).filter(|address| is_as_wide(address, &ty));
+                if declaration.address.is_none() {
+                    if ty.scalar().is_none() {
+                        return Err(format!("more than one value is at `{text}`"));
+                    }
+                    if shared.contains(&text.to_ascii_uppercase()) {
+                        return Err(format!("another variable is at `{text}`, too"));
+                    }
+                    let area = text.chars().nth(1).map(|area| area.to_ascii_uppercase());
+                    kind = match (area, kind) {
+                        // What comes from outside is an input.
+                        (Some('I'), SectionKind::Var) if is_program => SectionKind::VarInput,
+                        (Some('Q'), SectionKind::Var) if is_program => SectionKind::VarOutput,
+                        (Some('I'), _) => return Err(format!("`{text}` is not an address that is read")),
+                        (_, kind) => kind,
+                    };
+                    why = Some(format!("there is no `{text}` here: the tag has no address"));
+                }
             }
             None => {}
         }
@@ -95,6 +111,19 @@ impl Sections {
             });
         }
     }
+}
+
+/// Whether a tag of a type may lie at an address.
+fn is_as_wide(address: &str, ty: &Type) -> bool {
+    let width = match address.as_bytes()[2] {
+        b'X' => 1,
+        b'B' => 8,
+        b'W' => 16,
+        b'D' => 32,
+        _ => 64,
+    };
+    ty.scalar()
+        .is_some_and(|ty| !ty.is_string() && ty.width() == width)
 }
 
 /// A declaration of a type.

@@ -88,6 +88,11 @@ pub fn read_body(
     body.unread.take().map_or(Ok(body), Err)
 }
 
+/// Whether statements parse.
+pub fn parses(text: &str, dialect: Dialect) -> bool {
+    units::body(text, dialect).2.is_empty()
+}
+
 /// Whether a text begins as a file of Structured Text does, after comments.
 pub(crate) fn begins_program(text: &str) -> bool {
     token::first_words(text).is_some_and(|(word, next)| {

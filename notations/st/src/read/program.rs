@@ -21,6 +21,7 @@ use ladder_notation::{
     BlockNames, Companion, Finding, Lines, Names, Power, ReadError, Reading, Turn, Unread, UnreadParts,
     unread_body,
 };
+use std::collections::HashSet;
 
 /// Reads a file. `others` are those whose declarations it sees, the nearest first.
 ///
@@ -54,6 +55,7 @@ pub(crate) fn read(text: &str, dialect: Dialect, others: &[Companion]) -> Result
         names: Names::default(),
         blocks: BlockNames::default(),
         unread: UnreadParts::default(),
+        shared: shared_addresses(&file),
         others: Vec::new(),
         reading: Reading::default(),
     };
@@ -83,6 +85,8 @@ struct Reader<'a> {
     /// The names of blocks that are taken.
     blocks: BlockNames,
     unread: UnreadParts,
+    /// The addresses that several variables have.
+    shared: HashSet<String>,
     /// The places of programs that are not read.
     others: Vec<Item>,
     reading: Reading,
@@ -174,7 +178,13 @@ impl Reader<'_> {
         let mut sections = Sections::default();
         for variable in &file.globals {
             let spelled = self.names.spell(&variable.name).to_owned();
-            self.declare(variable, &spelled, SectionKind::VarGlobal, &mut sections, None);
+            self.declare(
+                variable,
+                &spelled,
+                SectionKind::VarGlobal,
+                (&mut sections, false),
+                None,
+            );
         }
         sections.items()
     }
@@ -185,12 +195,18 @@ impl Reader<'_> {
         variable: &super::declared::Variable,
         spelled: &str,
         kind: SectionKind,
-        sections: &mut Sections,
+        (sections, is_program): (&mut Sections, bool),
         scope: Option<&mut Scope>,
     ) {
         let what = format!("variable {}", variable.name);
         let origin = self.origin(variable.span.start);
-        let declared = sections.variable(variable, spelled, kind, origin, &self.scope);
+        let declared = sections.variable(
+            variable,
+            spelled,
+            kind,
+            origin,
+            (&self.scope, &self.shared, is_program),
+        );
         let place = self.lines.place(self.text, variable.span.start);
         let ty = match declared {
             Ok((ty, None)) => {
@@ -205,6 +221,13 @@ impl Reader<'_> {
                 self.reading
                     .report
                     .approximated(place, what, format!("{why}; it is not declared"));
+                // Its name is taken all the same.
+                scope.unwrap_or(&mut self.scope).tag(
+                    &variable.name,
+                    Path::tag(spelled),
+                    Type::Unknown,
+                    false,
+                );
                 return;
             }
         };
@@ -217,6 +240,7 @@ impl Reader<'_> {
     /// The variables of a unit, and what its body sees.
     fn variables(&mut self, unit: &Unit) -> (Sections, Scope, Names) {
         let mut scope = self.scope.clone();
+        scope.begin_unit();
         let mut names = if unit.kind == UnitKind::Program {
             self.names.clone()
         } else {
@@ -237,7 +261,13 @@ impl Reader<'_> {
                 Role::Global => SectionKind::VarGlobal,
                 _ => SectionKind::Var,
             };
-            self.declare(variable, &spelled, kind, &mut sections, Some(&mut scope));
+            self.declare(
+                variable,
+                &spelled,
+                kind,
+                (&mut sections, is_program),
+                Some(&mut scope),
+            );
         }
         if let Some(shape) = self.scope.function_named(&unit.name).cloned()
             && let Some((output, ty)) = &shape.returns
@@ -448,6 +478,16 @@ impl Reader<'_> {
             self.others.push(block);
         }
     }
+}
+
+/// The addresses that several variables have, in capital letters.
+fn shared_addresses(file: &File) -> HashSet<String> {
+    let of_units = file.units.iter().flat_map(|unit| &unit.variables);
+    let all = file.globals.iter().chain(of_units);
+    let mut seen = HashSet::new();
+    all.filter_map(|variable| Some(variable.address.as_deref()?.to_ascii_uppercase()))
+        .filter(|address| !seen.insert(address.clone()))
+        .collect()
 }
 
 /// The program that runs: the first of the first task, or the first there is.

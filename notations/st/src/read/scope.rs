@@ -2,7 +2,7 @@
 
 use ladder_analysis::values::types::{DEFAULT_STRING, Scalar};
 use ladder_format::program::Path;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 /// The type of a tag.
@@ -109,9 +109,21 @@ pub struct Scope {
     functions: HashMap<String, Rc<Shape>>,
     /// The steps of a chart: what says whether each is active, and for how long.
     steps: HashMap<String, (Path, Path)>,
+    /// The tags that other units see, too.
+    of_all: HashSet<String>,
 }
 
 impl Scope {
+    /// What is declared from here on is a unit's own.
+    pub fn begin_unit(&mut self) {
+        self.of_all = self.tags.keys().cloned().collect();
+    }
+
+    /// Whether a tag is a unit's own.
+    pub(super) fn is_of_unit(&self, name: &str) -> bool {
+        !self.of_all.contains(&name.to_lowercase())
+    }
+
     /// A tag, by the name that the other system has for it.
     pub fn tag(&mut self, name: &str, path: Path, ty: Type, is_constant: bool) {
         let known = Known {
@@ -119,17 +131,23 @@ impl Scope {
             ty,
             is_constant,
         };
-        self.tags.insert(name.to_lowercase(), known);
+        let key = name.to_lowercase();
+        self.of_all.remove(&key);
+        self.tags.insert(key, known);
     }
 
     /// A type, a block or an enumeration, by the name that the other system has for it.
     pub fn data_type(&mut self, name: &str, ty: Type) {
-        self.types.insert(name.to_lowercase(), ty);
+        let key = name.to_lowercase();
+        self.functions.remove(&key);
+        self.types.insert(key, ty);
     }
 
     /// A function.
     pub fn function(&mut self, name: &str, shape: Rc<Shape>) {
-        self.functions.insert(name.to_lowercase(), shape);
+        let key = name.to_lowercase();
+        self.types.remove(&key);
+        self.functions.insert(key, shape);
     }
 
     /// A step of a chart: the tags that `name.X` and `name.T` are.

@@ -20,6 +20,8 @@ pub(super) struct Uses<'s> {
     given: HashSet<String>,
     /// The members that are assigned, by the tag's name here: `t1.pt`.
     members: HashSet<String>,
+    /// What calls of an instance hand over to its in-outs: `r.val`. None: not the same in all calls.
+    handed: HashMap<String, Option<Place>>,
     depth: u32,
     loops: u32,
 }
@@ -41,6 +43,7 @@ impl Uses<'_> {
             in_own_loops: HashMap::new(),
             given: HashSet::new(),
             members: HashSet::new(),
+            handed: HashMap::new(),
             depth: 0,
             loops: 0,
         }
@@ -89,6 +92,52 @@ impl Uses<'_> {
     /// Whether a member of an instance is assigned.
     pub(super) fn writes_member(&self, name: &str, member: &str) -> bool {
         self.members.contains(&format!("{name}.{member}").to_lowercase())
+    }
+
+    /// The tag that all calls of an instance of the unit's own hand over to an in-out.
+    pub(super) fn handed_over(&self, name: &str, in_out: &str) -> Option<&Place> {
+        let handed = self.handed.get(&format!("{name}.{in_out}").to_lowercase())?;
+        handed.as_ref().filter(|_| self.scope.is_of_unit(name))
+    }
+
+    /// Takes in what a call of an instance hands over.
+    fn hand_over(&mut self, call: &Call) {
+        let Some(Type::Block(shape)) = self.scope.known(&call.callee.root).map(|known| &known.ty) else {
+            return;
+        };
+        let mut in_order = shape.parameters.iter();
+        for argument in &call.arguments {
+            let parameter = match &argument.name {
+                Some(name) => shape
+                    .parameters
+                    .iter()
+                    .find(|own| own.name.eq_ignore_ascii_case(name)),
+                None => in_order.next(),
+            };
+            let Some(parameter) = parameter.filter(|it| it.role == ParameterRole::InOut) else {
+                continue;
+            };
+            let place = match argument.value.as_ref().map(|value| &value.kind) {
+                Some(ExpressionKind::Place(place)) if call.callee.steps.is_empty() => Some(place),
+                _ => None,
+            };
+            let is_member = |step: &Step| matches!(step, Step::Member(_));
+            let is_instance = |place: &Place| {
+                let known = self.scope.known(&place.root);
+                known.is_none_or(|known| matches!(known.ty, Type::Block(_)))
+            };
+            let place = place.filter(|place| place.steps.iter().all(is_member) && !is_instance(place));
+            let is_same = |other: &Place| {
+                place.is_some_and(|place| {
+                    place.root.eq_ignore_ascii_case(&other.root) && place.steps == other.steps
+                })
+            };
+            let key = format!("{}.{}", call.callee.root, parameter.name).to_lowercase();
+            self.handed
+                .entry(key)
+                .and_modify(|handed| *handed = handed.take().filter(is_same))
+                .or_insert_with(|| place.cloned());
+        }
     }
 
     /// Whether a tag that counts a loop is named outside of such loops, too.
@@ -198,6 +247,7 @@ impl Uses<'_> {
 
     fn call(&mut self, call: &Call) {
         self.place(&call.callee);
+        self.hand_over(call);
         let times = if self.loops > 0 { 2 } else { 1 };
         *self.called.entry(call.callee.root.to_lowercase()).or_default() += times;
         let has_in_outs = match self.scope.known(&call.callee.root).map(|known| &known.ty) {

@@ -179,6 +179,10 @@ impl Lowering<'_, '_> {
             let (Some(parameter), Some(value)) = (parameter, &argument.value) else {
                 return true;
             };
+            // It is told of where it is handed over.
+            if parameter.ty == Type::Unknown {
+                return true;
+            }
             after.push((
                 path.clone().member(parameter.spelled.clone()),
                 parameter.ty.clone(),

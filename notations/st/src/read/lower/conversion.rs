@@ -2,11 +2,15 @@
 
 use super::super::dialect::Dialect;
 use super::super::scope::Type;
+use super::literal::number_of;
 use super::value::{Range, Value, is_within, wide};
 use super::{Lowered, Lowering};
 use ladder_analysis::values::types::{Scalar, common, passes};
 use ladder_format::program::{Block, Expression, Literal, Operand, Path};
 use ladder_instructions::Shape;
+
+/// So many values are copied at once.
+const MOST_COPIED: usize = 64;
 
 impl Lowering<'_, '_> {
     /// An instruction in `[ ]` as the next block.
@@ -80,6 +84,9 @@ impl Lowering<'_, '_> {
             if *ty != value.ty {
                 return Err(format!("what is assigned to `{to}` is of another type"));
             }
+            if let (true, Some(from)) = (value.is_in_instance, value.bare().path()) {
+                return self.copied(to, from, ty);
+            }
             return self.instruction("MOV", vec![to.into(), value.bare().clone().into()]);
         };
         let value = self.fit(value, scalar)?;
@@ -88,6 +95,41 @@ impl Lowering<'_, '_> {
         }
         let mnemonic = if value.is_atom() { "MOV" } else { "CALC" };
         self.instruction(mnemonic, vec![to.into(), value.bare().clone().into()])
+    }
+
+    /// Puts all that a part of an instance holds into a place, one value after the other.
+    pub(super) fn copied(&mut self, to: &Path, from: &Path, ty: &Type) -> Lowered<()> {
+        let too_much = || format!("`{from}` holds more than what is copied out of an instance here");
+        if self.chain.len() > MOST_COPIED {
+            return Err(too_much());
+        }
+        match ty {
+            Type::Structure(all) => {
+                for (_, member, ty) in &all.members {
+                    self.copied(&to.clone().member(member), &from.clone().member(member), ty)?;
+                }
+                Ok(())
+            }
+            Type::Array(bounds, inner) => {
+                let [(first, last)] = &bounds[..] else {
+                    return Err(too_much());
+                };
+                let all = number_of(first).zip(number_of(last)).ok_or_else(too_much)?;
+                for number in all.0..=all.1 {
+                    let index = vec![Expression::literal(number.to_string())?];
+                    self.copied(
+                        &to.clone().index(index.clone()),
+                        &from.clone().index(index),
+                        inner,
+                    )?;
+                }
+                Ok(())
+            }
+            Type::Scalar(_) | Type::Enumeration(_) => {
+                self.instruction("MOV", vec![to.into(), Expression::from(from).into()])
+            }
+            _ => Err(too_much()),
+        }
     }
 
     /// The value as one of a type: what stands for it in a formula that is computed in that type.

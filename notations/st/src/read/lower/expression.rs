@@ -3,6 +3,7 @@
 use super::super::dialect::Dialect;
 use super::super::scope::Type;
 use super::super::tree::{Expression as Tree, ExpressionKind, LiteralKind};
+use super::function::of_unknown_type;
 use super::literal::literal;
 use super::place::has_computed_index;
 use super::value::{Value, difference, join, product, quotient, remainder, sum};
@@ -33,7 +34,14 @@ impl Lowering<'_, '_> {
                     return self.value_of_part(&part);
                 }
                 let (path, ty) = self.path(place)?;
-                Ok(Value::of(path, ty))
+                if ty == Type::Unknown {
+                    return Err(of_unknown_type(&path.to_string()));
+                }
+                let is_in_instance = ty.scalar().is_none() && self.is_in_instance(place);
+                Ok(Value {
+                    is_in_instance,
+                    ..Value::of(path, ty)
+                })
             }
             ExpressionKind::Group(inner) => {
                 let value = self.value(inner)?;
@@ -128,7 +136,7 @@ impl Lowering<'_, '_> {
     }
 
     /// The number that bits are, without a sign: arithmetic takes no bit strings here.
-    fn number_of_bits(&mut self, value: Value) -> Lowered<Value> {
+    pub(super) fn number_of_bits(&mut self, value: Value) -> Lowered<Value> {
         let to = match value.scalar() {
             Some(Scalar::Byte) => Scalar::Usint,
             Some(Scalar::Word) => Scalar::Uint,

@@ -265,6 +265,22 @@ impl Lowering<'_, '_> {
             let value = self.as_it_is(value);
             rest.push(self.atom(value)?);
         }
+        // Bits are compared as the numbers that they are.
+        let mut bits = None;
+        if let "MIN" | "MAX" | "LIMIT" = mnemonic
+            && rest
+                .iter()
+                .all(|value| value.is_free || value.scalar().is_some_and(Scalar::is_bits))
+        {
+            let own = rest
+                .iter()
+                .filter(|value| !value.is_free)
+                .filter_map(Value::scalar);
+            bits = own.max_by_key(|ty| ty.width());
+            for value in &mut rest {
+                *value = self.number_of_bits(value.clone())?;
+            }
+        }
         let mut common: Option<Value> = None;
         for value in &rest {
             common = Some(match common {
@@ -289,6 +305,9 @@ impl Lowering<'_, '_> {
             operands.push(self.atom(value)?.expression);
         }
         let made = self.made_by(mnemonic, ty, operands)?;
+        if let Some(bits) = bits {
+            return self.made_by("MOV", bits, vec![made.expression]);
+        }
         let range = if common.is_free { common.range } else { made.range };
         Ok(Value {
             is_free: common.is_free,
@@ -379,16 +398,20 @@ impl Lowering<'_, '_> {
         let Some((output, ty)) = &shape.returns else {
             return Err(format!("`{}` returns nothing", call.callee.root));
         };
-        let scalar = ty
-            .scalar()
-            .ok_or("a function that returns more than one value is not read")?;
+        let scalar = ty.scalar();
+        if ty.keeps_state() || ty.text().is_none() {
+            return Err("a function that returns such a value is not read".to_owned());
+        }
         let mut operands = self.operands(&shape.parameters, call)?;
         operands.extend(left_out(&shape.parameters, &operands));
-        let result = self.temporary(scalar);
+        let result = match scalar {
+            Some(scalar) => self.temporary(scalar),
+            None => self.compound(ty)?,
+        };
         operands.push(Operand::Taken(output.clone(), (&result).into()));
         let block = Block::user(shape.name.clone(), operands)?;
         self.act(block);
-        Ok(Value::path(result, scalar))
+        Ok(Value::of(result, ty.clone()))
     }
 
     /// The operands of a user's block, by name.
@@ -410,6 +433,9 @@ impl Lowering<'_, '_> {
                 format!("`{}` does not have {name}", call.callee.root)
             })?;
             let Some(value) = value else { continue };
+            if parameter.ty == Type::Unknown {
+                return Err(of_unknown_type(&parameter.name));
+            }
             let spelled = parameter.spelled.clone();
             match (parameter.role, direction, &value.kind) {
                 (ParameterRole::Input, Direction::In, _) => {
@@ -441,10 +467,22 @@ impl Lowering<'_, '_> {
         let value = self.value(tree)?;
         match ty.scalar() {
             Some(scalar) => self.settled(value, scalar),
-            None if value.ty == *ty => Ok(value),
+            None if value.ty == *ty => {
+                let Some(from) = value.bare().path().filter(|_| value.is_in_instance) else {
+                    return Ok(value);
+                };
+                let held = self.compound(ty)?;
+                self.copied(&held, from, ty)?;
+                Ok(Value::of(held, ty.clone()))
+            }
             None => Err("an argument is of another type".to_owned()),
         }
     }
+}
+
+/// Why a parameter is not handed over: it is not declared.
+pub(super) fn of_unknown_type(name: &str) -> String {
+    format!("the type of `{name}` is not known here")
 }
 
 /// Inputs that a call leaves out and that have no value of their own: they have that of their type.
@@ -483,23 +521,32 @@ fn in_order<'c>(call: &'c Call, pins: &[&str]) -> Lowered<Vec<&'c Tree>> {
             .map(|argument| argument.value.as_ref().ok_or("a value is missing"));
         return values.collect::<Result<Vec<_>, _>>().map_err(str::to_owned);
     }
-    let mut values = Vec::new();
-    for pin in pins {
-        let is_it = |argument: &&Argument| {
-            argument
-                .name
-                .as_deref()
-                .is_some_and(|name| name.eq_ignore_ascii_case(pin))
+    let others = || format!("`{}` has other inputs", call.callee.root);
+    let mut values: Vec<Option<&Tree>> = vec![None; call.arguments.len()];
+    for (number, Argument { name, value, .. }) in call.arguments.iter().enumerate() {
+        let at = match name {
+            Some(name) => place_of(name, pins),
+            None => Some(number),
         };
-        values.extend(
-            call.arguments
-                .iter()
-                .find(is_it)
-                .and_then(|argument| argument.value.as_ref()),
-        );
+        let place = at.and_then(|at| values.get_mut(at)).filter(|it| it.is_none());
+        *place.ok_or_else(others)? = value.as_ref();
     }
-    if values.len() == call.arguments.len() {
-        return Ok(values);
+    values.into_iter().collect::<Option<_>>().ok_or_else(others)
+}
+
+/// The place of an input among those of a function, by its name or the one that CODESYS has for it.
+fn place_of(name: &str, pins: &[&str]) -> Option<usize> {
+    let upper = name.to_ascii_uppercase();
+    let also = match upper.as_str() {
+        "SIZE" | "LEN" => "L".to_owned(),
+        "POS" => "P".to_owned(),
+        _ => upper.replacen("STR", "IN", 1),
+    };
+    if let Some(at) = pins.iter().position(|pin| *pin == upper || *pin == also) {
+        return Some(at);
     }
-    Err(format!("`{}` has other inputs", call.callee.root))
+    // `MAX(IN1 := a, IN2 := b, IN3 := c)`
+    let number = |name: &str| name.strip_prefix("IN")?.parse::<usize>().ok();
+    let last = number(pins.last()?)?;
+    (pins.len() - 1 + number(&also)?).checked_sub(last)
 }

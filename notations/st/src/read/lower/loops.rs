@@ -255,13 +255,7 @@ impl Lowering<'_, '_> {
         self.comments.push("REPEAT".to_owned());
         self.new_loop("endrepeat", false);
         self.turn(body);
-        let power = match self.condition(condition) {
-            Ok(power) => power,
-            Err(why) => {
-                self.unread_whole(&why);
-                return Ok(());
-            }
-        };
+        let power = self.condition(condition)?;
         if let Some(shown) = self.shown(&condition.span) {
             self.comments.push(format!("UNTIL {shown}"));
         }

@@ -20,16 +20,16 @@ mod value;
 
 use super::body::Body;
 use super::dialect::Dialect;
-use super::scope::Scope;
+use super::scope::{Scope, Type};
 use super::token::Comment;
-use super::tree::{Expression, ExpressionKind, Span, Statement};
+use super::tree::{Expression, ExpressionKind, LiteralKind, Span, Statement};
 use super::uses::Uses;
 pub(super) use function::plain_types;
 use ladder_analysis::values::types::{Scalar, passes};
 use ladder_format::Circuit;
 use ladder_format::program::{Block, Declaration, Drawing, Element, Head, Item, Network, Operand, Path};
 use ladder_instructions::Shape as Brackets;
-use ladder_notation::{Lines, Names, UnreadParts};
+use ladder_notation::{Lines, Names, UnreadParts, folded};
 pub(super) use part::bits_of;
 pub(super) use pieces::{Piece, What, lower_pieces};
 pub(super) use place::address;
@@ -252,6 +252,15 @@ impl Lowering<'_, '_> {
         name
     }
 
+    /// A tag of the reader's own that holds all of a structure, an array or an enumeration.
+    fn compound(&mut self, ty: &Type) -> Lowered<Path> {
+        let text = ty.text().ok_or("a value of such a type is not held here")?;
+        self.temporaries += 1;
+        let name = self.names.fresh(&format!("st{}", self.temporaries));
+        self.body.tags.push(Declaration::new(name.clone(), text));
+        Ok(Path::tag(name))
+    }
+
     /// The statement is done: what it used is free.
     fn release(&mut self, from: usize) {
         for (ty, name) in self.used.drain(from..) {
@@ -421,6 +430,22 @@ pub(super) fn plain_number(text: &str) -> Option<i128> {
     literal::number_of(text)
 }
 
+/// A tree of numbers as an expression of ladder text.
+fn formula(tree: &Expression, scope: &Scope) -> Option<ladder_format::program::Expression> {
+    use ladder_format::program::Expression as Formula;
+    Some(match &tree.kind {
+        ExpressionKind::Literal(kind @ (LiteralKind::Integer | LiteralKind::Real), text) => {
+            literal::literal(*kind, text, scope).ok()?.expression
+        }
+        ExpressionKind::Group(inner) => Formula::Group(Box::new(formula(inner, scope)?)),
+        ExpressionKind::Unary(sign, inner) => Formula::Unary(*sign, Box::new(formula(inner, scope)?)),
+        ExpressionKind::Binary(operator, left, right) => {
+            formula(left, scope)?.with(*operator, formula(right, scope)?)
+        }
+        _ => return None,
+    })
+}
+
 /// A constant as ladder text writes it.
 pub(super) fn constant(tree: &Expression, ty: Scalar, scope: &Scope) -> Lowered<String> {
     let (kind, text) = match &tree.kind {
@@ -437,7 +462,17 @@ pub(super) fn constant(tree: &Expression, ty: Scalar, scope: &Scope) -> Lowered<
             let known = known.ok_or_else(|| format!("`{}` is not a constant", place.root))?;
             return Ok(known.path.to_string());
         }
-        _ => return Err("an initial value that is computed is not read".to_owned()),
+        _ => {
+            let number = formula(tree, scope).and_then(|formula| folded(&formula, &|_| None));
+            let number = number.ok_or("an initial value that is computed is not read")?;
+            let is_whole = literal::number_of(number.as_str()).is_some();
+            let kind = if is_whole {
+                LiteralKind::Integer
+            } else {
+                LiteralKind::Real
+            };
+            (kind, number.as_str().to_owned())
+        }
     };
     let value = literal::literal(kind, &text, scope)?;
     let own = value.scalar();

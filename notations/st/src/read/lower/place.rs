@@ -1,5 +1,6 @@
 //! Tags and their parts.
 
+use super::super::dialect::Dialect;
 use super::super::scope::{Type, elementary};
 use super::super::tree::{ExpressionKind, LiteralKind, Place, Step};
 use super::literal::number_of;
@@ -8,8 +9,44 @@ use ladder_analysis::values::types::Scalar;
 use ladder_format::program::{Expression, Path};
 
 impl Lowering<'_, '_> {
+    /// What a place is that goes through an in-out of an instance: the tag that its calls hand over, where all hand over the same.
+    pub(super) fn handed_over(&self, place: &Place) -> Option<Place> {
+        let ([Step::Member(member), rest @ ..], Dialect::Iec | Dialect::Codesys) =
+            (&place.steps[..], self.around.dialect)
+        else {
+            return None;
+        };
+        let handed = self.uses.handed_over(&place.root, member)?;
+        let mut handed = handed.clone();
+        handed.steps.extend(rest.iter().cloned());
+        Some(handed)
+    }
+
+    /// Whether a place is inside of the state of a block.
+    pub(super) fn is_in_instance(&self, place: &Place) -> bool {
+        let scope = self.around.scope;
+        let mut steps = place.steps.iter();
+        let known = scope.known(&place.root).or_else(|| match steps.next() {
+            Some(Step::Member(name)) => scope.known(name),
+            _ => None,
+        });
+        let mut ty = known.map(|known| known.ty.clone());
+        for step in steps {
+            ty = match (ty, step) {
+                (Some(Type::Block(_)), _) => return true,
+                (Some(ty), Step::Member(name)) => ty.member(name).map(|(_, ty)| ty),
+                (Some(Type::Array(_, inner)), Step::Index(_)) => Some(*inner),
+                _ => return false,
+            };
+        }
+        false
+    }
+
     /// Where a tag or a part of one is, and its type.
     pub(super) fn path(&mut self, place: &Place) -> Lowered<(Path, Type)> {
+        if let Some(handed) = self.handed_over(place) {
+            return self.path(&handed);
+        }
         if let Some(what) = place.steps.iter().find_map(|step| match step {
             Step::Other(what) => Some(*what),
             _ => None,

@@ -133,6 +133,9 @@ impl Lowering<'_, '_> {
         {
             return Err(format!("`{}` is a step, which only its chart writes", place.root));
         }
+        if let Some(handed) = self.handed_over(place) {
+            return self.target(&handed);
+        }
         if let Some(known) = self.around.scope.known(&place.root)
             && known.is_constant
         {
@@ -295,15 +298,7 @@ impl Lowering<'_, '_> {
         let mut jumps = false;
         let last = branches.len() - 1;
         for (number, (condition, body)) in branches.iter().enumerate() {
-            let power = match self.condition(condition) {
-                Ok(power) => power,
-                // The branches before it are networks already.
-                Err(why) if number == 0 => return Err(why),
-                Err(why) => {
-                    self.unread_whole(&why);
-                    return Ok(());
-                }
-            };
+            let power = self.condition(condition)?;
             let word = if number == 0 { "IF" } else { "ELSIF" };
             self.header(word, &condition.span, "THEN");
             let is_last = number == last && otherwise.is_empty();

@@ -1,5 +1,6 @@
 //! Statements that ladder text does not have: each is an unread part at its place.
 
+use super::super::scope::Type;
 use super::super::tree::{
     Call, Direction, Expression as Tree, ExpressionKind, Place, Pragma, Span, Statement, StatementKind, Step,
 };
@@ -77,7 +78,9 @@ impl Lowering<'_, '_> {
             .iter()
             .map(|root| {
                 let known = self.around.scope.known(root)?;
-                (!known.is_constant).then(|| known.path.root.clone())
+                // What is of an unknown type is not declared, and may be another name of a tag that is.
+                let is_open = known.is_constant || known.ty == Type::Unknown;
+                (!is_open).then(|| known.path.root.clone())
             })
             .collect();
         let tags = tags.filter(|_| !writes.is_open).map(|mut tags| {

@@ -23,6 +23,8 @@ pub(super) struct Value {
     pub(super) hull: Range,
     /// It is another one in a wider type: the bits of NOT.
     pub(super) is_fixed: bool,
+    /// It is more than one value in the state of a block, which is read member by member.
+    pub(super) is_in_instance: bool,
 }
 
 impl Value {
@@ -36,6 +38,7 @@ impl Value {
             range,
             hull: range,
             is_fixed: false,
+            is_in_instance: false,
         }
     }
 
@@ -52,6 +55,7 @@ impl Value {
             range: (number, number),
             hull: (number, number),
             is_fixed: false,
+            is_in_instance: false,
         }
     }
 

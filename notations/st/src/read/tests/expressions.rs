@@ -258,3 +258,40 @@ fn timers_counters_and_edges() {
     "#]],
     );
 }
+
+#[test]
+fn inputs_of_functions_by_their_names_and_numbers_of_bits() {
+    check(
+        "w := MIN(w, WORD#16#10);\ni := LIMIT(MX := j, IN := k, MN := 1);\ni := MAX(IN1 := i, IN2 := j, IN3 := k);\n\
+         i := FIND(STR1 := 'ab', STR2 := 'b');\ni := LEN(STR := 'ab');\ni := FIND(STR1 := 'ab', 'b');\ni := MAX(IN1 := i, IN3 := k);\ni := LEN(TEXT := 'ab');",
+        Dialect::Codesys,
+        &expect![[r#"
+            # line 7 of Main: `MAX` has other inputs; it is not run here. #
+            FUNCTION_BLOCK [$line_7_of_Main]
+            # ladder: unread #
+            # i := MAX(IN1 := i, IN3 := k) #
+            END_FUNCTION_BLOCK
+
+            # line 8 of Main: `LEN` has other inputs; it is not run here. #
+            FUNCTION_BLOCK [$line_8_of_Main]
+            # ladder: unread #
+            # i := LEN(TEXT := 'ab') #
+            END_FUNCTION_BLOCK
+            VAR
+                st1 : UINT;
+                st2 : UINT;
+                st3 : UINT;
+            END_VAR
+
+            # w := MIN(w, 16|10) #
+            +-------------------[MOV]( st1, w )--[MOV]( st2, 16#10 )--[MIN]( st3, st1, st2 )--[MOV]( w, st3 )--+
+            +-------------------------------------------------------[LIMIT]( i, 1, k, j )--+
+            +---------------------------------------------------------[MAX]( i, i, j, k )--+
+            +------------------------------------------------------[FIND]( i, 'ab', 'b' )--+
+            +------------------------------------------------------------[LEN]( i, 'ab' )--+
+            +------------------------------------------------------[FIND]( i, 'ab', 'b' )--+
+            +-----------------------------------------------------------[$line_7_of_Main]--+
+            +-----------------------------------------------------------[$line_8_of_Main]--+
+        "#]],
+    );
+}

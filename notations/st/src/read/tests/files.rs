@@ -213,3 +213,182 @@ fn what_is_wrong_in_a_chart() {
         assert!(told.count() > 0, "{part}");
     }
 }
+
+#[test]
+fn what_is_handed_over_to_an_in_out_is_read_through_the_instance() {
+    check_file(
+        "FUNCTION_BLOCK Ramp VAR_INPUT up : BOOL; END_VAR VAR_IN_OUT val : INT; END_VAR\n  IF up THEN val := val + 1; END_IF;\nEND_FUNCTION_BLOCK\n\
+         PROGRAM Main VAR r, q : Ramp; v, w, x : INT; END_VAR\n  r(up := TRUE, val := v);\n  w := r.val;\n  r.val := 5;\n  q(val := v);\n  q(val := x);\n  w := q.val;\nEND_PROGRAM\n",
+        &expect![[r#"
+            # line 10 of Main: `q` has no member `val` that is read; it is not run here. #
+            FUNCTION_BLOCK [$line_10_of_Main]
+            # ladder: unread, writes w #
+            # w := q.val #
+            END_FUNCTION_BLOCK
+
+            FUNCTION_BLOCK [$Ramp]
+            VAR_INPUT
+                up : BOOL;
+            END_VAR
+            VAR_IN_OUT
+                val : INT;
+            END_VAR
+
+            # IF up THEN val := val + 1; END_IF #
+            +--[ ]( up )-------------------------------------------[CALC]( val, val + 1 )--+
+            END_FUNCTION_BLOCK
+
+            VAR
+                r : $Ramp;
+                q : $Ramp;
+                v : INT;
+                w : INT;
+                x : INT;
+            END_VAR
+
+            +------------------------------------------[$Ramp]( r, up := TRUE, val := v )--+
+            +---------------------------------------------------------------[MOV]( w, v )--+
+            +---------------------------------------------------------------[MOV]( v, 5 )--+
+            +------------------------------------------------------[$Ramp]( q, val := v )--+
+
+            # ladder: allow(duplicate-instance): several calls of q #
+            +------------------------------------------------------[$Ramp]( q, val := x )--+
+            +----------------------------------------------------------[$line_10_of_Main]--+
+            10:3: w := q.val: `q` has no member `val` that is read: it is not run
+        "#]],
+    );
+}
+
+#[test]
+fn structures_of_instances_are_copied_value_by_value() {
+    check_file(
+        "TYPE V : STRUCT x : REAL; y : ARRAY[0..1] OF INT; END_STRUCT; END_TYPE\n\
+         FUNCTION_BLOCK F VAR_INPUT a : V; END_VAR VAR_OUTPUT r : V; END_VAR\n  r := a;\nEND_FUNCTION_BLOCK\n\
+         FUNCTION Twice : V VAR_INPUT a : V; END_VAR\n  Twice := a;\n  Twice.x := 2.0 * a.x;\nEND_FUNCTION\n\
+         PROGRAM Main VAR c, d : F; y : V; END_VAR\n  c(a := y);\n  y := c.r;\n  d(a := c.r);\n  y := Twice(y);\nEND_PROGRAM\n",
+        &expect![[r#"
+            TYPE
+                V : STRUCT
+                    x : REAL;
+                    y : ARRAY[0..1] OF INT;
+                END_STRUCT;
+            END_TYPE
+
+            FUNCTION_BLOCK [$F]
+            VAR_INPUT
+                a : V;
+            END_VAR
+            VAR_OUTPUT
+                r : V;
+            END_VAR
+
+            +---------------------------------------------------------------[MOV]( r, a )--+
+            END_FUNCTION_BLOCK
+
+            FUNCTION_BLOCK [$Twice]
+            VAR_INPUT
+                a : V;
+            END_VAR
+            VAR_OUTPUT
+                Twice : V;  # what the function returns #
+            END_VAR
+
+            +-----------------------------------------------------------[MOV]( Twice, a )--+
+            +------------------------------------------------[CALC]( Twice.x, 2.0 * a.x )--+
+            END_FUNCTION_BLOCK
+
+            VAR
+                c : $F;
+                d : $F;
+                y : V;
+            END_VAR
+            VAR
+                st1 : V;
+                st2 : V;
+            END_VAR
+
+            +-----------------------------------------------------------[$F]( c, a := y )--+
+
+            # y := c.r #
+            +---[MOV]( y.x, c.r.x )--[MOV]( y.y[0], c.r.y[0] )--[MOV]( y.y[1], c.r.y[1] )--+
+            +----------------[MOV]( st1.x, c.r.x )--[MOV]( st1.y[0], c.r.y[0] )--[MOV]( st1.y[1], c.r.y[1] )--[$F]( d, a := st1 )--+
+
+            # y := Twice(y) #
+            +---------------------------[$Twice]( a := y, Twice => st2 )--[MOV]( y, st2 )--+
+        "#]],
+    );
+}
+
+#[test]
+fn what_has_no_address_or_no_type_here() {
+    check_file(
+        "PROGRAM Main\nVAR\n  i AT %IX27 : BOOL;\n  q AT %QW0.1 : INT;\n  m AT %MX0.2 : UINT;\n  one AT %MW0.0 : INT;\n  other AT %MW0.0 : INT;\n  p : Pid;\n  out : REAL;\nEND_VAR\n\
+         q := m;\n  p(IN := 1.0);\n  out := p.out;\n  IF i THEN q := 1; ELSIF p.out > 1.0 THEN q := 2; END_IF;\n  one := 1;\nEND_PROGRAM\n",
+        &expect![[r#"
+            # line 12 of Main: `p` is not a block that can be called; it is not run here. #
+            FUNCTION_BLOCK [$line_12_of_Main]
+            # ladder: unread #
+            # p(IN := 1.0) #
+            END_FUNCTION_BLOCK
+
+            # line 13 of Main: `p` has no member `out` that is read; it is not run here. #
+            FUNCTION_BLOCK [$line_13_of_Main]
+            # ladder: unread, writes out #
+            # out := p.out #
+            END_FUNCTION_BLOCK
+
+            # line 14 of Main: `p` has no member `out` that is read; it is not run here. #
+            FUNCTION_BLOCK [$line_14_of_Main]
+            # ladder: unread, writes q #
+            # IF i THEN q := 1; ELSIF p.out > 1.0 THEN q := 2; END_IF #
+            END_FUNCTION_BLOCK
+
+            # line 15 of Main: `one` holds the state of a block, or is of an unknown type; it is not run here. #
+            FUNCTION_BLOCK [$line_15_of_Main]
+            # ladder: unread #
+            # one := 1 #
+            END_FUNCTION_BLOCK
+
+            VAR_INPUT
+                i : BOOL;
+            END_VAR
+            VAR_OUTPUT
+                q : INT;
+            END_VAR
+            VAR
+                m   : UINT;
+                out : REAL;
+            END_VAR
+
+            +--------------------------------------------------------------[WRAP]( q, m )--+
+            +----------------------------------------------------------[$line_12_of_Main]--+
+            +----------------------------------------------------------[$line_13_of_Main]--+
+            +----------------------------------------------------------[$line_14_of_Main]--+
+            +----------------------------------------------------------[$line_15_of_Main]--+
+            3:3: variable i: there is no `%IX27` here: the tag has no address
+            4:3: variable q: there is no `%QW0.1` here: the tag has no address
+            5:3: variable m: there is no `%MX0.2` here: the tag has no address
+            6:3: variable one: another variable is at `%MW0.0`, too; it is not declared
+            7:3: variable other: another variable is at `%MW0.0`, too; it is not declared
+            8:3: variable p: the type `Pid` is not known here; it is not declared
+            12:3: p(IN := 1.0): `p` is not a block that can be called: it is not run
+            13:3: out := p.out: `p` has no member `out` that is read: it is not run
+            14:3: IF i THEN q := 1; ELSIF p.out > 1.0 THEN q := 2; END_IF: `p` has no member `out` that is read: it is not run
+            15:3: one := 1: `one` holds the state of a block, or is of an unknown type: it is not run
+        "#]],
+    );
+}
+
+#[test]
+fn a_block_has_its_name_before_a_function_next_to_it() {
+    let other = ladder_notation::Companion {
+        name: "F.st".to_owned(),
+        bytes: b"FUNCTION F : INT VAR_INPUT a : INT; END_VAR F := a; END_FUNCTION"
+            .to_vec()
+            .into(),
+    };
+    let own = "FUNCTION_BLOCK F VAR_OUTPUT a : BOOL; END_VAR a := TRUE; END_FUNCTION_BLOCK";
+    let reading = read(own, Dialect::Iec, &[other]).expect("it is read");
+    let shown = reading.program.write(&ladder_format::Options::default()).text;
+    assert!(!shown.contains("what the function returns"), "{shown}");
+}
