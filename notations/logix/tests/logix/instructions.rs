@@ -677,5 +677,6 @@ fn members_of_what_an_alias_of_a_module_stands_for() {
         END_VAR
 
         +--[MOV]( x, Rack_1_I_Ch01_Data )--[ ]( Rack_1_I_Ch01_Fault )--------( )( y )--+
-    "#]].assert_eq(&converted(&L5x, source.as_bytes()).written.text);
+    "#]]
+    .assert_eq(&converted(&L5x, source.as_bytes()).written.text);
 }
