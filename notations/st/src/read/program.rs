@@ -253,11 +253,16 @@ impl Reader<'_> {
                 continue;
             }
             let spelled = names.spell(&variable.name).to_owned();
+            if variable.role == Role::External {
+                let why = "no file that is read has a global of this name; it is not declared";
+                self.remark(variable.span.start, format!("variable {}", variable.name), why);
+                scope.tag(&variable.name, Path::tag(spelled), Type::Unknown, false);
+                continue;
+            }
             let kind = match variable.role {
                 Role::Input => SectionKind::VarInput,
                 Role::Output => SectionKind::VarOutput,
                 Role::InOut if !is_program => SectionKind::VarInOut,
-                Role::External => SectionKind::VarExternal,
                 Role::Global => SectionKind::VarGlobal,
                 _ => SectionKind::Var,
             };

@@ -392,3 +392,26 @@ fn a_block_has_its_name_before_a_function_next_to_it() {
     let shown = reading.program.write(&ladder_format::Options::default()).text;
     assert!(!shown.contains("what the function returns"), "{shown}");
 }
+
+#[test]
+fn a_global_that_no_file_has_is_not_declared() {
+    check_file(
+        "PROGRAM Main VAR_EXTERNAL far : INT; END_VAR VAR n : INT; END_VAR\n  n := far;\n  n := 1;\nEND_PROGRAM\n",
+        &expect![[r#"
+            # line 2 of Main: the type of `far` is not known here; it is not run here. #
+            FUNCTION_BLOCK [$line_2_of_Main]
+            # ladder: unread, writes n #
+            # n := far #
+            END_FUNCTION_BLOCK
+
+            VAR
+                n : INT;
+            END_VAR
+
+            +-----------------------------------------------------------[$line_2_of_Main]--+
+            +---------------------------------------------------------------[MOV]( n, 1 )--+
+            1:27: variable far: no file that is read has a global of this name; it is not declared
+            2:3: n := far: the type of `far` is not known here: it is not run
+        "#]],
+    );
+}
