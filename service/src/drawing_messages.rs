@@ -320,9 +320,6 @@ pub struct DiagramOffered {
     pub version: i32,
     /// What can be done, and why the rest cannot.
     pub offers: Vec<Offer>,
-    /// Other kinds of the one block that is selected.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub heads: Vec<Head>,
     /// What is selected, as ladder text.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub text: Option<String>,
@@ -357,16 +354,6 @@ pub struct Offer {
     /// Why it cannot.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub why: Option<String>,
-}
-
-/// Another first part of a block.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Head {
-    /// It, as it is written.
-    pub text: String,
-    /// What it does.
-    pub title: String,
 }
 
 /// The wires on both sides of something.

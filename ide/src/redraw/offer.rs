@@ -15,8 +15,6 @@ use crate::drawing::rows::{Drawing, lines_text};
 use crate::drawing::selection::things;
 use crate::drawing::term::rows;
 use crate::refactor::names::new_tag;
-use crate::refactor::place::Selected;
-use crate::refactor::toggle;
 use ladder_analysis::context::Context;
 use ladder_analysis::networks::NetworkAt;
 use ladder_format::{Circuit, Options};
@@ -48,8 +46,6 @@ pub struct Offer {
 pub struct Offered {
     /// What can be done.
     pub offers: Vec<Offer>,
-    /// Other first parts that a block can have, each with what that means.
-    pub heads: Vec<(String, String)>,
     /// It as ladder text.
     pub text: Option<String>,
     /// The places in the wires before and behind it.
@@ -222,7 +218,6 @@ impl Desk<'_> {
         let [before, behind] = anchors.map_or([None, None], |anchors| anchors.map(Some));
         Ok(Offered {
             offers,
-            heads: if is_one { self.heads(*first) } else { Vec::new() },
             text: run.ok().map(|run| text_of(&drawing, run)),
             before,
             behind,
@@ -231,19 +226,6 @@ impl Desk<'_> {
             acting: around.and_then(|[_, to]| acting(network, &drawing, to.row, to.index)),
             ..Offered::default()
         })
-    }
-
-    /// The other first parts that a block can have.
-    fn heads(&self, what: TextRange) -> Vec<(String, String)> {
-        let mut actions = Vec::new();
-        let place = Selected::in_context(self.context, TextRange::empty(what.start() + TextSize::new(1)));
-        toggle::offer(&place, &mut actions);
-        let heads = actions.into_iter().filter_map(|action| {
-            let head = action.own_edits().first()?.text.clone();
-            let title = action.title.replace(" (changes what the rung does)", "");
-            Some((head, title))
-        });
-        heads.collect()
     }
 
     fn network(&self, place: TextSize) -> Result<Offered, String> {

@@ -57,7 +57,6 @@ export interface Edited {
 /** What can be done at a place or with some elements. */
 export interface Offered {
     readonly offers: readonly { readonly op: string; readonly why?: string }[];
-    readonly heads?: readonly { readonly text: string; readonly title: string }[];
     /** The elements as ladder text. */
     readonly text?: string;
     readonly points?: { readonly before?: Place; readonly behind?: Place };

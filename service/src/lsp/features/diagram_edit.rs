@@ -17,7 +17,7 @@ use tower_lsp::ls_types::{
 use super::rename;
 use crate::drawing_messages::{
     BranchSide, Commented, DeclarationCells, Declare, Declared, DeclaredTag, Deleted, DiagramEdit,
-    DiagramEdited, DiagramOffer, DiagramOffered, DrawingEdit, FileEdits, Head, Neighbours, NetworkPlace,
+    DiagramEdited, DiagramOffer, DiagramOffered, DrawingEdit, FileEdits, Neighbours, NetworkPlace,
     NewNetwork, Offer, OfferedSide, Span,
 };
 use crate::lsp::answers::{error, json};
@@ -83,11 +83,9 @@ pub(crate) async fn offered(shared: &Arc<Shared>, params: ExecuteCommandParams) 
             op: offer.op.to_owned(),
             why: offer.why,
         });
-        let heads = found.heads.into_iter().map(|(text, title)| Head { text, title });
         Ok(DiagramOffered {
             version: revision.version,
             offers: offers.collect(),
-            heads: heads.collect(),
             text: found.text,
             points: found
                 .before
