@@ -18,6 +18,7 @@ use crate::breakpoint_requests;
 use crate::breakpoints::Table;
 use crate::capabilities::capabilities;
 use crate::configuration::{BackBy, Configuration};
+use crate::flood::Flood;
 use crate::launch;
 use crate::messages::{
     Completions, Evaluate, Force, Initialize, Request, Scopes, SetExpression, SetVariable, StackTrace,
@@ -78,6 +79,8 @@ pub struct Adapter {
     pub(crate) end_is_shown: bool,
     /// How many requests wait that a long scan is given up for.
     pub(crate) urgent: Arc<AtomicUsize>,
+    /// What log points write.
+    pub(crate) flood: Flood,
     /// The session belongs to a simulation of the language server.
     pub(crate) lent: Option<Lent>,
     /// The client is gone, or wants to be.
@@ -109,6 +112,7 @@ impl Adapter {
             judged: None,
             end_is_shown: false,
             urgent,
+            flood: Flood::default(),
             lent: None,
             is_left: false,
         }

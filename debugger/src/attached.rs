@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use ladder_analysis::analyze;
-use ladder_host::World;
+use ladder_host::{Moment, World};
 use ladder_live::{Beginning, Debugger, Ground, Halt, Keeping, ProgramFile};
 use ladder_simulator::{HistoryLimits, Options, Session};
 use ladder_syntax::parse;
@@ -197,6 +197,10 @@ impl Debugger for Attached {
 
     fn keeps_to_clock(&self) -> bool {
         !matches!(self.adapter.going, Some(Going::Back))
+    }
+
+    fn waits(&self) -> Option<Moment> {
+        self.adapter.flood.until()
     }
 
     fn is_live(&self) -> bool {

@@ -27,6 +27,7 @@ mod condition;
 mod configuration;
 mod console;
 mod expectations;
+mod flood;
 mod launch;
 mod marker;
 mod messages;

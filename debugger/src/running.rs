@@ -86,16 +86,13 @@ impl Adapter {
         Ok(())
     }
 
-    /// When the next scan is due; none while it is at once.
+    /// When the program goes on; none while it is at once.
     pub fn due(&self) -> Option<Moment> {
-        let is_open = self
-            .target
-            .as_ref()
-            .is_some_and(|target| target.session.is_open());
-        match self.going {
-            Some(Going::Forward(Some((due, _)))) if !is_open => Some(due),
+        let next_scan = match self.going {
+            Some(Going::Forward(Some((due, _)))) if self.is_between_scans() => Some(due),
             _ => None,
-        }
+        };
+        next_scan.max(self.flood.until())
     }
 
     /// Does a piece of the work of a run: a scan, or up to what stops it.
@@ -228,6 +225,7 @@ impl Adapter {
         match verdict {
             Verdict::Pass => None,
             Verdict::Log(lines) => {
+                self.flood.add(self.world.clock.now());
                 let place = self
                     .target
                     .as_ref()

@@ -8,6 +8,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 
+use ladder_host::Moment;
 use ladder_simulator::Session;
 use ladder_workspace::Member;
 use serde_json::Value;
@@ -28,6 +29,9 @@ pub trait Debugger: Send {
 
     /// Whether the scans that it wants come at their times.
     fn keeps_to_clock(&self) -> bool;
+
+    /// When a run goes on that has written more than the client can show.
+    fn waits(&self) -> Option<Moment>;
 
     /// Whether it decides what stops a run: from its launch to the end of the program.
     fn is_live(&self) -> bool;

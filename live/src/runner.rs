@@ -69,12 +69,13 @@ impl Turns for Runner {
             }
             Poll::Pending => {}
         }
-        let Some(run) = &self.run else {
+        let Some(run) = self.run else {
             return Wait::Arrival;
         };
         let now = self.clock.now();
-        match run.due {
-            Some((due, _)) if now < due => self.wait_until(now, due),
+        let waits = self.simulation.debugger().and_then(|debugger| debugger.waits());
+        match run.due.map(|(due, _)| due).max(waits) {
+            Some(due) if now < due => self.wait_until(now, due),
             _ => {
                 self.go_on();
                 Wait::No

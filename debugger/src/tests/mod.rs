@@ -9,8 +9,10 @@ mod watches;
 
 use std::sync::atomic::AtomicUsize;
 use std::sync::{Arc, Mutex};
+use std::time::Duration;
 
 use ladder_host::testing::on_disk;
+use ladder_host::{Clock, World};
 use serde_json::{Value as Json, json};
 use tempfile::TempDir;
 
@@ -38,6 +40,10 @@ struct Client {
 
 impl Client {
     fn new(text: &str) -> Client {
+        Client::in_world(text, on_disk())
+    }
+
+    fn in_world(text: &str, world: World) -> Client {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("ladder.toml"), "").unwrap();
         std::fs::write(folder.path().join("own.clad"), text).unwrap();
@@ -45,7 +51,7 @@ impl Client {
         let out = written.clone();
         Client {
             adapter: Adapter::new(
-                on_disk(),
+                world,
                 Box::new(move |message| {
                     out.0.lock().unwrap().push(message.clone());
                     Ok(())
@@ -107,15 +113,18 @@ impl Client {
 
     /// Launches the program: it is before its first scan.
     fn launched(text: &str) -> Client {
-        let mut client = Client::new(text);
-        client.body("initialize", json!({}));
-        let program = client.program();
-        client.body(
+        Client::new(text).launch()
+    }
+
+    fn launch(mut self) -> Client {
+        self.body("initialize", json!({}));
+        let program = self.program();
+        self.body(
             "launch",
             json!({"program": program, "stopOnEntry": true, "speed": "max"}),
         );
-        client.body("configurationDone", Json::Null);
-        client
+        self.body("configurationDone", Json::Null);
+        self
     }
 }
 
@@ -304,4 +313,26 @@ fn a_restart_takes_a_new_configuration_wrapped_or_not() {
         client.body("restart", arguments);
         assert_eq!(client.evaluate("n", "watch"), wanted);
     }
+}
+
+/// An editor that is sent a line with each scan of a program without a clock can neither show nor stop it any more.
+#[test]
+fn log_points_write_no_more_than_can_be_shown() {
+    let now = Duration::from_secs(5);
+    let world = World {
+        clock: Clock::new(move || now),
+        ..on_disk()
+    };
+    let mut client = Client::in_world("VAR n : LINT; END_VAR\n+--[ADD]( n, n, 1 )--+\n", world).launch();
+    let source = json!({"path": client.program()});
+    let arguments = json!({"source": source, "breakpoints": [{"line": 2, "logMessage": "n is {n}"}]});
+    client.body("setBreakpoints", arguments);
+    let mut written = client.ask("continue", json!({"threadId": 1}));
+    while client.adapter.due().is_none() {
+        client.adapter.run_on();
+        written.extend(client.written.take());
+    }
+    let lines = written.iter().filter(|message| message["event"] == "output");
+    assert_eq!(lines.count(), 100);
+    assert_eq!(client.adapter.due(), Some(now + Duration::from_millis(100)));
 }
