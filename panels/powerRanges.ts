@@ -5,13 +5,16 @@ type Range = Power['range'];
 
 /**
  * How an element looks: with power, without, a contact that lets it through with and without power, one that stops it, and
- * what changes faster than anybody can follow.
+ * what changes faster than anybody can follow; and that of which nothing is known.
  */
-export type Look = 'on' | 'off' | 'closedOn' | 'closed' | 'blocks' | 'flickers';
+export type Look = 'on' | 'off' | 'closedOn' | 'closed' | 'blocks' | 'flickers' | 'unknown';
 
 export type PowerRanges = Readonly<Record<Look, readonly Range[]>>;
 
-function look({ on, contact }: Power): Look {
+function look({ on, unknown, contact }: Power): Look {
+    if (unknown) {
+        return 'unknown';
+    }
     if (contact === 'closed') {
         return on ? 'closedOn' : 'closed';
     }
@@ -27,7 +30,7 @@ function inTextOrder(a: Power, b: Power): number {
 }
 
 export function powerRanges(power: readonly Power[], flickering: ReadonlySet<Power> = new Set()): PowerRanges {
-    const ranges: Record<Look, Range[]> = { on: [], off: [], closedOn: [], closed: [], blocks: [], flickers: [] };
+    const ranges: Record<Look, Range[]> = { on: [], off: [], closedOn: [], closed: [], blocks: [], flickers: [], unknown: [] };
     for (const element of power.toSorted(inTextOrder)) {
         const list = ranges[flickering.has(element) ? 'flickers' : look(element)];
         const last = list.at(-1);

@@ -41,6 +41,8 @@ export type Contact = 'closed' | 'open' | 'blocks';
 export interface Power {
     readonly range: Range;
     readonly on: boolean;
+    /** Of a controller: that is not known. */
+    readonly unknown?: boolean;
     readonly contact?: Contact;
 }
 

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use ladder_analysis::program::Location;
 use ladder_host::Moment;
-use ladder_simulator::{Fault, Hit, Status, Stepped, Stop, value_text};
+use ladder_simulator::{Fault, Hit, Status, Stepped, Stop, real_time, value_text};
 use serde_json::{Value as Json, json};
 
 use crate::adapter::{Adapter, Phase};
@@ -74,7 +74,7 @@ impl Adapter {
         let now = self.world.clock.now();
         let speed = self.configuration.speed()?;
         let target = self.target()?;
-        let interval = Duration::from_nanos(target.simulation().options().interval.unsigned_abs());
+        let interval = real_time(target.simulation().options().interval);
         // An interval that is too long to be counted never ends.
         let pace = speed.map(|speed| {
             Duration::try_from_secs_f64(interval.as_secs_f64() / speed)

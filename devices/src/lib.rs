@@ -10,7 +10,8 @@
 //!
 //! - [`pace`] says when scans are due: at absolute times, so that lateness does not add up, and what was missed is counted and
 //!   never caught up. [`lateness`] counts how late they were.
-//! - [`real`] is the loop. It is a plain function on a thread of its own: an asynchronous runtime wakes up by a clock of 1 ms.
+//! - [`real`] is the loop. It is a plain function on a thread of its own: an asynchronous runtime wakes up by a clock of 1 ms. A second
+//!   thread watches it, and ends a scan that does not come back.
 //! - [`modbus`] serves tags as coils and registers. Its requests see the image of one scan, and what they write is given to the
 //!   program between two scans. It also asks devices, whose inputs and outputs are the program's.
 //! - [`online`] watches running controllers: it reads them, and cannot write.
@@ -27,6 +28,7 @@ pub mod online;
 pub mod pace;
 pub mod real;
 mod source;
+mod stuck;
 pub mod system;
 mod wrong;
 

@@ -2,7 +2,9 @@
 
 use crate::lateness::Report;
 use crate::pace::Pace;
-use ladder_simulator::{Simulation, Status};
+use crate::stuck::Scanning;
+use ladder_analysis::Cancel;
+use ladder_simulator::{Simulation, Status, real_time};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
 use std::time::{Duration, Instant};
 
@@ -42,7 +44,9 @@ pub trait Between {
     fn report(&mut self, report: &Report);
 }
 
-/// Runs scans at their times until something ends them. `longest` is how long a scan may take.
+/// Runs scans at their times until something ends them. `longest` is how long a scan may take, with what happens before and after it: a
+/// program that takes longer is stopped within its scan. `stuck` is called, from another thread, with the time that a scan has taken
+/// which has not come back after twice as long: it waits for something, and only the end of the process helps.
 ///
 /// `SYS.SCAN_TIME` and the timers have the time that has really passed, in whole intervals: of slots that were missed, too.
 pub fn run(
@@ -51,8 +55,27 @@ pub fn run(
     report: &mut Report,
     asked: &Receiver<Asked>,
     between: &mut dyn Between,
+    stuck: &(dyn Fn(Duration) + Sync),
 ) -> Ended {
-    let interval = Duration::from_nanos(u64::try_from(simulation.options().interval).unwrap_or(1));
+    let (scanning, cancel) = (Scanning::default(), Cancel::default());
+    simulation.set_cancel(Some(cancel.clone()));
+    let ended = std::thread::scope(|scope| {
+        let _watched = scanning.watch(scope, longest, &cancel, stuck);
+        scan_on(simulation, longest, report, asked, between, &scanning)
+    });
+    simulation.set_cancel(None);
+    ended
+}
+
+fn scan_on(
+    simulation: &mut Simulation,
+    longest: Duration,
+    report: &mut Report,
+    asked: &Receiver<Asked>,
+    between: &mut dyn Between,
+    scanning: &Scanning,
+) -> Ended {
+    let interval = real_time(simulation.options().interval);
     let start = Instant::now();
     let mut pace = Pace::new(start, interval);
     let mut due = start;
@@ -62,13 +85,16 @@ pub fn run(
         }
         let began = Instant::now();
         report.lateness.add(began.saturating_duration_since(due));
+        scanning.set(Some(began));
         between.before(simulation);
         simulation.scan();
         between.after(simulation);
+        scanning.set(None);
         let took = began.elapsed();
         report.scan_times.add(took);
         report.scans += 1;
         match simulation.status() {
+            Status::Faulted if took > longest => return Ended::TooLong(took),
             Status::Faulted => return Ended::Fault,
             Status::Ended => return Ended::Program,
             Status::Ready => {}
@@ -114,6 +140,7 @@ fn wait(due: Instant, asked: &Receiver<Asked>, report: &Report, between: &mut dy
 mod tests {
     use super::*;
     use crate::tests::simulation;
+    use ladder_simulator::Options;
     use std::sync::mpsc;
 
     /// Keeps the first scan busy for a while, and asks for the end after some scans.
@@ -153,7 +180,7 @@ mod tests {
             reports: 0,
         };
         let mut report = Report::default();
-        let ended = run(&mut simulation, longest, &mut report, &asked, &mut slow);
+        let ended = run(&mut simulation, longest, &mut report, &asked, &mut slow, &|_| {});
         (ended, report, simulation, slow.reports)
     }
 
@@ -178,6 +205,67 @@ mod tests {
         let (ended, report, ..) = ran(COUNTS, slow, Duration::from_millis(20), 3);
         assert!(matches!(ended, Ended::TooLong(took) if took >= slow), "{ended:?}");
         assert_eq!(report.scans, 1);
+    }
+
+    #[test]
+    fn a_scan_that_loops_is_stopped_within() {
+        let text =
+            "VAR\n    n : DINT;\nEND_VAR\n+--<FOR>( 2000000000 )--+\n+--[ADD]( n, n, 1 )--+\n+--<NEXT>--+\n";
+        let options = Options {
+            interval: 5_000_000,
+            watchdog: 1 << 40,
+        };
+        let program = simulation(text, options.interval).program().clone();
+        let mut simulation = Simulation::new(program, options).unwrap();
+        let (_ask, asked) = mpsc::channel();
+        let mut idle = Idle(Duration::ZERO);
+        let mut report = Report::default();
+        let longest = Duration::from_millis(40);
+        let ended = run(&mut simulation, longest, &mut report, &asked, &mut idle, &|_| {});
+        assert!(matches!(ended, Ended::TooLong(_)), "{ended:?}");
+    }
+
+    #[test]
+    fn a_scan_that_does_not_come_back_is_told_from_another_thread() {
+        let mut simulation = simulation(COUNTS, 5_000_000);
+        let (_ask, asked) = mpsc::channel();
+        let mut idle = Idle(Duration::from_millis(400));
+        let (told, mut report) = (std::sync::Mutex::new(Vec::new()), Report::default());
+        let stuck = |took: Duration| {
+            told.lock()
+                .unwrap()
+                .push((took, std::thread::current().name().map(str::to_owned)))
+        };
+        let ended = run(
+            &mut simulation,
+            Duration::from_millis(20),
+            &mut report,
+            &asked,
+            &mut idle,
+            &stuck,
+        );
+        assert!(matches!(ended, Ended::TooLong(_)), "{ended:?}");
+        let told = told.into_inner().unwrap();
+        let [(took, thread)] = told.as_slice() else {
+            panic!("{told:?}")
+        };
+        assert!(
+            *took > Duration::from_millis(40) && thread.as_deref() == Some("watchdog"),
+            "{told:?}"
+        );
+    }
+
+    /// Waits before each scan.
+    struct Idle(Duration);
+
+    impl Between for Idle {
+        fn before(&mut self, _: &mut Simulation) {
+            std::thread::sleep(self.0);
+        }
+
+        fn after(&mut self, _: &mut Simulation) {}
+
+        fn report(&mut self, _: &Report) {}
     }
 
     #[test]

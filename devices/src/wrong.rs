@@ -1,5 +1,6 @@
 //! What settings ask for and a program has not.
 
+use ladder_workspace::Misfit;
 use std::ops::Range;
 
 /// Something that was written and cannot be.
@@ -9,6 +10,12 @@ pub struct Wrong {
     pub at: Range<usize>,
     /// What is wrong, and what to do.
     pub message: String,
+}
+
+impl From<Wrong> for Misfit {
+    fn from(wrong: Wrong) -> Misfit {
+        (wrong.at, wrong.message)
+    }
 }
 
 #[cfg(all(test, feature = "modbus"))]

@@ -284,6 +284,11 @@ impl Neighbours {
         self.settings(path, |settings| settings.modbus.clone())
     }
 
+    /// The settings of its workspace, if they ask anything of its programs that may not fit them.
+    pub fn that_may_misfit(&self, path: &Path) -> Option<Settings> {
+        self.settings(path, |settings| settings.may_misfit().then(|| settings.clone()))
+    }
+
     /// Asks the settings that hold for a file, which are known before large files are read.
     fn settings<T>(&self, path: &Path, ask: impl Fn(&Settings) -> T) -> T {
         let early = self.in_part(path, |_, part| ask(&part.settings));

@@ -22,6 +22,10 @@
   "What has no power."
   :group 'ladder)
 
+(defface ladder-power-unknown '((t :inherit ladder-power-off :slant italic))
+  "Of which a controller does not say whether it has power."
+  :group 'ladder)
+
 (defface ladder-next '((t :inverse-video t))
   "The block that runs next, in the midst of a scan."
   :group 'ladder)
@@ -300,11 +304,17 @@ Without one a tag is asked for, with VERB."
     (overlay-put overlay 'face face)
     (overlay-put overlay 'evaporate t)))
 
+(defun ladder--power-face (element)
+  "The face of an ELEMENT of the drawing."
+  (cond ((ladder--true-p element :unknown) 'ladder-power-unknown)
+        ((ladder--true-p element :on) 'ladder-power-on)
+        (t 'ladder-power-off)))
+
 (defun ladder--draw ()
   "Draw the state into the text."
   (ladder--undraw)
   (seq-doseq (element (plist-get ladder--state :power))
-    (ladder--overlay (plist-get element :range) (if (ladder--true-p element :on) 'ladder-power-on 'ladder-power-off)))
+    (ladder--overlay (plist-get element :range) (ladder--power-face element)))
   (when-let ((next (plist-get ladder--state :next)))
     (ladder--overlay next 'ladder-next)))
 

@@ -5,7 +5,7 @@ use std::fmt;
 use ladder_analysis::values::value::Value;
 use ladder_simulator::online::{Online, Watched};
 use ladder_simulator::{Point, Simulation};
-use ladder_workspace::{Online as Asked, ServeModbus};
+use ladder_workspace::{Misfit, Online as Asked, ServeModbus, Settings};
 
 /// A controller that is watched, and what it is called.
 pub type Connection = (String, Box<dyn Watched>);
@@ -24,6 +24,9 @@ pub trait Wires: fmt::Debug + Send + Sync {
     /// # Errors
     /// There is nothing to serve, what is asked for does not fit the program, or the port is taken: what to do.
     fn serve(&self, asked: &ServeModbus, simulation: &Simulation) -> Result<Box<dyn Served>, String>;
+
+    /// What settings ask to be served or connected, and a program has not.
+    fn misfits(&self, settings: &Settings, simulation: &Simulation) -> Vec<Misfit>;
 }
 
 /// Tags that are served until this is dropped.

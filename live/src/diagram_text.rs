@@ -306,6 +306,14 @@ impl Engine {
         let revision = self.line_map.running();
         let mut live = Live::default();
         for element in elements.elements_in(stretch, revision, simulation) {
+            if self
+                .controller
+                .as_ref()
+                .is_some_and(|it| it.is_unknown(element.number))
+            {
+                // Drawn as if nothing ran.
+                continue;
+            }
             let on = simulation.is_live(element.number);
             live.power.insert(element.range, on);
             if let Some(contact) = element.contact {

@@ -12,7 +12,7 @@ use ladder_documents::position::Range;
 use ladder_documents::{OtherPlaces, Revision};
 use ladder_host::{Served, Wires, World};
 use ladder_simulator::chart::Recorder;
-use ladder_simulator::{Breakpoint, HistoryLimits, Point, Session, Simulation, Status, Stop};
+use ladder_simulator::{Breakpoint, HistoryLimits, Point, Session, Simulation, Status, Stop, real_time};
 
 use crate::action::Given;
 use crate::drawing::Drawing;
@@ -345,7 +345,7 @@ impl Engine {
         if self.controller.is_some() {
             return CHECK;
         }
-        Duration::from_nanos(self.session.simulation().options().interval.unsigned_abs())
+        real_time(self.session.simulation().options().interval)
     }
 
     /// How many scans are done.

@@ -67,6 +67,11 @@ impl Controller {
         self.watching.why(point)
     }
 
+    /// Whether the power of an element is not known, by the engine's number.
+    pub(crate) fn is_unknown(&self, element: usize) -> bool {
+        self.watching.online().is_unknown(element)
+    }
+
     /// How it is, for the client.
     pub(crate) fn message(&self) -> messages::Controller {
         let newest = self.watching.newest();

@@ -12,7 +12,7 @@ use crate::drawing::{self, Drawing};
 use crate::engine::Engine;
 use crate::messages;
 use crate::value::to_json;
-use crate::view::Update;
+use crate::view::{Flow, Update};
 
 impl Engine {
     /// Tells from now on only of this.
@@ -43,7 +43,9 @@ impl Engine {
         };
         let simulation = self.session.simulation();
         let drawing = self.drawing.get_or_init(|| Drawing::of(simulation));
-        let update = view.update(drawing, &self.line_map, simulation);
+        let controller = self.controller.as_ref();
+        let is_unknown = |element| controller.is_some_and(|it| it.is_unknown(element));
+        let update = view.update(drawing, &self.line_map, simulation, &is_unknown);
         let values = update.points.iter().map(|point| self.tag(point));
         let groups = update.groups.iter().map(|group| self.group(group));
         (values.chain(groups).collect(), update)
@@ -218,7 +220,8 @@ impl Engine {
                 role(point.role)
             },
             forced: self.session.simulation().is_forced(point),
-            read_only: point.read_only,
+            // A controller is only watched.
+            read_only: point.read_only || self.controller.is_some(),
             parts: None,
         }
     }
@@ -227,17 +230,20 @@ impl Engine {
     pub(crate) fn power(&self) -> Vec<messages::Power> {
         let simulation = self.session.simulation();
         let places = self.places.get_or_init(|| {
-            let places = power(simulation).map(|(place, _)| self.line_map.range(place));
+            let places = power(simulation).map(|(_, place, _)| self.line_map.range(place));
             places.collect()
         });
-        let live = power(simulation).map(|(_, on)| on);
-        let power = places.iter().zip(live).filter_map(|(&range, on)| {
-            Some(messages::Power {
-                range: range?,
-                on,
-                contact: None,
-            })
-        });
+        let power = places
+            .iter()
+            .zip(power(simulation))
+            .filter_map(|(&range, (element, _, on))| {
+                let controller = self.controller.as_ref();
+                let flow = match controller.filter(|it| it.is_unknown(element)) {
+                    Some(_) => Flow::Unknown,
+                    None => Flow::Known { on, contact: None },
+                };
+                Some(flow.at(range?))
+            });
         power.collect()
     }
 }
@@ -255,8 +261,9 @@ fn role(role: Role) -> messages::Role {
     }
 }
 
-/// The elements that are in the program's own file, which is the document.
-fn power(simulation: &Simulation) -> impl Iterator<Item = (TextRange, bool)> {
-    let own = simulation.power().filter(|(_, location, _)| location.file == 0);
-    own.map(|(_, location, on)| (location.range, on))
+/// The elements that are in the program's own file, which is the document, by the engine's numbers.
+fn power(simulation: &Simulation) -> impl Iterator<Item = (usize, TextRange, bool)> {
+    let own = simulation.power().enumerate();
+    let own = own.filter(|(_, (_, location, _))| location.file == 0);
+    own.map(|(number, (_, location, on))| (number, location.range, on))
 }

@@ -4,6 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use ladder_analysis::program::Place;
 use ladder_analysis::values::value::Value;
+use ladder_documents::position::Range;
 use ladder_format::display_width;
 use ladder_simulator::{Group, Point, Simulation, chart};
 use ladder_syntax::TextRange;
@@ -25,7 +26,7 @@ pub(crate) struct View {
     /// What opens, and is shown.
     groups: Vec<Group>,
     /// The power of elements as the client knows it, by the engine's numbers.
-    sent_power: HashMap<usize, (bool, Option<Contact>)>,
+    sent_power: HashMap<usize, Flow>,
     /// The values as the client knows them.
     reported_values: HashMap<String, (Value, bool)>,
     /// The same of what opens, with what is shown of it while it is closed.
@@ -63,6 +64,29 @@ struct Indexed {
     place: Place,
     /// What it led to when this was listed.
     element: Option<String>,
+}
+
+/// The power of an element.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Flow {
+    Known { on: bool, contact: Option<Contact> },
+    Unknown,
+}
+
+impl Flow {
+    /// For the client.
+    pub(crate) fn at(self, range: Range) -> messages::Power {
+        let (on, contact) = match self {
+            Flow::Known { on, contact } => (on, contact),
+            Flow::Unknown => (false, None),
+        };
+        messages::Power {
+            range,
+            on,
+            unknown: self == Flow::Unknown,
+            contact,
+        }
+    }
 }
 
 /// What has changed of what is shown.
@@ -188,6 +212,7 @@ impl View {
         drawing: &Drawing,
         line_map: &LineMap,
         simulation: &Simulation,
+        is_unknown: &dyn Fn(usize) -> bool,
     ) -> Update {
         self.follow_indices(drawing, line_map, simulation);
         let mut update = Update {
@@ -195,13 +220,18 @@ impl View {
             ..Update::default()
         };
         for element in &self.elements {
-            let on = simulation.is_live(element.number);
-            let contact = element.contact.as_ref().map(|it| it.state(on, simulation));
-            let sent = self.sent_power.insert(element.number, (on, contact));
-            if sent != Some((on, contact))
+            let flow = if is_unknown(element.number) {
+                Flow::Unknown
+            } else {
+                let on = simulation.is_live(element.number);
+                let contact = element.contact.as_ref().map(|it| it.state(on, simulation));
+                Flow::Known { on, contact }
+            };
+            let sent = self.sent_power.insert(element.number, flow);
+            if sent != Some(flow)
                 && let Some(range) = line_map.range(element.range)
             {
-                update.power.push(messages::Power { range, on, contact });
+                update.power.push(flow.at(range));
             }
         }
         for point in &self.points {

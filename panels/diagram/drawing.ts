@@ -64,11 +64,12 @@ function number(node: Element, name: string): number {
 }
 
 /** How a wire looks that these elements give power to. */
-function lookOf(powers: readonly Power[]): 'on' | 'off' | 'flickers' | '' {
+function lookOf(powers: readonly Power[]): 'on' | 'off' | 'flickers' | 'unknown' | '' {
     if (powers.some(({ on, does }) => on && does !== 'flickers')) {
         return 'on';
     }
-    return powers.some(({ does }) => does === 'flickers') ? 'flickers' : powers.length > 0 ? 'off' : '';
+    const doubtful = (['flickers', 'unknown'] as const).find((look) => powers.some(({ does }) => does === look));
+    return doubtful ?? (powers.length > 0 ? 'off' : '');
 }
 
 /** What fits into so many letters. */
@@ -238,7 +239,7 @@ export class Drawing {
             const state = isLive ? lookOf(powers.filter((power) => power !== undefined)) : '';
             if (state !== powered.state) {
                 powered.state = state;
-                for (const look of ['on', 'off', 'flickers']) {
+                for (const look of ['on', 'off', 'flickers', 'unknown']) {
                     powered.shape.classList.toggle(look, look === state);
                 }
             }

@@ -44,7 +44,7 @@ export class Feed {
         const flickering = this.#flicker.among(elements, source.state.status === 'running', now);
         for (const element of elements) {
             const { line, character } = element.range.start;
-            const does = flickering.has(element) ? 'flickers' : element.contact;
+            const does = flickering.has(element) ? 'flickers' : element.unknown ? 'unknown' : element.contact;
             if (isNews(`${line}:${character}`, does === 'flickers' ? does : `${element.on} ${does}`)) {
                 power.push(does ? [line, character, element.on, does] : [line, character, element.on]);
             }

@@ -45,8 +45,8 @@ export interface LineChange {
     readonly count: number;
 }
 
-/** What a contact does, or that an element changes faster than anybody can follow. */
-export type Does = Contact | 'flickers';
+/** What a contact does, that an element changes faster than anybody can follow, or that nothing is known of it. */
+export type Does = Contact | 'flickers' | 'unknown';
 
 /** Power of an element: its line, its character, whether it has power, and what it does. */
 export type PowerAt = readonly [line: number, character: number, on: boolean, does?: Does];

@@ -22,6 +22,8 @@ function powerInWords(kind: string, power: Power): string[] {
             return ['does not let power through', flows];
         case 'flickers':
             return ['changes faster than can be followed'];
+        case 'unknown':
+            return ['it is not known whether power flows'];
         case undefined:
             return [kind === 'coil' && power.on ? 'has power' : flows];
     }

@@ -57,6 +57,12 @@ test('a page is sent the lines that it shows, and then of what changes there', (
     assert.deepEqual([second.power, second.tags.map(({ name }) => name)], [[[1, 3, true, 'closed']], ['a1']]);
 });
 
+test('of a controller a page is told what is not known', () => {
+    const program = source([0], []);
+    (program.power.get(0) as Map<number, Power>).set(12, { range: at(0, 12), on: false, unknown: true });
+    assert.deepEqual(new Feed().changes(program, { first: 0, last: 0 }).power, [[0, 3, false, 'open'], [0, 12, false, 'unknown']]);
+});
+
 test('what changes too fast to follow is said once, and as it is when the run is over', () => {
     const feed = new Feed();
     const running = source([0], []);
@@ -124,11 +130,12 @@ test('elements are said in words', () => {
         describe(start, flows, [tag('start', true, { forced: true })]),
         'Open contact start, lets power through, power flows, start is 1, forced',
     );
-    const words = (does: 'closed' | 'open' | 'blocks' | 'flickers') => describe(start, { on: false, does }, []).split(', ').slice(1);
+    const words = (does: 'closed' | 'open' | 'blocks' | 'flickers' | 'unknown') => describe(start, { on: false, does }, []).split(', ').slice(1);
     assert.deepEqual(words('closed'), ['lets power through', 'no power']);
     assert.deepEqual(words('open'), ['does not let power through', 'no power']);
     assert.deepEqual(words('blocks'), ['blocks the power that comes']);
     assert.deepEqual(words('flickers'), ['changes faster than can be followed']);
+    assert.deepEqual(words('unknown'), ['it is not known whether power flows']);
     const timer = { kind: 'block', name: 'On-delay timer', operands: ['warm', 'T#5s'] };
     const tags = [tag('warm.ET', 1500, { type: 'TIME', text: '1.5s' }), tag('warm.Q', false)];
     assert.equal(describe(timer, { on: false, does: undefined }, tags), 'On-delay timer warm T#5s, no power, warm.ET is 1.5s, warm.Q is 0');

@@ -46,6 +46,7 @@ test('contacts look by what they do, and two of them stay two', () => {
         'closed 0:15-0:20',
         'blocks 0:10-0:15',
         'flickers ',
+        'unknown ',
     ]);
 });
 
@@ -53,4 +54,9 @@ test('what flickers is of its own kind, whatever it is now', () => {
     const [first, second, third] = [piece(0, 0, 2, true), piece(0, 2, 4, false), piece(0, 4, 6, true)];
     const { on, off, flickers } = powerRanges([first, second, third], new Set([first, second]));
     assert.deepEqual([show(on), show(off), show(flickers)], [['0:4-0:6'], [], ['0:0-0:4']]);
+});
+
+test('what is not known of a controller is apart', () => {
+    const ranges = powerRanges([piece(0, 0, 2, true), { ...piece(0, 2, 4, false), unknown: true }, piece(0, 4, 6, false)]);
+    assert.deepEqual([show(ranges.on), show(ranges.unknown), show(ranges.off)], [['0:0-0:2'], ['0:2-0:4'], ['0:4-0:6']]);
 });

@@ -24,6 +24,8 @@ use std::time::Duration;
 pub struct Options {
     /// For all properties of a file.
     pub time: Duration,
+    /// How many steps the solver may make, where what is found must not depend on how fast it is.
+    pub steps: Option<u64>,
     /// How many scans from the cold start are searched.
     pub scans: usize,
     /// Measures the time.
@@ -39,6 +41,7 @@ impl Default for Options {
     fn default() -> Options {
         Options {
             time: Duration::from_secs(20),
+            steps: None,
             scans: 200,
             clock: Clock::default(),
             cancel: Cancel::default(),
@@ -112,6 +115,7 @@ pub fn prove(
 ) -> Result<Vec<Answer>, Refuted> {
     let Options {
         time,
+        steps,
         scans: most_scans,
         clock,
         cancel,
@@ -119,7 +123,7 @@ pub fn prove(
     } = options;
     let began = clock.now();
     let taken = || clock.now().saturating_sub(began);
-    let end = End::after(time, &clock, &cancel);
+    let end = End::after(time, &clock, &cancel).with_work(steps);
     let mut answers: Vec<Option<Answer>> = vec![None; watched.properties.len()];
     // First with times that may be anything: what holds then needs no counting.
     let open = build(simulation, watched, encode::Times::Open, &end);

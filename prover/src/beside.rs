@@ -8,7 +8,6 @@ use ladder_simulator::expression::Expression;
 use ladder_simulator::scenario::{Form, Monitor, Suite, Watched, bind_properties, parse};
 use ladder_syntax::numeral::counted;
 use std::sync::Arc;
-use std::time::Duration;
 
 /// What answers rest on: the plants that run beside the program, and what is assumed.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -21,8 +20,9 @@ pub struct Basis {
     pub unchanging: Vec<String>,
 }
 
-/// So long it is tried whether something holds without the plants, and as long whether their outputs change.
-const TRIED_FOR: Duration = Duration::from_millis(500);
+/// So many steps of the solver it is tried whether something holds without the plants, and as many whether their outputs change: about
+/// half a second. What is told must not depend on what else the machine does.
+const TRIED_STEPS: u64 = 200_000;
 /// So many scans are searched then.
 const TRIED_SCANS: usize = 30;
 
@@ -39,7 +39,7 @@ impl Basis {
             return Basis::default();
         }
         let options = Options {
-            time: options.time.min(TRIED_FOR),
+            steps: Some(TRIED_STEPS),
             scans: TRIED_SCANS,
             ..options.clone()
         };

@@ -6,15 +6,19 @@ use crate::clock::Clock;
 use batsat::Callbacks;
 use ladder_analysis::Cancel;
 use std::cell::Cell;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
 /// Why nothing more of a program is followed once that is so.
 pub(crate) const LATE: &str = "the time was over before all of the program was followed";
 
-/// When all must be done: no time is left then, or nobody waits any more. By default that is never.
+/// When all must be done: no time or no work is left then, or nobody waits any more. By default that is never.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct End {
     at: Option<Duration>,
+    /// How many steps all solvers together may still make; as many as they like without it.
+    work: Option<Arc<AtomicU64>>,
     clock: Clock,
     cancel: Cancel,
 }
@@ -24,13 +28,34 @@ impl End {
     pub(crate) fn after(time: Duration, clock: &Clock, cancel: &Cancel) -> End {
         End {
             at: Some(clock.now() + time),
+            work: None,
             clock: clock.clone(),
             cancel: cancel.clone(),
         }
     }
 
+    /// The same with so many steps of solvers at most.
+    #[must_use]
+    pub(crate) fn with_work(self, steps: Option<u64>) -> End {
+        let work = steps.map(|steps| Arc::new(AtomicU64::new(steps)));
+        End { work, ..self }
+    }
+
     pub(crate) fn is_over(&self) -> bool {
-        self.at.is_some_and(|at| self.clock.now() >= at) || self.cancel.is_cancelled()
+        self.is_spent() || self.at.is_some_and(|at| self.clock.now() >= at) || self.cancel.is_cancelled()
+    }
+
+    /// Whether all steps are made.
+    fn is_spent(&self) -> bool {
+        let work = self.work.as_ref();
+        work.is_some_and(|left| left.load(Ordering::Relaxed) == 0)
+    }
+
+    /// A solver makes a step. Whether it was the last.
+    fn spend(&self) -> bool {
+        let Some(left) = &self.work else { return false };
+        let before = left.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| left.checked_sub(1));
+        before.is_err()
     }
 }
 
@@ -73,7 +98,7 @@ impl Callbacks for Limits {
     fn stop(&self) -> bool {
         let asked = self.asked.get().wrapping_add(1);
         self.asked.set(asked);
-        if asked.is_multiple_of(256) && self.end.is_over() {
+        if self.end.spend() || (asked.is_multiple_of(256) && self.end.is_over()) {
             self.is_late.set(true);
         }
         self.is_late.get() || self.conflicts.get() == 0
@@ -102,6 +127,14 @@ mod tests {
         assert!(end.is_over());
         assert!(End::in_time(Duration::ZERO).is_over());
         assert!(!End::default().is_over());
+    }
+
+    #[test]
+    fn it_is_over_when_the_work_is_done() {
+        let end = End::default().with_work(Some(2));
+        assert!(!end.spend() && !end.is_over());
+        assert!(!end.spend() && end.is_over());
+        assert!(end.spend() && end.clone().is_over());
     }
 
     #[test]

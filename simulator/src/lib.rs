@@ -120,6 +120,6 @@ pub use session::{
     Why, Wording, Write,
 };
 pub use simulation::{
-    Activation, Instance, Options, Routine, Simulation, State, Status, Stepped, ValueRefused,
+    Activation, Instance, Options, Routine, Simulation, State, Status, Stepped, ValueRefused, real_time,
 };
 pub use tags::{Point, UnknownTag};

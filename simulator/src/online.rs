@@ -82,6 +82,8 @@ pub struct Online {
     moment: Moment,
     /// What contradicts the program.
     doubts: Vec<Doubt>,
+    /// Of each part of the drawing whether its power is not known.
+    unknown: Vec<bool>,
 }
 
 /// A value that contradicts the program.
@@ -128,8 +130,9 @@ impl Online {
             ..Options::default()
         };
         let simulation = Simulation::new(program, options).map_err(|error| error.message)?;
-        let moment = Moment::new(simulation, Vec::new()).map_err(|faults| told(&faults))?;
+        let mut moment = Moment::new(simulation, Vec::new()).map_err(|faults| told(&faults))?;
         Ok(Online {
+            unknown: moment.open_elements(),
             moment,
             doubts: Vec::new(),
         })
@@ -170,6 +173,7 @@ impl Online {
                 told(&faults)
             )
         })?;
+        self.unknown = self.moment.open_elements();
         let before = std::mem::take(&mut self.doubts);
         let now = self.moment.contradictions(MOST).into_iter();
         self.doubts = now
@@ -201,8 +205,14 @@ impl Online {
     }
 
     /// The networks whose power the last snapshot does not say: they read what it had not.
-    pub fn unknown(&self) -> Vec<usize> {
+    pub fn unknown(&mut self) -> Vec<usize> {
         self.moment.open_networks()
+    }
+
+    /// Whether the last snapshot does not say the power of a part of the drawing, by its place in [`Simulation::power`]: what it had not
+    /// decides it, or what was before, of which an edge comes.
+    pub fn is_unknown(&self, element: usize) -> bool {
+        self.unknown.get(element).copied().unwrap_or_default()
     }
 
     /// Why a tag holds what it holds, by the values of the last snapshot.
@@ -265,6 +275,11 @@ impl Watching {
     /// Why a tag holds what it holds, by the values of the last snapshot.
     pub fn why(&mut self, point: &Point) -> Judged {
         self.online.why(point)
+    }
+
+    /// The networks whose power the last snapshot does not say: they read what it had not.
+    pub fn unknown(&mut self) -> Vec<usize> {
+        self.online.unknown()
     }
 
     /// What is known of the controller.

@@ -68,7 +68,7 @@ pub use search::{
 };
 pub use settings::table;
 pub use settings::{
-    Device, EditorSettings, Files, Levels, Lint, Online, Placed, Plant, Project, Run, ServeModbus,
+    Device, EditorSettings, Files, Levels, Lint, Misfit, Online, Placed, Plant, Project, Run, ServeModbus,
     SettingError, Settings, SettingsError, Simulate, Task, Tree,
 };
 pub use stamp::Stamp;

@@ -12,5 +12,7 @@ mod source;
 mod workspaces;
 
 pub(crate) use problem::{FileRange, Problem, annotation};
+#[cfg(feature = "run")]
+pub(crate) use scenario_error::settings_source;
 pub(crate) use source::{FOREIGN, NotRead, Source, is_settings, with_line_feeds};
 pub(crate) use workspaces::Workspaces;

@@ -12,6 +12,8 @@ use ladder_notations::Mark;
 use ladder_picture::scene::Finding;
 use ladder_simulator::scenario::ScenarioError;
 use ladder_syntax::TextRange;
+#[cfg(feature = "run")]
+use ladder_workspace::SettingError;
 use ladder_workspace::shown;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -86,6 +88,18 @@ impl Problem {
             part: None,
             shown: scenario_error::render(source, found, renderer),
             outcome: Outcome::Findings,
+        }
+    }
+
+    /// An error in a settings file.
+    #[cfg(feature = "run")]
+    pub(crate) fn in_settings(source: &Source, found: &SettingError, renderer: &Renderer) -> Problem {
+        let as_error = scenario_error::as_told(found);
+        let shown = (scenario_error::SETTING, Severity::Error);
+        Problem {
+            rule: scenario_error::SETTING,
+            shown: scenario_error::render_as(shown, source, &as_error, renderer),
+            ..Problem::of(source, &as_error, renderer)
         }
     }
 

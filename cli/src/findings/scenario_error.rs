@@ -7,7 +7,7 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer};
 use ladder_analysis::Severity;
 use ladder_picture::scene::Finding;
 use ladder_simulator::scenario::ScenarioError;
-use ladder_workspace::{SettingsError, shown};
+use ladder_workspace::{SettingError, Settings, SettingsError, shown};
 use std::path::Path;
 
 /// What is where the name of a rule would.
@@ -23,7 +23,7 @@ pub(crate) fn name_in(file: &str) -> &'static str {
 }
 
 /// The same in `ladder.toml`.
-const SETTING: &str = "bad-setting";
+pub(crate) const SETTING: &str = "bad-setting";
 
 impl From<SettingsError> for Failure {
     fn from(error: SettingsError) -> Failure {
@@ -42,19 +42,28 @@ fn render_settings(error: &SettingsError, renderer: &Renderer) -> Option<String>
     let SettingsError::Content { file, errors } = error else {
         return None;
     };
-    let text = ladder_workspace::read(file).ok()?;
+    let source = settings_source(file)?;
+    let shown = errors
+        .iter()
+        .map(|error| render_as((SETTING, Severity::Error), &source, &as_told(error), renderer));
+    Some(shown.collect::<Vec<_>>().join("\n\n"))
+}
+
+/// A settings file, by its name from here; None if it cannot be read.
+pub(crate) fn settings_source(file: &Path) -> Option<Source> {
+    let text = Settings::own_text(file).ok()?;
     let here = std::env::current_dir().ok();
     let named = here.and_then(|here| file.strip_prefix(here).ok()).unwrap_or(file);
-    let source = Source::new(named.display().to_string(), text);
-    let shown = errors.iter().map(|error| {
-        let error = ScenarioError {
-            range: error.range,
-            message: error.message.clone(),
-            help: None,
-        };
-        render_as((SETTING, Severity::Error), &source, &error, renderer)
-    });
-    Some(shown.collect::<Vec<_>>().join("\n\n"))
+    Some(Source::new(named.display().to_string(), text))
+}
+
+/// As the errors of other files next to programs.
+pub(crate) fn as_told(error: &SettingError) -> ScenarioError {
+    ScenarioError {
+        range: error.range,
+        message: error.message.clone(),
+        help: None,
+    }
 }
 
 /// An error with its excerpt, without a line end after it.

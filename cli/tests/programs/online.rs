@@ -4,6 +4,7 @@
 use crate::harness::Folder;
 use crate::real_time::Running;
 use expect_test::expect;
+use std::time::{Duration, Instant};
 
 const PRESS: &str = "VAR_INPUT\n    start AT %IX0.0 : BOOL;\n    stop AT %IX0.1 : BOOL;\n    level AT %IW3 : INT;\nEND_VAR\nVAR_OUTPUT\n    run AT %QX0.0 : BOOL;\n    high AT %QX0.1 : BOOL;\n    spare : BOOL;\nEND_VAR\n\n\
     +--\\--[ ]( start )--\\--[/]( stop )--( )( run )--+\n|  /--[ ]( run )----/                           |\n\
@@ -128,6 +129,26 @@ fn a_controller_with_another_program_is_told() {
 
         line 12: run is not what this rung makes it: something else writes it, or the controller runs another program
     "#]].assert_eq(&shown(&once.stdout, &source));
+}
+
+#[test]
+fn one_reading_ends_though_values_change_all_the_time() {
+    let program = "VAR_INPUT\n    i AT %IX0.0 : BOOL;\nEND_VAR\nVAR_OUTPUT\n    o AT %QX0.0 : BOOL;\nEND_VAR\n+--[ ]( i )--( )( o )--+\n";
+    let plant = "VAR_OUTPUT\n    i : BOOL;\nEND_VAR\n+--[/]( i )--( )( i )--+\n";
+    let settings = "[simulate]\ninterval = \"1ms\"\n[serve.modbus]\nlisten = \"127.0.0.1:0\"\n";
+    let folder = Folder::with(&[
+        ("blink.clad", program),
+        ("hand.clad", plant),
+        ("ladder.toml", settings),
+    ]);
+    let mut blink = Running::new(&folder, &["run", "blink.clad", "--plant", "hand.clad"]);
+    let source = format!("modbus:{}", blink.address());
+    let begun = Instant::now();
+    for _ in 0..5 {
+        let once = folder.ladder(&["online", "blink.clad", "--from", &source, "--once"]);
+        assert!(once.status == Some(0) || once.status == Some(1), "{once}");
+    }
+    assert!(begun.elapsed() < Duration::from_secs(60), "{:?}", begun.elapsed());
 }
 
 #[test]

@@ -301,10 +301,8 @@ fn check_tells_what_fits_no_program() {
         format!("{SETTINGS}\"holding 0\" = \"gone\"\n{device}").as_bytes(),
     );
     expect![[r#"
-        exit status 2
+        exit status 1
         -- stdout
-        Checked 1 file: no errors found.
-        -- stderr
         error[bad-setting]: there is no tag `gone`; did you mean go?
           --> ladder.toml:11:1
            |
@@ -316,8 +314,55 @@ fn check_tells_what_fits_no_program() {
            |
         15 | read = { "coil 0" = "gone" }
            |          ^^^^^^^^^^^^^^^^^
+
+        Checked 1 file: 2 errors.
     "#]]
     .assert_eq(&check(&folder));
+    for (format, expected) in [
+        (
+            "json",
+            expect![[r#"
+            exit status 1
+            -- stdout
+            [
+              {"file":"ladder.toml","line":11,"column":1,"end_line":11,"end_column":21,"rule":"bad-setting","severity":"error","message":"there is no tag `gone`; did you mean go?"},
+              {"file":"ladder.toml","line":15,"column":10,"end_line":15,"end_column":27,"rule":"bad-setting","severity":"error","message":"there is no tag `gone`; did you mean go?"}
+            ]
+        "#]],
+        ),
+        (
+            "github",
+            expect![[r#"
+            exit status 1
+            -- stdout
+            ::error file=ladder.toml,line=11,col=1,endColumn=21,title=bad-setting::there is no tag `gone`; did you mean go?
+            ::error file=ladder.toml,line=15,col=10,endColumn=27,title=bad-setting::there is no tag `gone`; did you mean go?
+        "#]],
+        ),
+        (
+            "concise",
+            expect![[r#"
+            exit status 1
+            -- stdout
+            ladder.toml:11:1: error[bad-setting] there is no tag `gone`; did you mean go?
+            ladder.toml:15:10: error[bad-setting] there is no tag `gone`; did you mean go?
+            Checked 1 file: 2 errors.
+        "#]],
+        ),
+    ] {
+        expected.assert_eq(
+            &folder
+                .ladder(&["check", "motor.clad", "--format", format])
+                .to_string(),
+        );
+    }
+    let sarif = folder
+        .ladder(&["check", "motor.clad", "--format", "sarif"])
+        .to_string();
+    assert!(
+        sarif.contains("\"ruleId\": \"bad-setting\"") && sarif.contains("\"startLine\": 11"),
+        "{sarif}"
+    );
 }
 
 #[test]

@@ -29,5 +29,5 @@ pub use image::{Hold, Image, Refused, TIMEOUT};
 pub use place::{Place, Table};
 pub use registers::Words;
 pub use server::{ADDRESS, Listening, Rules, Subnet, serve};
-pub use settings::{NOTHING, ToServe, allowed, map};
+pub use settings::{NOTHING, ToServe, devices, map, misfits};
 pub use watched::Modbus;

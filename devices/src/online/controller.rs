@@ -3,8 +3,8 @@
 use super::watch::Watch;
 use crate::source::Source;
 use crate::wrong::Wrong;
-use ladder_simulator::Point;
 use ladder_simulator::online::{Online, Wanted};
+use ladder_simulator::{Point, real_time};
 use ladder_workspace::Online as Asked;
 use std::fmt;
 use std::time::Duration;
@@ -71,7 +71,7 @@ impl Controller {
 
     /// From one reading to the next.
     pub fn every(&self) -> Duration {
-        self.asked.every.map_or(EVERY, nanoseconds)
+        self.asked.every.map_or(EVERY, real_time)
     }
 
     /// Watches the controller for a program. `stem` is what the program's file is called without its extension. After anything new
@@ -103,7 +103,7 @@ impl Controller {
 
     #[cfg(any(feature = "logix", feature = "modbus"))]
     fn patience(&self) -> Duration {
-        self.asked.timeout.map_or(PATIENCE, nanoseconds)
+        self.asked.timeout.map_or(PATIENCE, real_time)
     }
 
     fn wrong(&self, message: &str) -> Vec<Wrong> {
@@ -174,10 +174,6 @@ impl Controller {
 fn is_with_port(address: &str) -> bool {
     let (host, port) = address.rsplit_once(':').unwrap_or_default();
     !host.is_empty() && port.parse::<u16>().is_ok_and(|port| port > 0)
-}
-
-fn nanoseconds(time: i64) -> Duration {
-    Duration::from_nanos(time.unsigned_abs())
 }
 
 #[cfg(test)]

@@ -44,6 +44,7 @@ const looks: Readonly<Record<Look, Kinds>> = {
     closed: kindsOf({ ...powered, textDecoration: 'underline' }),
     blocks: kindsOf({ color: new vscode.ThemeColor('ladder.blocks') }),
     flickers: kindsOf({ ...powered, textDecoration: 'underline dotted' }),
+    unknown: kindsOf({ color: new vscode.ThemeColor('ladder.powerOff'), fontStyle: 'italic' }),
 };
 const next = style({
     border: '1px solid',

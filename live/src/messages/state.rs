@@ -226,6 +226,9 @@ pub struct Power {
     pub range: Range,
     /// Whether power flowed there: for a block, whether it left it.
     pub on: bool,
+    /// Of a controller: that is not known, for what decides it was not read, or is over before the next reading, as an edge.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub unknown: bool,
     /// What a contact does. Only for a client that says what it shows.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contact: Option<Contact>,

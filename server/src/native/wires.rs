@@ -4,12 +4,12 @@ use std::net::{Ipv4Addr, SocketAddr};
 use std::time::Instant;
 
 use ladder_analysis::values::value::Value;
-use ladder_devices::modbus::{Image, Listening, Map, NOTHING, ToServe, Wrong, serve};
+use ladder_devices::modbus::{self, Image, Listening, Map, NOTHING, ToServe, Wrong, serve};
 use ladder_devices::online::Controller;
 use ladder_host::{Connection, Served, Wires};
 use ladder_simulator::online::Online;
 use ladder_simulator::{Point, Simulation};
-use ladder_workspace::{Online as Asked, ServeModbus};
+use ladder_workspace::{Misfit, Online as Asked, ServeModbus, Settings};
 
 /// The network that the machine has.
 #[derive(Debug)]
@@ -49,6 +49,10 @@ impl Wires for Network {
             image,
             _listening: listening,
         }))
+    }
+
+    fn misfits(&self, settings: &Settings, simulation: &Simulation) -> Vec<Misfit> {
+        modbus::misfits(settings, simulation)
     }
 }
 

@@ -10,6 +10,7 @@ use ladder_analysis::values::value::Value as Held;
 use ladder_host::{Connection, Served, Wires};
 use ladder_simulator::Point;
 use ladder_simulator::online::{Connection as State, Found, Newest, Online, Wanted, Watched};
+use ladder_workspace::{Misfit, Settings};
 use serde_json::{Value, json};
 
 use crate::session::Session;
@@ -59,6 +60,13 @@ impl Wires for Desk {
             Some("initial") => Err("the port is taken".to_owned()),
             _ => Ok(Box::new(self.clone())),
         }
+    }
+
+    fn misfits(&self, settings: &Settings, simulation: &ladder_simulator::Simulation) -> Vec<Misfit> {
+        let read = settings.devices.iter().flat_map(|device| &device.read);
+        let unknown =
+            read.filter_map(|it| Some((it.range.clone(), simulation.resolve(&it.tag).err()?.to_string())));
+        unknown.collect()
     }
 }
 
@@ -186,6 +194,28 @@ fn values_and_power_are_those_of_the_controller() {
 }
 
 #[test]
+fn what_is_not_known_is_marked_and_nothing_is_a_switch() {
+    let (mut session, desk) = online();
+    let seen = state(&mut session);
+    let unknown = |state: &Value, line: u64| {
+        let power = state["power"].as_array().unwrap().iter();
+        let own = power.filter(|it| it["range"]["start"]["line"] == line);
+        let marks = own.map(|it| if it["unknown"] == true { '?' } else { '.' });
+        marks.collect::<String>()
+    };
+    expect!["1: ............., 3: ..?????"].assert_eq(&format!(
+        "1: {}, 3: {}",
+        unknown(&seen, 1),
+        unknown(&seen, 3)
+    ));
+    let tags = seen["tags"].as_array().unwrap();
+    assert!(tags.iter().all(|tag| tag["readOnly"] == true), "{seen}");
+    desk.set(&[("n", Held::Int(7))]);
+    session.wait(250);
+    assert!(!unknown(&state(&mut session), 3).contains('?'));
+}
+
+#[test]
 fn what_stays_against_the_program_is_a_fault_of_its_rung() {
     let (mut session, desk) = online();
     desk.set(&[("high", Held::Bool(true)), ("n", Held::Int(0))]);
@@ -308,4 +338,49 @@ fn clients_write_before_a_scan_and_read_after_it() {
     );
     session.wait(300);
     assert_eq!(state(&mut session)["served"], Value::Null);
+}
+
+/// What was told last of a file: places and messages.
+fn told_of(session: &Session, uri: &str) -> Option<String> {
+    let told = session.heard("textDocument/publishDiagnostics");
+    let of_file = told.iter().rfind(|it| it["uri"] == *uri)?;
+    let lines = of_file["diagnostics"].as_array()?.iter().map(|it| {
+        let start = &it["range"]["start"];
+        format!(
+            "{}:{} {}\n",
+            start["line"],
+            start["character"],
+            it["message"].as_str().unwrap_or_default()
+        )
+    });
+    Some(lines.collect())
+}
+
+#[test]
+fn settings_show_what_no_program_has() {
+    let settings =
+        "[[device]]\nname = \"rio\"\nmodbus = \"10.0.0.6:502\"\nread = { \"coil 0\" = \"ready\" }\n";
+    let mut session = opened_beside(
+        MOTOR,
+        &[("motor.clad", MOTOR), ("ladder.toml", settings)],
+        Some(Desk::default()),
+    );
+    let uri = "file:///plant/ladder.toml";
+    expect![[r#"
+        3:9 there is no tag `ready` in this program
+    "#]]
+    .assert_eq(&told_of(&session, uri).unwrap());
+    // In the text that an editor shows it follows the program.
+    let document =
+        json!({"uri": uri, "languageId": "toml", "version": 1, "text": settings.replace("coil", "discrete")});
+    session.notify("textDocument/didOpen", json!({"textDocument": document}));
+    expect![[r#"
+        3:9 there is no tag `ready` in this program
+    "#]]
+    .assert_eq(&told_of(&session, uri).unwrap());
+    let text = MOTOR.replace("n : INT;", "n : INT; ready : BOOL;");
+    let params = json!({"textDocument": {"uri": URI, "version": 2}, "contentChanges": [{"text": text}]});
+    session.notify("textDocument/didChange", params);
+    session.wait(1000);
+    assert_eq!(told_of(&session, uri).unwrap(), "");
 }

@@ -27,6 +27,7 @@ use ladder_analysis::program::{Location, Place, Program, TagId};
 use ladder_analysis::values::value::Value;
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
+use std::time::Duration;
 
 pub(crate) use activations::Bodies;
 pub use activations::{Activation, Routine};
@@ -55,6 +56,11 @@ impl Default for Options {
             watchdog: 1_000_000,
         }
     }
+}
+
+/// A time of a program or of settings, in nanoseconds, as clocks have it. One before 0 counts as it would after.
+pub fn real_time(nanoseconds: i64) -> Duration {
+    Duration::from_nanos(nanoseconds.unsigned_abs())
 }
 
 /// Whether a program can go on.

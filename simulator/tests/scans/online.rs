@@ -19,30 +19,38 @@ VAR  t1 : TON;  END_VAR
 +--[ ]( stop )--(S)( twice )--------------------+
 ";
 
+/// The values of a snapshot, as `start=1 level=70`.
+fn values(wanted: &[Wanted], snapshot: &str) -> Vec<Option<Value>> {
+    let given = |wanted: &Wanted| -> Option<Value> {
+        let mut pairs = snapshot.split(' ').filter_map(|pair| pair.split_once('='));
+        let (_, text) = pairs.find(|(name, _)| *name == wanted.name)?;
+        let text = match (wanted.point.ty, text) {
+            (Scalar::Bool, "1") => "TRUE",
+            (Scalar::Bool, _) => "FALSE",
+            (_, text) => text,
+        };
+        Some(value_text::parse(text, wanted.point.ty).unwrap())
+    };
+    wanted.iter().map(given).collect()
+}
+
+/// All that there is to know of a program.
+fn wanted(online: &Online) -> Vec<Wanted> {
+    let points = online.points().into_iter();
+    let wanted = points.map(|point| Wanted {
+        name: point.name.clone(),
+        point,
+    });
+    wanted.collect()
+}
+
 /// The drawing after snapshots, and what is in doubt after each.
 fn check(snapshots: &[&str], expected: Expect) {
     let mut online = Online::new(program(PRESS)).unwrap();
-    let wanted: Vec<Wanted> = online
-        .points()
-        .into_iter()
-        .map(|point| Wanted {
-            name: point.name.clone(),
-            point,
-        })
-        .collect();
+    let wanted = wanted(&online);
     let mut shown = String::new();
     for snapshot in snapshots {
-        let given = |wanted: &Wanted| -> Option<Value> {
-            let mut pairs = snapshot.split(' ').filter_map(|pair| pair.split_once('='));
-            let (_, text) = pairs.find(|(name, _)| *name == wanted.name)?;
-            let text = match (wanted.point.ty, text) {
-                (Scalar::Bool, "1") => "TRUE",
-                (Scalar::Bool, _) => "FALSE",
-                (_, text) => text,
-            };
-            Some(value_text::parse(text, wanted.point.ty).unwrap())
-        };
-        let values: Vec<Option<Value>> = wanted.iter().map(given).collect();
+        let values = values(&wanted, snapshot);
         online.see(&wanted, &values).unwrap();
         for doubt in online.doubts() {
             let what = if doubt.is_reported() {
@@ -53,8 +61,9 @@ fn check(snapshots: &[&str], expected: Expect) {
             shown.push_str(&format!("{snapshot}: {} {what}\n", doubt.point.name));
         }
     }
+    let unknown = online.unknown();
     let networks = &online.simulation().program().networks;
-    for network in online.unknown() {
+    for network in unknown {
         let range = networks[network].location.range;
         shown.push_str(&format!("not known: {}\n", PRESS[range].lines().next().unwrap()));
     }
@@ -136,4 +145,113 @@ fn of_several_writers_the_last_counts() {
             +==[ ]( stop )--(S)( twice )--------------------+
         "#]],
     );
+}
+
+/// The drawing after a snapshot, with `?` where power is not known.
+fn check_unknown(program_text: &str, snapshot: &str, expected: Expect) {
+    let mut online = Online::new(program(program_text)).unwrap();
+    let wanted = wanted(&online);
+    online.see(&wanted, &values(&wanted, snapshot)).unwrap();
+    let mut drawn = diagram(program_text, online.simulation()).into_bytes();
+    for (number, (_, location, _)) in online.simulation().power().enumerate() {
+        if online.is_unknown(number) {
+            drawn[usize::from(location.range.start())..usize::from(location.range.end())].fill(b'?');
+        }
+    }
+    let drawn = String::from_utf8(drawn).unwrap();
+    expected.assert_eq(drawn.split_once("\n\n").unwrap().1);
+}
+
+const EDGES: &str = "\
+VAR  a, b : BOOL;  END_VAR
+
++--[ ]( a )--[GT]( n, 5 )--( )( x )---+
++--\\--[ ]( a )--\\--( )( y )-----------+
+|  /--[ ]( m )--/                     |
++--[ ]( m )--[ ]( b )--( )( z )-------+
++--[P]( a )--( )( p )--[P]( b )--( )( q )--+
++--[N]( a )--( )( r )--[N]( b )--( )( s )--+
++--[ ]( a )--[OSR]()--( )( t )--------+
++--[ ]( b )--[OSF]()--( )( u )--------+
++--[NOT]()--[ ]( m )--( )( v )--------+
+";
+
+#[test]
+fn what_decides_power_and_is_not_known_marks_it_from_there_on() {
+    check_unknown(
+        EDGES,
+        "a=1 b=0",
+        expect![[r#"
+        +==[ ]( a )==??????????????????????????
+        +==\==[ ]( a )==\==( )( y )===========+
+        |  /==??????????/                     |
+        +==??????????[ ]( b )--( )( z )-------+
+        +==?????????????????????????????????????????
+        +==[N]( a )--( )( r )--[N]( b )--( )( s )--+
+        +==[ ]( a )==??????????????????????????
+        +==[ ]( b )--??????????????????????????
+        +==[NOT]()--[ ]( m )--( )( v )--------+
+    "#]],
+    );
+    check_unknown(
+        EDGES,
+        "a=0 b=1",
+        expect![[r#"
+        +==[ ]( a )--[GT]( n, 5 )--( )( x )---+
+        +==\==[ ]( a )--???????????????????????
+        |  /==???????????                     |
+        +==????????????????????????????????????
+        +==[P]( a )--( )( p )--[P]( b )--( )( q )--+
+        +==?????????????????????????????????????????
+        +==[ ]( a )--[OSR]()--( )( t )--------+
+        +==[ ]( b )==[OSF]()--( )( u )--------+
+        +==[NOT]()--[ ]( m )--( )( v )--------+
+    "#]],
+    );
+    check_unknown(
+        EDGES,
+        "a=1 b=0 m=1 n=7",
+        expect![[r#"
+        +==[ ]( a )==[GT]( n, 5 )==( )( x )===+
+        +==\==[ ]( a )==\==( )( y )===========+
+        |  /==[ ]( m )==/                     |
+        +==[ ]( m )==[ ]( b )--( )( z )-------+
+        +==?????????????????????????????????????????
+        +==[N]( a )--( )( r )--[N]( b )--( )( s )--+
+        +==[ ]( a )==??????????????????????????
+        +==[ ]( b )--??????????????????????????
+        +==[NOT]()--[ ]( m )--( )( v )--------+
+    "#]],
+    );
+}
+
+/// Ten thousand rungs, of which a hundred are not as the program has them.
+#[test]
+#[ignore = "measures: cargo test --release -- --ignored --nocapture a_hundred_contradictions"]
+fn a_hundred_contradictions_in_ten_thousand_rungs() {
+    let rung = |number: usize| format!("+--[ ]( i{number} )--[/]( j{number} )--( )( o{number} )--+\n");
+    let text: String = (0..10_000).map(rung).collect();
+    let mut online = Online::new(program(&text)).unwrap();
+    let wanted = wanted(&online);
+    for against in [0, 100] {
+        let is_against = |name: &str| {
+            name.strip_prefix('o').is_some_and(|number| {
+                number
+                    .parse::<usize>()
+                    .is_ok_and(|it| it % 100 == 0 && against > 0)
+            })
+        };
+        let values: Vec<Option<Value>> = wanted
+            .iter()
+            .map(|it| Some(Value::Bool(is_against(&it.name))))
+            .collect();
+        let begun = std::time::Instant::now();
+        online.see(&wanted, &values).unwrap();
+        println!(
+            "{against} against the program: {:?} ({})",
+            begun.elapsed(),
+            online.doubts().len()
+        );
+        assert_eq!(online.doubts().len(), against);
+    }
 }

@@ -332,6 +332,8 @@
   (ladder-online)
   (eventually "the values" (string-search "READ ONLY; values" (or (plist-get ladder--state :text) "")))
   (eventually "the power" (seq-find (lambda (line) (string-search "( )( run )" line)) (faced 'ladder-power-on)))
+  (eventually "what follows an edge is not known"
+              (seq-find (lambda (line) (string-search "( )( begun )" line)) (faced 'ladder-power-unknown)))
   (condition-case problem
       (progn (ladder-set "start" "FALSE") (error "Nothing was refused"))
     (error (unless (string-search "only watched" (error-message-string problem))

@@ -29,6 +29,11 @@ return function(t, messages)
         return line:find('( )( run )', 1, true) ~= nil
       end)
     end)
+    t.eventually('what follows an edge is not known', function()
+      return vim.iter(t.highlighted(bufnr, 'LadderPowerUnknown')):any(function(line)
+        return line:find('( )( begun )', 1, true) ~= nil
+      end)
+    end)
     t.clear(messages)
     vim.cmd('Ladder set start FALSE')
     t.eventually('the refusal', function()

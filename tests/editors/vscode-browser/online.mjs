@@ -21,7 +21,7 @@ export async function online(page, { step, until, weights, screenshot }) {
     });
     await step('nothing is written to it, and it says why a tag is on', async () => {
         await page.locator('.monaco-editor .view-line', { hasText: '( run )' }).first().click();
-        await cursorTo(page, 13, 68);
+        await cursorTo(page, 14, 68);
         await command(page, 'Ladder: Why Has the Tag This Value?');
         await page.getByText('start is 1: it is an input').first().waitFor();
         await command(page, 'Ladder: Go Offline');

@@ -9,6 +9,7 @@ mod files;
 mod format;
 mod given;
 mod lint;
+mod misfit;
 mod online;
 mod project;
 mod reader;
@@ -25,6 +26,7 @@ pub use files::Files;
 pub(crate) use files::LibraryFolder;
 pub use given::Tree;
 pub use lint::{Levels, Lint};
+pub use misfit::Misfit;
 pub use online::Online;
 pub use project::Project;
 pub use serve::{Run, ServeModbus};
@@ -159,7 +161,7 @@ impl Settings {
     /// What only shows next to a program, of the settings file that holds for it: each with its place in that.
     ///
     /// None if no settings file does.
-    pub fn found_wrong(program: &Path, found: Vec<(Range<usize>, String)>) -> Option<SettingsError> {
+    pub fn found_wrong(program: &Path, found: Vec<Misfit>) -> Option<SettingsError> {
         let file = Root::of(program).ok()?.settings_file()?;
         Some(match Settings::own_text(&file) {
             Ok(text) => SettingsError::Content {

@@ -207,14 +207,14 @@ fn check_files(arguments: &Arguments) -> Result<Round, Failure> {
             }
         }
     }
-    let (tally, nobody_reads) = report.finish()?;
     #[cfg(feature = "run")]
-    for (folder, workspace) in workspaces.loaded() {
-        if let Some(failure) = wires::failure_in(&folder, workspace.settings(), &mut workspaces) {
-            failure.show();
-            outcome = Outcome::Failed;
+    if !arguments.diff {
+        for (folder, workspace) in workspaces.loaded() {
+            let wrong = wires::problems(&folder, workspace.settings(), &mut workspaces, &renderer);
+            report.problems(&wrong)?;
         }
     }
+    let (tally, nobody_reads) = report.finish()?;
     Ok(Round {
         outcome: outcome.max(exit_of(&tally, arguments)),
         nobody_reads,

@@ -4,7 +4,7 @@ use super::fix::Fixed;
 use super::tally::Tally;
 use super::{Checked, Format};
 use crate::diff;
-use crate::findings::{concise, full, github, json, sarif};
+use crate::findings::{Problem, concise, full, github, json, sarif};
 use crate::json::{to_writer, to_writer_pretty};
 use crate::terminal::{self, Stdout, stderr_has_colours, stdout_has_colours};
 use annotate_snippets::Renderer;
@@ -96,16 +96,7 @@ impl Report {
             self.tally.file_to_fix(&checked.findings, fixes);
             return Ok(());
         }
-        for problem in &checked.problems {
-            match self.format {
-                Format::Full => writeln!(self.out, "{}\n", problem.shown)?,
-                Format::Concise => writeln!(self.out, "{}", problem.concise())?,
-                Format::Github => writeln!(self.out, "{}", problem.github())?,
-                Format::Sarif => self.results.push(problem.sarif()),
-                Format::Json => self.object(problem)?,
-            }
-            self.tally.count_severity(problem.severity);
-        }
+        self.problems(&checked.problems)?;
         for finding in &checked.findings {
             match self.format {
                 Format::Full => {
@@ -119,6 +110,21 @@ impl Report {
             self.tally.count(finding);
         }
         self.tally.file(checked.fixed.fixes.len());
+        Ok(())
+    }
+
+    /// Writes what is wrong next to the findings of the rules.
+    pub(super) fn problems(&mut self, problems: &[Problem]) -> io::Result<()> {
+        for problem in problems {
+            match self.format {
+                Format::Full => writeln!(self.out, "{}\n", problem.shown)?,
+                Format::Concise => writeln!(self.out, "{}", problem.concise())?,
+                Format::Github => writeln!(self.out, "{}", problem.github())?,
+                Format::Sarif => self.results.push(problem.sarif()),
+                Format::Json => self.object(problem)?,
+            }
+            self.tally.count_severity(problem.severity);
+        }
         Ok(())
     }
 

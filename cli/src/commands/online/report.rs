@@ -32,14 +32,14 @@ pub(super) fn once(
         let drawn = text::drawn(source, Some(watching.online().simulation()), Style::default());
         write!(out, "{}", shown::text(&drawn))?;
     }
+    let networks = watching.unknown();
     let online = watching.online();
     let program = online.simulation().program();
     let line = |network: usize| {
         let location = program.networks[network].location;
         (location.file == 0).then(|| source.place(location.range.start()).line)
     };
-    let unknown: Vec<String> = online
-        .unknown()
+    let unknown: Vec<String> = networks
         .into_iter()
         .filter_map(line)
         .map(|line| line.to_string())

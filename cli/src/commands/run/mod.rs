@@ -1,6 +1,5 @@
 //! `ladder run`: a program in real time.
 
-pub(crate) mod fits;
 mod hands;
 pub(crate) mod served;
 mod wired;
@@ -15,7 +14,7 @@ use hands::Hands;
 use ladder_devices::lateness::Report;
 use ladder_devices::real::{self, Ended};
 use ladder_devices::system;
-use ladder_simulator::{Simulation, value_text};
+use ladder_simulator::{Simulation, real_time, value_text};
 use ladder_workspace::{Settings, shown};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -115,10 +114,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let retention = retention.map(|file| Retention::begin(file, &arguments.file, &mut loaded.simulation));
     let asked = crate::signals::asked(arguments.length)
         .map_err(|error| Failure::new(format!("signals cannot be watched: {error}")))?;
-    let interval = Duration::from_nanos(loaded.simulation.options().interval.unsigned_abs());
-    let longest = settings.run.watchdog.map_or(interval * INTERVALS, |time| {
-        Duration::from_nanos(time.unsigned_abs())
-    });
+    let interval = real_time(loaded.simulation.options().interval);
+    let longest = settings.run.watchdog.map_or(interval * INTERVALS, real_time);
     let mut hands = Hands::new(retention.transpose()?, inputs, served);
     hands.listen(&loaded.simulation)?;
     hands.connect(wired)?;
@@ -130,7 +127,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     system::wake_in_time();
     let mut report = Report::default();
     let ended = loop {
-        let ended = real::run(&mut loaded.simulation, longest, &mut report, &asked, &mut hands);
+        let ended = real::run(
+            &mut loaded.simulation,
+            longest,
+            &mut report,
+            &asked,
+            &mut hands,
+            &end_without_it,
+        );
         for fault in hands.take_faults() {
             let place = place(&loaded.source, fault.location);
             terminal::plain(&format_args!(
@@ -160,6 +164,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             Outcome::Findings
         }
     })
+}
+
+/// Ends the process: the thread that scans has not come back, so nothing can be asked of it any more.
+fn end_without_it(took: Duration) {
+    terminal::error(&format_args!(
+        "a scan has not come back for {took:.1?}; the run ends without it, and outputs of devices stay as they were written last"
+    ));
+    std::process::exit(Outcome::Findings as i32)
 }
 
 /// A program that can run.

@@ -4,9 +4,8 @@ use super::Arguments;
 use crate::outcome::Failure;
 use ladder_devices::modbus::{self, Map, NOTHING, ToServe, Wrong};
 use ladder_simulator::Simulation;
-use ladder_workspace::{ServeModbus, Settings};
+use ladder_workspace::{Misfit, ServeModbus, Settings};
 use std::path::Path;
-use std::time::Duration;
 
 /// What is to be served of a program, if anything.
 ///
@@ -40,10 +39,6 @@ pub(super) fn served(
     Ok(Some(served))
 }
 
-pub(super) fn nanoseconds(time: i64) -> Duration {
-    Duration::from_nanos(time.unsigned_abs())
-}
-
 /// Which tags are where.
 ///
 /// # Errors
@@ -55,9 +50,7 @@ pub(crate) fn map(asked: &ServeModbus, file: &Path, simulation: &Simulation) -> 
 /// What is wrong with settings next to the program of a file.
 pub(crate) fn failure(file: &Path, mut wrong: Vec<Wrong>) -> Failure {
     wrong.sort_by_key(|wrong| wrong.at.start);
-    let found = wrong
-        .iter()
-        .map(|wrong| (wrong.at.clone(), wrong.message.clone()));
+    let found = wrong.iter().cloned().map(Misfit::from);
     match Settings::found_wrong(file, found.collect()) {
         Some(error) => error.into(),
         None => Failure::of_lines(wrong.into_iter().map(|wrong| wrong.message)),

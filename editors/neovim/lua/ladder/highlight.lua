@@ -23,7 +23,7 @@ local function colour(name)
 end
 
 --- Each is marked by weight or line besides its colour, so that it is seen without colours too; a link could not add that:
---- what has power is bold, a contact that lets it through is underlined, one that does not is neither.
+--- what has power is bold, a contact that lets it through is underlined, one that does not is neither; of what is in italics it is not known.
 local function attributes()
   local good = colour('DiagnosticOk')
   -- Comments are quiet.
@@ -36,6 +36,7 @@ local function attributes()
   return {
     LadderPowerOn = with(good, { bold = true }),
     LadderPowerOff = with(quiet, {}),
+    LadderPowerUnknown = with(quiet, { italic = true }),
     LadderClosedOn = with(good, { bold = true, underline = true }),
     LadderClosed = with(good, { underline = true }),
     LadderBlocks = with(colour('DiagnosticWarn'), {}),

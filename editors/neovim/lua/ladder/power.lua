@@ -27,7 +27,9 @@ end
 --- @param element ladder.Power
 --- @return string group
 local function group_of(element)
-  if element.contact == 'closed' then
+  if element.unknown then
+    return 'LadderPowerUnknown'
+  elseif element.contact == 'closed' then
     return element.on and 'LadderClosedOn' or 'LadderClosed'
   elseif element.contact == 'blocks' then
     return 'LadderBlocks'

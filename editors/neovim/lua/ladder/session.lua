@@ -49,6 +49,7 @@ local M = {}
 --- @class ladder.Power
 --- @field range lsp.Range
 --- @field on boolean
+--- @field unknown boolean? of a controller: that is not known
 --- @field contact 'closed'|'open'|'blocks'|nil
 
 --- @class ladder.Operand

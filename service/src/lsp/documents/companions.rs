@@ -14,7 +14,7 @@ use ladder_syntax::TextRange;
 use ladder_workspace::{FileError, Settings, errors_on_disk, is_scene, scene_stem};
 use tower_lsp::ls_types::Diagnostic;
 
-use super::{diagnostics, foreign, pull, settings_file};
+use super::{diagnostics, foreign, misfits, pull, settings_file};
 use crate::lsp::session::proofs::ProgramText;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
@@ -38,10 +38,10 @@ pub(crate) fn refresh(shared: &Arc<Shared>, uri: &str) {
     }
 }
 
-/// Looks once more at the open scenarios and scenes: a program has changed.
+/// Looks once more at the open texts that name tags, scenarios, scenes and settings: a program has changed.
 pub(crate) fn refresh_scenarios(shared: &Arc<Shared>) {
     for companion in shared.companions.all() {
-        if matches!(companion.kind(), Kind::Scenarios | Kind::Scene)
+        if matches!(companion.kind(), Kind::Scenarios | Kind::Scene | Kind::Settings)
             && shared.companions.touch(&companion.uri)
         {
             refresh(shared, &companion.uri);
@@ -124,8 +124,12 @@ fn settings(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
     let text = revision.text();
     let (settings, errors) = Settings::examine(path.as_deref().unwrap_or(Path::new("")), &text);
     let disk = &shared.world().disk;
-    let of_folders = path.map_or_else(Vec::new, |_| errors_on_disk(&settings, &text, &**disk));
-    let errors = errors.into_iter().chain(of_folders);
+    let beside = path.map_or_else(Vec::new, |path| {
+        let mut beside = errors_on_disk(&settings, &text, &**disk);
+        beside.extend(misfits::of(shared, &path, &settings, &text));
+        beside
+    });
+    let errors = errors.into_iter().chain(beside);
     errors
         .map(|error| error_at(revision, error.range, BAD_SETTING, error.message))
         .collect()

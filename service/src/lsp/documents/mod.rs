@@ -6,6 +6,7 @@ pub(crate) mod diagnostics;
 pub(crate) mod file_operations;
 pub(crate) mod folders;
 pub(crate) mod foreign;
+pub(crate) mod misfits;
 pub(crate) mod progress;
 pub(crate) mod pull;
 pub(crate) mod settings_file;

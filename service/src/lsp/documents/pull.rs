@@ -141,7 +141,7 @@ pub(crate) async fn workspace(
         let open: Vec<PathBuf> = found.keys().filter_map(|uri| path_of(uri)).collect();
         for file in shared.neighbours.settings_files() {
             if !open.contains(&file.path) {
-                let items = settings_file::diagnostics(&file, shared.agreed().encoding);
+                let items = settings_file::diagnostics(&shared, &file);
                 found.insert(uri_of(&file.path), (None, items.into()));
             }
         }
@@ -225,7 +225,7 @@ fn on_disk(shared: &Shared, path: &Path) -> Option<Arc<Vec<Diagnostic>>> {
     let agreed = shared.agreed();
     let files = shared.neighbours.settings_files();
     if let Some(file) = files.iter().find(|file| file.path == path) {
-        return Some(settings_file::diagnostics(file, agreed.encoding).into());
+        return Some(settings_file::diagnostics(shared, file).into());
     }
     let (file, exported) = shared.neighbours.closed_program(path)?;
     let lock = || shared.found.lock().unwrap_or_else(PoisonError::into_inner);

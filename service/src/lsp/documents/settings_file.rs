@@ -7,12 +7,13 @@ use std::sync::{Arc, PoisonError};
 use ladder_analysis::Severity;
 use ladder_documents::SettingsFile;
 use ladder_documents::address::{path_of, uri_of};
-use ladder_documents::position::{self, Encoding};
+use ladder_documents::position;
 use ladder_workspace::shown;
 use ropey::Rope;
 use tower_lsp::ls_types::Diagnostic;
 
 use super::companions::BAD_SETTING;
+use super::misfits;
 use crate::lsp::{convert, session::shared::Shared};
 
 /// A settings file was closed: what was reported of it was withdrawn, and is reported again.
@@ -34,8 +35,11 @@ pub(crate) fn tell(shared: &Shared) {
     let open = open_files(shared);
     let mut wrong: BTreeMap<PathBuf, Vec<Diagnostic>> = BTreeMap::new();
     for file in shared.neighbours.settings_files() {
-        if !file.errors.is_empty() && !open.contains(&file.path) {
-            wrong.insert(file.path.clone(), diagnostics(&file, agreed.encoding));
+        if !open.contains(&file.path) {
+            let found = diagnostics(shared, &file);
+            if !found.is_empty() {
+                wrong.insert(file.path.clone(), found);
+            }
         }
     }
     let mut later = Vec::new();
@@ -100,13 +104,15 @@ pub(crate) fn of_program(shared: &Shared, program: &Path) -> Option<(PathBuf, Ve
     if open_files(shared).contains(&file.path) {
         return None;
     }
-    Some((file.path.clone(), diagnostics(&file, shared.agreed().encoding)))
+    Some((file.path.clone(), diagnostics(shared, &file)))
 }
 
 /// What is wrong in a settings file.
-pub(crate) fn diagnostics(file: &SettingsFile, encoding: Encoding) -> Vec<Diagnostic> {
-    let rope = Rope::from_str(&file.text);
-    let errors = file.errors.iter();
+pub(crate) fn diagnostics(shared: &Shared, file: &SettingsFile) -> Vec<Diagnostic> {
+    let (rope, encoding) = (Rope::from_str(&file.text), shared.agreed().encoding);
+    let settings = shared.neighbours.that_may_misfit(&file.path);
+    let misfits = settings.map(|settings| misfits::of(shared, &file.path, &settings, &file.text));
+    let errors = file.errors.iter().chain(misfits.iter().flatten());
     errors
         .map(|error| {
             let range = convert::range(position::range(&rope, encoding, error.range.into()));

@@ -5,6 +5,7 @@
 //! the history and run again, until the last write of the tag has been seen.
 
 mod inquiry;
+mod known;
 mod moment;
 mod place;
 mod question;

@@ -3,6 +3,7 @@
 //! Each network is run from the values of the moment: what a network has written is put back to what was given before the next
 //! begins. A loop is run as a whole, and so is what several blocks call: there the values of one turn are not those of the moment. No time passes. Edges hold what their operands hold, so that none of them comes through.
 
+use super::known::{Open, known};
 use super::reasons::{self, Blocker};
 use super::trace::{self, Traced};
 use super::writers::{Writers, called_by};
@@ -14,9 +15,9 @@ use crate::places::{BlockAt, networks_of_bodies};
 use crate::simulation::{Scope, Simulation, State, Status};
 use crate::tags::{Point, Within};
 use crate::timers::Timer;
-use ladder_analysis::program::{Block, BlockKind, Network, Program, Step};
+use ladder_analysis::program::{Block, BlockKind, Network, Program};
 use ladder_analysis::values::value::Value;
-use ladder_instructions::{Group, Op, StateType};
+use ladder_instructions::{Op, StateType};
 use std::collections::{HashMap, HashSet};
 
 /// So many tags are asked about for one question.
@@ -27,8 +28,8 @@ const DEEPEST: usize = 4;
 /// A program, and the values of a moment.
 #[derive(Debug)]
 pub struct Moment {
-    simulation: Simulation,
-    writers: Writers,
+    pub(super) simulation: Simulation,
+    pub(super) writers: Writers,
     /// Before the program has done anything.
     initial: State,
     /// The first instruction of each network outside of the bodies of blocks.
@@ -40,7 +41,9 @@ pub struct Moment {
     given: Vec<(Point, Value)>,
     /// The timers of which something was given.
     timers: Vec<(Timer, StateType)>,
-    names: HashSet<String>,
+    pub(super) names: HashSet<String>,
+    /// What that leaves open.
+    pub(super) open: Open,
     /// Of each network the given values that it may write over.
     written: HashMap<usize, Vec<usize>>,
     /// The given values in the states of blocks.
@@ -143,6 +146,7 @@ impl Moment {
             given: Vec::new(),
             timers: Vec::new(),
             names: HashSet::new(),
+            open: Open::default(),
             written: HashMap::new(),
             inside: Vec::new(),
             parameters: HashSet::new(),
@@ -312,21 +316,9 @@ impl Moment {
         }
     }
 
-    /// The networks outside of bodies that read what was not given, but constants and what the system keeps.
-    pub(crate) fn open_networks(&self) -> Vec<usize> {
-        let scope = Scope::default();
-        let is_open =
-            |(point, _): &(Point, Value)| !point.is_constant() && !point.is_system() && !self.is_given(point);
-        let reads_open = |network: &usize| {
-            let blocks = &self.simulation.program().networks[*network].blocks;
-            let mut read = blocks
-                .iter()
-                .flat_map(|block| place::values_read(&self.simulation, &scope, block));
-            read.any(|read| is_open(&read))
-        };
-        let mut networks: Vec<usize> = self.starts.values().copied().filter(reads_open).collect();
-        networks.sort_unstable();
-        networks
+    /// Those that a scan runs, by itself or in functions.
+    pub(super) fn networks_outside_of_bodies(&self) -> impl Iterator<Item = usize> + '_ {
+        self.starts.values().copied()
     }
 
     /// Whether its value was given, or that of the number that it is a bit of.
@@ -538,34 +530,9 @@ fn read_in_shared_functions(simulation: &Simulation, goes_on: &[bool]) -> HashSe
 
 /// Whether power comes to a block, or does not, whatever the blocks do of which not all values are known.
 fn is_certain(network: &Network, traced: &Traced, open: &[usize]) -> bool {
-    let mut known: Vec<Option<bool>> = Vec::with_capacity(traced.en + 1);
-    for (at, step) in network.steps[..=traced.en].iter().enumerate() {
-        let power = traced.powers[at];
-        known.push(match *step {
-            Step::Start { .. } => Some(power),
-            Step::Join { upper, lower } => match (known[upper], known[lower]) {
-                (Some(true), _) | (_, Some(true)) => Some(true),
-                (Some(false), Some(false)) => Some(false),
-                _ => None,
-            },
-            Step::Block { block, en } => {
-                let is_open = open.contains(&block);
-                let needs_power = match network.blocks[block].kind {
-                    BlockKind::Instruction(row) => row.op == Op::Ton || row.group == Group::Condition,
-                    BlockKind::User(_) => false,
-                };
-                match known[en] {
-                    Some(_) if !is_open => Some(power),
-                    Some(false) if needs_power && !reasons::inverts(network, block) => Some(false),
-                    None if !is_open && traced.conducts.get(&block) == Some(&false) && needs_power => {
-                        Some(false)
-                    }
-                    _ => None,
-                }
-            }
-        });
-    }
-    known[traced.en].is_some()
+    let is_open = |block: usize, _| open.contains(&block);
+    let conducts = |block: usize| traced.conducts.get(&block).copied();
+    known(network, &traced.powers, &is_open, &conducts)[traced.en].is_some()
 }
 
 fn write_of(network: &Network, traced: &Traced, point: &Point) -> Write {

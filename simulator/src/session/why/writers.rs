@@ -116,6 +116,11 @@ impl Writers {
         slots
     }
 
+    /// The number of a network's first part among all of the drawing.
+    pub(super) fn first_element(&self, network: usize) -> usize {
+        self.elements[network]
+    }
+
     /// Whether several blocks call a function.
     pub(super) fn is_called_from_several(&self, function: usize) -> bool {
         self.calls[function] > 1
