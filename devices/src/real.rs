@@ -234,7 +234,7 @@ mod tests {
         let stuck = |took: Duration| {
             told.lock()
                 .unwrap()
-                .push((took, std::thread::current().name().map(str::to_owned)))
+                .push((took, std::thread::current().name().map(str::to_owned)));
         };
         let ended = run(
             &mut simulation,

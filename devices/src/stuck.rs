@@ -39,9 +39,9 @@ impl Scanning {
 
     /// Watches from a thread of its own. A scan that takes longer than `longest` is cancelled, which stops any program; one that has
     /// not come back after twice as long waits for something else, and `stuck` is called, once.
-    pub(crate) fn watch<'s, 'e>(
+    pub(crate) fn watch<'s>(
         &'s self,
-        scope: &'s Scope<'s, 'e>,
+        scope: &'s Scope<'s, '_>,
         longest: Duration,
         cancel: &'s Cancel,
         stuck: &'s (dyn Fn(Duration) + Sync),
