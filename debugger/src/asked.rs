@@ -47,7 +47,7 @@ impl Asked {
         let program = match (&scenario, &configuration.program) {
             (Some(scenario), _) => scenario.program.clone(),
             (None, Some(program)) => in_own_workspace(disk, program, "program")?.0,
-            (None, None) => return Err("`program` is missing: name the .clad file to run".into()),
+            (None, None) => return Err("`program` is missing: name the .clad or .st file to run".into()),
         };
         let properties = match &scenario {
             Some(scenario) => scenario.properties(disk),

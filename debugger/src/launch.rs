@@ -5,11 +5,12 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use ladder_analysis::program::Program;
-use ladder_analysis::{Analysis, Linked, NotWhole, PlantFile};
+use ladder_analysis::{Analysis, Linked, NotWhole, PlantFile, Severity};
 use ladder_host::World;
 use ladder_live::Keeping;
+use ladder_notations::Foreign;
 use ladder_simulator::{HistoryLimits, Options, Session};
-use ladder_workspace::{RetentiveFile, Workspace, shown};
+use ladder_workspace::{Plan, RetentiveFile, SETTINGS_FILE, Workspace, shown};
 
 use crate::asked::Asked;
 use crate::configuration::Configuration;
@@ -62,15 +63,19 @@ struct Loaded {
     workspace: Workspace,
 }
 
-/// Only a program can be run.
+/// Only a program can be run, or what the tasks of settings run.
 pub(crate) fn must_be_program(path: &Path) -> Result<(), String> {
-    if ladder_workspace::is_ladder_text(path) {
+    if ladder_workspace::is_program(path) || is_settings(path) {
         return Ok(());
     }
     Err(format!(
-        "{}: a .clad file can be debugged; `ladder convert` makes one of a program of another system",
+        "{}: a .clad or .st file can be debugged, or a ladder.toml with tasks; `ladder convert` makes one of a program of another system",
         shown::path(path)
     ))
+}
+
+fn is_settings(path: &Path) -> bool {
+    path.file_name().is_some_and(|name| name == SETTINGS_FILE)
 }
 
 /// Reads a program with what it uses of its workspace.
@@ -79,14 +84,36 @@ fn load_program(world: &World, asked: &Asked) -> Result<Loaded, String> {
     must_be_program(path)?;
     let text = world.disk.read_own(path).map_err(|error| error.to_string())?;
     let workspace = Workspace::on(&world.disk, path).map_err(|error| error.to_string())?;
+    let plan = is_settings(path).then(|| Plan::of(workspace.settings(), path));
+    let plan = plan.transpose().map_err(|error| error.to_string())?;
     let own = workspace.program_at(path);
-    let analysis = match own {
-        Some(own) if own.text() == text => workspace.analysis(own),
-        Some(own) => workspace.analyze_guest(&text, &own.name),
-        None => workspace.analyze_guest(&text, &path.to_string_lossy()),
+    let (analysis, source) = match (&plan, own) {
+        (Some(plan), _) => {
+            let text = plan.text(&workspace.settings().format);
+            let analysis = workspace.analyze_guest(&text, &path.to_string_lossy());
+            (analysis, Source::given(path.to_owned(), text))
+        }
+        (None, Some(own)) if own.text() == text || own.member.foreign().is_some() => {
+            let source = Source::of_member(path.to_owned(), &own.member);
+            if let Some(error) = own
+                .member
+                .foreign()
+                .and_then(|foreign| first_remark(&source, foreign))
+            {
+                return Err(error);
+            }
+            (workspace.analysis(own), source)
+        }
+        (None, None) if !ladder_workspace::is_ladder_text(path) => {
+            return Err(format!("{}: this cannot be read as a program", shown::path(path)));
+        }
+        (None, own) => {
+            let name = own.map_or_else(|| path.to_string_lossy(), |own| (&*own.name).into());
+            let analysis = workspace.analyze_guest(&text, &name);
+            (analysis, Source::new(path.to_owned(), text))
+        }
     };
-    let source = Source::new(path.to_owned(), text);
-    let program = match link(world, asked, &workspace, &analysis)? {
+    let program = match link(world, asked, &workspace, plan.as_ref(), &analysis)? {
         Ok(linked) => linked.program,
         Err(NotWhole::Missing(file)) => {
             return Err(format!(
@@ -130,11 +157,16 @@ fn link(
     world: &World,
     asked: &Asked,
     workspace: &Workspace,
+    plan: Option<&Plan<'_>>,
     analysis: &Arc<Analysis>,
 ) -> Result<Result<Linked, NotWhole>, String> {
+    let alone = || match plan {
+        Some(plan) => workspace.link_plan(plan, analysis),
+        None => workspace.link(analysis),
+    };
     let (named, connects) = asked.plants(&workspace.settings().simulate);
     if named.is_empty() {
-        return Ok(workspace.link(analysis));
+        return Ok(alone());
     }
     let mut plants = Vec::new();
     for (file, name) in named {
@@ -146,17 +178,28 @@ fn link(
         let analysis = workspace.analysis(plant);
         plants.push(PlantFile { analysis, name });
     }
-    let linked = match workspace.link_beside(analysis, None, (&plants, &connects)) {
+    let linked = match workspace.link_beside(analysis, plan, (&plants, &connects)) {
         Ok(linked) => linked,
         Err(why) => return Ok(Err(why)),
     };
     match linked {
-        (linked, _) if !linked.program.is_connected() && !asked.is_scenario() => Ok(workspace.link(analysis)),
+        (linked, _) if !linked.program.is_connected() && !asked.is_scenario() => Ok(alone()),
         (linked, errors) => match errors.first() {
             None => Ok(Ok(linked)),
             Some(error) => Err(format!("plant: {}: {}", error.message, error.help)),
         },
     }
+}
+
+/// Why a program of another notation is not run: what of it is wrong before it is ladder text.
+fn first_remark(source: &Source, foreign: &Foreign) -> Option<String> {
+    let remarks = foreign.remarks();
+    let first = remarks.iter().find(|mark| mark.severity == Severity::Error)?;
+    let (file, line) = (shown::path(&source.path), source.line_of(first.range.start()) + 1);
+    Some(format!(
+        "{file}:{line}: {}; a program with errors is not run",
+        first.message
+    ))
 }
 
 /// Why a program with errors is not run: the first of them, and how many there are.

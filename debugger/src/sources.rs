@@ -97,6 +97,11 @@ impl Source {
         self.index.line(self.in_file(TextRange::empty(offset)).start())
     }
 
+    /// The line of an offset of the file, from 0.
+    pub(crate) fn line_of(&self, offset: TextSize) -> usize {
+        self.index.line(offset)
+    }
+
     /// The range of a line, from 0, without its end.
     pub(crate) fn line_range(&self, line: usize) -> TextRange {
         self.index.content(&self.text, line)

@@ -118,6 +118,39 @@ impl Opened {
         found
     }
 
+    /// The word of the file that a name in the ladder text was made from: in the statement that its block was made from. None: the
+    /// statement has no such word.
+    pub fn word(&self, of_ladder: TextRange) -> Option<TextRange> {
+        let is_name = |c: char| c.is_alphanumeric() || c == '_';
+        let name = &self.foreign.ladder()[of_ladder];
+        let text = self.foreign.text();
+        let start = usize::from(self.foreign.own_range(of_ladder)?.start());
+        let statement = text[start..].split(';').next().unwrap_or_default();
+        let mut after = 0;
+        let found = std::iter::from_fn(|| {
+            let rest = statement.get(after..)?;
+            let (at, _) = rest.char_indices().find(|(at, _)| {
+                let here = rest.get(*at..*at + name.len());
+                here.is_some_and(|here| here.eq_ignore_ascii_case(name))
+            })?;
+            let at = after + at;
+            after = at + name.len();
+            Some(at)
+        });
+        let mut whole = found.filter(|at| {
+            let before = statement[..*at].chars().next_back();
+            let behind = statement[at + name.len()..].chars().next();
+            !name.is_empty()
+                && before.is_none_or(|c| !is_name(c) && c != '.')
+                && behind.is_none_or(|c| !is_name(c))
+        });
+        let at = start + whole.next()?;
+        Some(TextRange::at(
+            TextSize::new(at as u32),
+            TextSize::of(&statement[at - start..at - start + name.len()]),
+        ))
+    }
+
     /// The line, or the one where the statement begins that goes on in it, if anything was made from that. A line that
     /// only introduces the next has no part of its own.
     fn line_with_parts(&self, lines: &LineIndex, number: usize) -> Option<TextRange> {

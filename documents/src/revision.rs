@@ -327,6 +327,33 @@ impl Revision {
         })
     }
 
+    /// The ladder text that runs: of a program of another system what it becomes, of settings what their tasks run, else the text
+    /// itself. Of what cannot be read it is the text itself, too.
+    pub fn in_ladder(self: &Arc<Revision>) -> Arc<Revision> {
+        let of = |text: &str| {
+            let place = self.place.as_ref().map(Membership::again);
+            let (uri, rope) = (self.uri.clone(), Rope::from_str(text));
+            Revision::new(
+                uri,
+                Kind::Program,
+                self.version,
+                self.opening,
+                self.encoding,
+                rope,
+                place,
+            )
+        };
+        if let Some(Ok(opened)) = self.opened() {
+            let made = of(opened.foreign().ladder());
+            let _ = made.context.set(Arc::clone(&opened.analysis().whole().context));
+            let _ = made.analysis.set(opened.analysis().clone());
+            return Arc::new(made);
+        }
+        let settings = self.place.as_ref().filter(|_| self.kind == Kind::Settings);
+        let text = settings.and_then(|place| place.neighbours.text_on_disk(&place.path).ok());
+        text.map_or_else(|| Arc::clone(self), |text| Arc::new(of(&text)))
+    }
+
     /// Whether the text is small enough to be read.
     pub fn fits(&self) -> bool {
         self.len() <= MAX_OPEN_BYTES && self.rope.len_lines() <= MAX_OPEN_LINES

@@ -60,7 +60,8 @@ install it (cargo install --path cli), or set `ladder-server-program'"))
 ;; Eglot's own way to name a language that is not called as its mode.
 (put 'ladder-mode 'eglot-language-id "clad")
 (put 'ladder-test-mode 'eglot-language-id "ladder-test")
-(add-to-list 'eglot-server-programs '((ladder-mode ladder-test-mode) . ladder--server))
+(put 'ladder-st-mode 'eglot-language-id "st")
+(add-to-list 'eglot-server-programs '((ladder-mode ladder-test-mode ladder-st-mode) . ladder--server))
 
 (defun ladder-format ()
   "Align the program, or the networks of the region."
@@ -250,8 +251,30 @@ A comment ends at the very next one."
               electric-indent-inhibit t
               font-lock-defaults '(ladder--test-keywords)))
 
+(defvar ladder-st-mode-map
+  (let ((map (make-sparse-keymap)))
+    (define-key map (kbd "C-c C-c") #'ladder-start)
+    map)
+  "Keys of `ladder-st-mode'.")
+
+;;;###autoload
+(define-derived-mode ladder-st-mode prog-mode "ST"
+  "Structured Text next to ladder programs.
+
+\\{ladder-st-mode-map}"
+  (modify-syntax-entry ?\( "()1n" ladder-st-mode-syntax-table)
+  (modify-syntax-entry ?* ". 23" ladder-st-mode-syntax-table)
+  (modify-syntax-entry ?\) ")(4n" ladder-st-mode-syntax-table)
+  (setq-local comment-start "(* "
+              comment-end " *)"
+              indent-tabs-mode nil
+              tab-width 4))
+
 ;;;###autoload
 (add-to-list 'auto-mode-alist '("\\.clad\\'" . ladder-mode))
+;; The last one: other languages have files called so, too.
+;;;###autoload
+(add-to-list 'auto-mode-alist '("\\.st\\'" . ladder-st-mode) t)
 ;;;###autoload
 (add-to-list 'auto-mode-alist '("\\.ladder-test\\'" . ladder-test-mode))
 

@@ -27,7 +27,7 @@ impl Runner {
             return Err(Failure::Failed("the simulation is debugged already".into()));
         }
         let engine = &mut self.simulation.engine;
-        let text = engine.line_map.running().clone();
+        let text = engine.line_map.source().clone();
         let ground = Ground {
             is_running: self.run.is_some(),
             files: engine.files(),
@@ -171,7 +171,7 @@ impl Simulation {
         let Some(Debugging { debugger, text }) = debugging else {
             return;
         };
-        let now = engine.line_map.running();
+        let now = engine.line_map.source();
         if now.is(text) {
             return;
         }
@@ -202,8 +202,10 @@ impl Engine {
             let (uri, text) = found.unwrap_or_else(|| (name.clone(), Member::Ladder(String::new())));
             file(&uri, text)
         });
-        std::iter::once(file(&revision.uri, Member::Ladder(revision.text())))
-            .chain(others)
-            .collect()
+        let own = match self.line_map.source().opened() {
+            Some(Ok(opened)) => Member::Foreign(opened.foreign().clone()),
+            _ => Member::Ladder(revision.text()),
+        };
+        std::iter::once(file(&revision.uri, own)).chain(others).collect()
     }
 }

@@ -7,9 +7,9 @@ use std::time::Duration;
 use ladder_analysis::Cancel;
 use ladder_analysis::program::Location;
 use ladder_analysis::values::value::Value;
-use ladder_analysis::{Analysis, NotWhole};
+use ladder_analysis::{Analysis, NotWhole, Severity};
 use ladder_documents::position::Range;
-use ladder_documents::{OtherPlaces, Revision};
+use ladder_documents::{Kind, OtherPlaces, Revision};
 use ladder_host::{Served, Wires, World};
 use ladder_simulator::chart::Recorder;
 use ladder_simulator::{Breakpoint, HistoryLimits, Point, Session, Simulation, Status, Stop, real_time};
@@ -77,13 +77,17 @@ impl Engine {
         keeping: &Keeping,
         world: &World,
     ) -> Result<(Self, Vec<String>), Failure> {
-        let Some(analysis) = revision.analysis() else {
+        let ladder = revision.in_ladder();
+        if let Some(why) = unreadable(&revision) {
+            return Err(Failure::Failed(why));
+        }
+        let Some(analysis) = ladder.analysis() else {
             return Err(Failure::Failed("the file is too large to be simulated".into()));
         };
         let running = if options.online {
-            revision.program().map(|program| program.map(Ok))
+            ladder.program().map(|program| program.map(Ok))
         } else {
-            revision.running()
+            ladder.running()
         };
         let program = match running {
             Some(Ok(Ok(program))) => program,
@@ -98,7 +102,7 @@ impl Engine {
                     "{file}, which the program uses, cannot be read"
                 )));
             }
-            _ => return Err(has_errors(&revision, analysis.whole())),
+            _ => return Err(has_errors(&ladder, &revision, analysis.whole())),
         };
         let settings = revision.simulate();
         let controller = options
@@ -129,7 +133,7 @@ impl Engine {
         let (retention, mut notes) = Retention::begin(world, file, revision.name(), &mut session);
         notes.extend(session.simulation().program().unread_note());
         let mut engine = Engine {
-            line_map: LineMap::new(revision.clone(), revision.clone()),
+            line_map: LineMap::of(ladder.clone(), revision.clone(), revision.clone()),
             session,
             texts: Texts::new(revision),
             retention,
@@ -160,8 +164,8 @@ impl Engine {
     }
 
     /// Looks at the program that runs now, or at another text of it.
-    pub(crate) fn check_again(&mut self, running: Arc<Revision>, shown: Arc<Revision>) {
-        self.line_map = LineMap::new(running, shown);
+    pub(crate) fn check_again(&mut self, source: Arc<Revision>, shown: Arc<Revision>) {
+        self.line_map = LineMap::new(source, shown);
         self.is_new = true;
         self.places = OnceCell::new();
         self.drawing = OnceCell::new();
@@ -264,12 +268,9 @@ impl Engine {
     pub(crate) fn set_breakpoints(&mut self, lines: &[u32], tags: &[String]) -> Result<(), Failure> {
         let mut breakpoints = Vec::new();
         for &line in lines {
-            let mut after = line..=self.line_map.shown().last_line();
-            let running = after.find_map(|line| self.line_map.running_line(line));
-            let start = running.map(|line| self.line_map.running().line_start(line));
-            let network = start.and_then(|start| self.session.network_at(0, start));
-            let network = network.ok_or_else(|| {
-                Failure::Failed(format!("there is no rung in line {} or below it", line + 1))
+            let network = self.network_from(line).ok_or_else(|| {
+                let what = self.a_network();
+                Failure::Failed(format!("there is no {what} in line {} or below it", line + 1))
             })?;
             breakpoints.push(Breakpoint::Network(network));
         }
@@ -281,6 +282,30 @@ impl Engine {
             self.session.add_breakpoint(breakpoint);
         }
         Ok(())
+    }
+
+    /// The first network in a line of the editor, or below it.
+    fn network_from(&self, line: u32) -> Option<usize> {
+        let lines = line..=self.line_map.shown().last_line();
+        let mut starts = lines.flat_map(|line| self.line_map.running_starts(line));
+        if self.line_map.shows_drawing() {
+            return self.session.network_at(0, starts.next()?);
+        }
+        // Of a text declarations are parts, too.
+        starts.find_map(|start| {
+            let network = self.session.network_at(0, start)?;
+            let location = self.session.simulation().program().networks[network].location;
+            location.range.contains(start).then_some(network)
+        })
+    }
+
+    /// What the editor calls a network.
+    pub(crate) fn a_network(&self) -> &'static str {
+        if self.line_map.shows_drawing() {
+            "rung"
+        } else {
+            "statement"
+        }
     }
 
     /// Sets a tag's value.
@@ -435,13 +460,36 @@ fn engine_options(
     Ok(engine)
 }
 
+/// Why a program of another system, or a project, is not simulated: it cannot be read.
+pub(crate) fn unreadable(revision: &Revision) -> Option<String> {
+    match revision.opened() {
+        Some(Err(error)) => Some(error.to_string()),
+        Some(Ok(opened)) if opened.foreign().has_errors() => {
+            let remarks = opened.foreign().remarks();
+            let first = remarks.iter().find(|mark| mark.severity == Severity::Error)?;
+            let line = revision.range(first.range).start.line + 1;
+            Some(format!(
+                "the program has an error in line {line}: {}",
+                first.message
+            ))
+        }
+        None if revision.kind() == Kind::Settings => {
+            let place = revision.place()?;
+            let text = place.neighbours.text_on_disk(&place.path);
+            text.err().map(|error| error.to_string())
+        }
+        _ => None,
+    }
+}
+
 /// Why a program with errors is not simulated: the first of them, and how many there are.
-fn has_errors(revision: &Revision, analysis: &Analysis) -> Failure {
+fn has_errors(ladder: &Arc<Revision>, revision: &Arc<Revision>, analysis: &Analysis) -> Failure {
     let errors: Vec<_> = analysis.errors().collect();
     let Some(first) = errors.first() else {
         return Failure::Failed("the program cannot be simulated".into());
     };
-    let line = revision.range(first.range).start.line + 1;
+    let map = LineMap::of(ladder.clone(), revision.clone(), revision.clone());
+    let line = map.range_or_near(first.range).start.line + 1;
     let count = match errors.len() {
         1 => "an error".into(),
         more => format!("{more} errors, the first"),

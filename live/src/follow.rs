@@ -5,7 +5,8 @@ use std::sync::Arc;
 use ladder_documents::Revision;
 use ladder_simulator::Changeover;
 
-use crate::engine::Engine;
+use crate::engine::{Engine, unreadable};
+use crate::line_map::LineMap;
 use crate::messages;
 
 /// The texts of the programs that ran, by their numbers in the session.
@@ -43,10 +44,13 @@ impl Engine {
     /// Goes on with the program of another text of the editor, if that has one; else the last good one runs on. Returns
     /// whether the program is another one. Analyses and compiles.
     pub(crate) fn follow(&mut self, shown: Arc<Revision>) -> bool {
-        let running = if self.controller.is_some() {
-            shown.program().map(|program| program.map(Ok))
+        let ladder = shown.in_ladder();
+        let running = if unreadable(&shown).is_some() {
+            None
+        } else if self.controller.is_some() {
+            ladder.program().map(|program| program.map(Ok))
         } else {
-            shown.running()
+            ladder.running()
         };
         let program = match running {
             Some(Ok(Ok(program))) => Some(program),
@@ -65,12 +69,13 @@ impl Engine {
                     is_another = true;
                     let generation = self.session.generation();
                     self.texts.known.push((generation, shown.clone()));
+                    let lost_in = LineMap::of(ladder, shown.clone(), shown.clone());
                     let lost = lost.into_iter().map(|lost| messages::Lost {
                         message: lost.message,
                         range: lost
                             .location
                             .filter(|location| location.file == 0)
-                            .map(|location| shown.range(location.range)),
+                            .and_then(|location| lost_in.range(location.range)),
                     });
                     self.texts.change = Some(messages::ProgramChange {
                         number: generation,

@@ -132,7 +132,7 @@ impl Engine {
             }
         };
         match hit {
-            Hit::Network(location) => in_front("rung", *location),
+            Hit::Network(location) => in_front(self.a_network(), *location),
             Hit::Block(location) => in_front("block", *location),
             Hit::Change {
                 point,

@@ -1,5 +1,6 @@
 //! The text that runs and the text that the editor shows. They differ while the editor's has errors, and where a session
-//! was stepped back over a change: then what runs is shown in the lines that are still the same.
+//! was stepped back over a change: then what runs is shown in the lines that are still the same. Of a program of another system its
+//! ladder text runs, and is shown in the statements that it was made from.
 
 use std::sync::Arc;
 
@@ -7,8 +8,8 @@ use ladder_syntax::{TextRange, TextSize};
 use similar::DiffOp;
 use similar::algorithms::{Capture, Compact, Replace, myers};
 
-use ladder_documents::Revision;
 use ladder_documents::position::Range;
+use ladder_documents::{Opened, Revision};
 
 /// Between lines that were changed, no more lines than this are compared.
 const MOST_COMPARED: usize = 4000;
@@ -16,25 +17,41 @@ const MOST_COMPARED: usize = 4000;
 /// How places of the text that runs are found in the editor's, and the other way round.
 #[derive(Debug)]
 pub(crate) struct LineMap {
+    /// The ladder text.
     running: Arc<Revision>,
+    /// The text that it is made from: itself, or a program of another system.
+    source: Arc<Revision>,
     shown: Arc<Revision>,
-    /// Of each line of the text that runs the line that shows it. None if both texts are the same.
+    /// Of each line of the source the line that shows it. None if both texts are the same.
     lines: Option<Vec<Option<u32>>>,
 }
 
 impl LineMap {
-    pub(crate) fn new(running: Arc<Revision>, shown: Arc<Revision>) -> LineMap {
-        let lines = (!running.is(&shown)).then(|| corresponding(&running, &shown));
+    /// Of a text, as it runs and as the editor shows it.
+    pub(crate) fn new(source: Arc<Revision>, shown: Arc<Revision>) -> LineMap {
+        let running = source.in_ladder();
+        LineMap::of(running, source, shown)
+    }
+
+    /// The same where its ladder text is known.
+    pub(crate) fn of(running: Arc<Revision>, source: Arc<Revision>, shown: Arc<Revision>) -> LineMap {
+        let lines = (!source.is(&shown)).then(|| corresponding(&source, &shown));
         LineMap {
             running,
+            source,
             shown,
             lines,
         }
     }
 
-    /// The text of the program.
+    /// The ladder text of the program.
     pub(crate) fn running(&self) -> &Arc<Revision> {
         &self.running
+    }
+
+    /// The text of the program, as its file has it.
+    pub(crate) fn source(&self) -> &Arc<Revision> {
+        &self.source
     }
 
     /// The text that the editor shows.
@@ -42,9 +59,40 @@ impl LineMap {
         &self.shown
     }
 
-    /// Where the editor shows a stretch of the text that runs. None if its lines are not the same any more.
+    /// Whether the editor shows a drawing: else a text that a drawing was made of.
+    pub(crate) fn shows_drawing(&self) -> bool {
+        self.running.is(&self.source)
+    }
+
+    /// What the source is made into, where that is not a drawing itself.
+    fn opened(&self) -> Option<&Opened> {
+        self.source.opened()?.as_ref().ok()
+    }
+
+    /// Where the source has a part of the ladder text.
+    fn range_in_source(&self, range: TextRange) -> Option<Range> {
+        if self.shows_drawing() {
+            return Some(self.running.range(range));
+        }
+        let own = self.opened()?.foreign().range(range);
+        Some(self.source.range(own))
+    }
+
+    /// Where the editor shows a stretch of the text that runs. None if its lines are not the same any more, or were made from nothing.
     pub(crate) fn range(&self, range: TextRange) -> Option<Range> {
-        let mut place = self.running.range(range);
+        self.in_shown(self.range_in_source(range)?)
+    }
+
+    /// Where the editor shows an operand, or the name in a declaration.
+    pub(crate) fn operand(&self, range: TextRange) -> Option<Range> {
+        if self.shows_drawing() {
+            return self.range(range);
+        }
+        let word = self.opened()?.word(range)?;
+        self.in_shown(self.source.range(word))
+    }
+
+    fn in_shown(&self, mut place: Range) -> Option<Range> {
         let Some(lines) = &self.lines else {
             return Some(place);
         };
@@ -63,17 +111,26 @@ impl LineMap {
     /// The same; what is not shown any more is at the start of the next line that is.
     pub(crate) fn range_or_near(&self, range: TextRange) -> Range {
         self.range(range).unwrap_or_else(|| {
-            let first = self.running.range(range).start.line as usize;
-            let after = self.lines.iter().flat_map(|lines| lines.iter().skip(first));
+            let first = self.range_in_source(range).map_or(0, |place| place.start.line);
+            let after = self
+                .lines
+                .iter()
+                .flat_map(|lines| lines.iter().skip(first as usize));
             let line = after.flatten().next().copied();
-            let line = line.unwrap_or_else(|| self.shown.last_line());
+            let line = line.unwrap_or_else(|| {
+                if self.lines.is_some() {
+                    self.shown.last_line()
+                } else {
+                    first
+                }
+            });
             let start = self.shown.line_start(line);
             self.shown.range(TextRange::empty(start))
         })
     }
 
-    /// The line of the program that a line of the editor shows.
-    pub(crate) fn running_line(&self, line: u32) -> Option<u32> {
+    /// The line of the source that a line of the editor shows.
+    fn source_line(&self, line: u32) -> Option<u32> {
         match &self.lines {
             None => Some(line),
             Some(lines) => {
@@ -83,14 +140,44 @@ impl LineMap {
         }
     }
 
+    /// Where what a line of the editor shows begins in the text that runs: of a drawing the line, of a text each part that was made of
+    /// it.
+    pub(crate) fn running_starts(&self, line: u32) -> Vec<TextSize> {
+        let Some(line) = self.source_line(line) else {
+            return Vec::new();
+        };
+        if self.shows_drawing() {
+            return vec![self.running.line_start(line)];
+        }
+        self.made_from(line, line + 1)
+            .iter()
+            .map(|part| part.start())
+            .collect()
+    }
+
+    /// The parts of the ladder text that were made from what begins in some lines of the source, the last one excluded.
+    fn made_from(&self, first: u32, after: u32) -> Vec<TextRange> {
+        let Some(opened) = self.opened() else {
+            return Vec::new();
+        };
+        let (start, end) = (self.source.line_start(first), self.source.line_start(after));
+        opened
+            .foreign()
+            .made_from(TextRange::new(start.min(end), end))
+            .collect()
+    }
+
     /// The stretches of the text that runs which some lines of the editor show.
     pub(crate) fn stretches(&self, first: u32, last: u32) -> Vec<TextRange> {
         let stretch = |first: u32, after: u32| {
+            if !self.shows_drawing() {
+                return self.made_from(first, after);
+            }
             let (start, end) = (self.running.line_start(first), self.running.line_start(after));
-            TextRange::new(start.min(end), end)
+            vec![TextRange::new(start.min(end), end)]
         };
         let Some(lines) = &self.lines else {
-            return vec![stretch(first, last.saturating_add(1))];
+            return stretch(first, last.saturating_add(1));
         };
         let mut stretches: Vec<(u32, u32)> = Vec::new();
         for (line, shown) in (0..).zip(lines) {
@@ -104,18 +191,24 @@ impl LineMap {
         }
         stretches
             .into_iter()
-            .map(|(first, after)| stretch(first, after))
+            .flat_map(|(first, after)| stretch(first, after))
             .collect()
     }
 
     /// The place in the text that runs which the editor shows there.
     pub(crate) fn running_offset(&self, shown: TextSize) -> Option<TextSize> {
-        if self.lines.is_none() {
-            return Some(shown);
+        let place = match &self.lines {
+            None => shown,
+            Some(_) => {
+                let line = self.shown.line_of(shown);
+                let within = shown - self.shown.line_start(line).min(shown);
+                self.source.line_start(self.source_line(line)?) + within
+            }
+        };
+        if self.shows_drawing() {
+            return Some(place);
         }
-        let line = self.shown.line_of(shown);
-        let within = shown - self.shown.line_start(line).min(shown);
-        Some(self.running.line_start(self.running_line(line)?) + within)
+        self.opened()?.in_ladder(place).first().copied()
     }
 }
 

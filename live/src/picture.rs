@@ -148,18 +148,10 @@ impl Engine {
     /// What the operand at a place in the text holds, in words, as Markdown.
     pub(crate) fn values_at(&self, offset: TextSize) -> Vec<String> {
         let simulation = self.session.simulation();
-        let drawing = self.drawing.get_or_init(|| Drawing::of(simulation));
-        let Some(offset) = self.line_map.running_offset(offset) else {
-            return Vec::new();
+        let points = match self.line_map.running_offset(offset) {
+            Some(offset) => self.operand_at(offset),
+            None => self.operand_shown_at(offset),
         };
-        let revision = self.line_map.running();
-        let line = revision.line_of(offset);
-        let stretch = TextRange::new(revision.line_start(line), revision.line_start(line + 1));
-        let operands = drawing.operands_in(stretch, revision, simulation);
-        let operand = operands
-            .into_iter()
-            .find(|it| it.range.contains_inclusive(offset));
-        let points = operand.map_or_else(|| self.named_at(offset), |operand| operand.points);
         let values = points.iter().map(|point| {
             let value = simulation.value(point);
             let value = match point.ty {
@@ -176,6 +168,39 @@ impl Engine {
             format!("`{}` is **{value}**{forced}", point.name)
         });
         values.collect()
+    }
+
+    /// What the operand at a place in the text that runs holds, or the word there names.
+    fn operand_at(&self, offset: TextSize) -> Vec<Point> {
+        let simulation = self.session.simulation();
+        let drawing = self.drawing.get_or_init(|| Drawing::of(simulation));
+        let revision = self.line_map.running();
+        let line = revision.line_of(offset);
+        let stretch = TextRange::new(revision.line_start(line), revision.line_start(line + 1));
+        let operands = drawing.operands_in(stretch, revision, simulation);
+        let operand = operands
+            .into_iter()
+            .find(|it| it.range.contains_inclusive(offset));
+        operand.map_or_else(|| self.named_at(offset), |operand| operand.points)
+    }
+
+    /// The same of an operand that the editor shows at a place, in a statement that goes on there.
+    fn operand_shown_at(&self, shown: TextSize) -> Vec<Point> {
+        let simulation = self.session.simulation();
+        let drawing = self.drawing.get_or_init(|| Drawing::of(simulation));
+        let revision = self.line_map.running();
+        let at = self.line_map.shown().range(TextRange::empty(shown)).start;
+        let is_there = |range: TextRange| {
+            let place = self.line_map.operand(range);
+            place.is_some_and(|place| {
+                place.start.line == at.line
+                    && (place.start.character..=place.end.character).contains(&at.character)
+            })
+        };
+        let all = TextRange::up_to(TextSize::new(revision.len() as u32));
+        let mut operands = drawing.operands_in(all, revision, simulation).into_iter();
+        let found = operands.find(|operand| is_there(operand.range));
+        found.map_or_else(Vec::new, |operand| operand.points)
     }
 
     /// What the word at a place names, as in a declaration.
@@ -228,6 +253,10 @@ impl Engine {
 
     /// Every element of the drawing, with its power in the last scan.
     pub(crate) fn power(&self) -> Vec<messages::Power> {
+        // A text has no wires.
+        if !self.line_map.shows_drawing() {
+            return Vec::new();
+        }
         let simulation = self.session.simulation();
         let places = self.places.get_or_init(|| {
             let places = power(simulation).map(|(_, place, _)| self.line_map.range(place));

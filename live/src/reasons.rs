@@ -24,7 +24,12 @@ impl Engine {
         let texts = self.line_map.running().texts(&files);
         let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
         let revision = Arc::clone(self.line_map.running());
+        let source = Arc::clone(self.line_map.source());
         let places = |block: Location| {
+            if block.file == 0 {
+                let opened = source.opened()?.as_ref().ok()?;
+                return Some(opened.foreign().place(block.range));
+            }
             let (_, text) =
                 revision.text_next_to(files.get(block.file as usize).filter(|_| block.file > 0)?)?;
             text.translated_place(block.range)

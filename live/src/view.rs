@@ -119,6 +119,7 @@ impl View {
         self.valued.clear();
         self.indexed.clear();
         self.unplaced = true;
+        let mut seen_words = HashSet::new();
         let is_shown = |line: u32| shown.lines.iter().any(|it| (it.first..=it.last).contains(&line));
         self.operands.retain(|operand| is_shown(operand.block.start.line));
         let named = shown.tags.iter();
@@ -132,12 +133,23 @@ impl View {
         for &Lines { first, last } in &shown.lines {
             let last = last.min(first.saturating_add(MOST_LINES - 1));
             for stretch in line_map.stretches(first, last) {
-                let elements = drawing.elements_in(stretch, revision, simulation);
-                self.elements.extend(elements);
+                // A text has no wires.
+                if line_map.shows_drawing() {
+                    let elements = drawing.elements_in(stretch, revision, simulation);
+                    self.elements.extend(elements);
+                }
                 let mut operands = drawing.declared_in(stretch, simulation);
                 operands.extend(drawing.operands_in(stretch, revision, simulation));
-                for operand in operands {
-                    let places = (line_map.range(operand.range), line_map.range(operand.block));
+                for mut operand in operands {
+                    let places = (line_map.operand(operand.range), line_map.range(operand.block));
+                    if !line_map.shows_drawing() {
+                        operand.drawn = false;
+                        // A tag of the reader's own is in no statement, and one that is read and written there is in one place.
+                        let Some(word) = places.0 else { continue };
+                        if !seen_words.insert((word.start.line, word.start.character)) {
+                            continue;
+                        }
+                    }
                     if let Some(place) = &operand.indexed {
                         self.indexed.push(Indexed {
                             block: operand.block,
@@ -276,7 +288,7 @@ impl View {
         };
         let mut labels = Vec::new();
         let mut wanted = Vec::new();
-        let row_of = |valued: &Valued| line_map.range(valued.range).map(|range| range.start.line);
+        let row_of = |valued: &Valued| line_map.operand(valued.range).map(|range| range.start.line);
         let mut declared_in: HashMap<u32, usize> = HashMap::new();
         for row in self.valued.iter().filter(|it| it.declared).filter_map(row_of) {
             *declared_in.entry(row).or_default() += 1;
@@ -295,7 +307,7 @@ impl View {
                 continue;
             }
             let before = index.as_deref().map_or(0, display_width);
-            let Some(at) = line_map.range(*range).map(|range| range.start) else {
+            let Some(at) = line_map.operand(*range).map(|range| range.start) else {
                 continue;
             };
             let start = shown.line_start(at.line).into();

@@ -5,6 +5,7 @@ mod expectations;
 mod hostile;
 mod properties;
 mod refused;
+mod structured_text;
 mod watches;
 
 use std::sync::atomic::AtomicUsize;

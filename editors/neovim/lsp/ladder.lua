@@ -1,7 +1,7 @@
 -- What `vim.lsp.enable('ladder')` starts. Change parts of it with `vim.lsp.config('ladder', { ... })`.
 return {
   cmd = { require('ladder.program').command('ladder'), 'lsp' },
-  filetypes = { 'clad', 'ladderclick', 'ladderforeign', 'laddertest', 'toml', 'xml' },
+  filetypes = { 'clad', 'ladderclick', 'ladderforeign', 'ladderst', 'laddertest', 'toml', 'xml' },
   -- Only what a person has called a Click program is one for the server: files in Python are not sent.
   get_language_id = function(_, filetype)
     return filetype == 'ladderclick' and 'ladder-click' or filetype

@@ -5,7 +5,7 @@ import type { Speed, Tag } from '../../../panels/protocol.ts';
 import type { WhyRow } from '../../../panels/whyTree.ts';
 import type { Click } from './click.ts';
 import { convert, exportAs } from './conversion.ts';
-import { isForeign } from './foreignProgram.ts';
+import { isForeign, isProject } from './foreignProgram.ts';
 import type { ComparePanels } from './compare/panel.ts';
 import type { CrossReferenceView } from './crossReferenceView.ts';
 import type { DiagramEditors } from './diagram/editor.ts';
@@ -127,6 +127,10 @@ async function setSpeed(simulation: Simulation): Promise<void> {
 /** Starts a simulation; of a program of another system that of its ladder text, which shows the power. */
 async function start(click: Click, simulation: Simulation): Promise<void> {
     const document = vscode.window.activeTextEditor?.document;
+    if (document && isProject(document)) {
+        await simulation.start(document);
+        return;
+    }
     if (!document || !isForeign(document)) {
         await simulation.start();
         return;

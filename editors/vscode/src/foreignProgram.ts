@@ -12,7 +12,17 @@ const ENDING = new RegExp(`\\.(?:${ENDINGS.join('|')})$`, 'i');
 const filesOf = (ending: string) => `**/*.${ending.replace(/[a-z]/g, (letter) => `[${letter}${letter.toUpperCase()}]`)}`;
 
 /** The files that the server is shown; which XML is a program it says itself. */
-export const FOREIGN_FILES = [...ENDINGS, 'xml'].map(filesOf);
+export const FOREIGN_FILES = [...ENDINGS, 'st', 'xml'].map(filesOf);
+
+/** Whether a simulation runs the document itself: ladder text, or Structured Text. */
+export function runsItself({ languageId, uri }: TextDocument): boolean {
+    return languageId === 'clad' || /\.st$/i.test(uri.path);
+}
+
+/** Whether a document is the settings of a project, whose tasks a simulation runs. */
+export function isProject({ uri }: TextDocument): boolean {
+    return uri.path.endsWith('/ladder.toml');
+}
 
 /** What is among the first lines of a program in XML. */
 const XML_PROGRAM = /www\.plcopen\.org\/xml\/tc6|<SW\.Blocks\./;

@@ -6,6 +6,7 @@ import { operandAt } from '../../../panels/operands.ts';
 import { withTheRest } from '../../../panels/pace.ts';
 import type { Commands, Operand, Recorded, Shown, State, Tag, Why } from '../../../panels/protocol.ts';
 import { reasonOf } from '../../../panels/reason.ts';
+import { runsItself } from './foreignProgram.ts';
 import type { Server } from './server.ts';
 import { breakpointLines, toggled } from './breakpoints.ts';
 import { Session } from './session.ts';
@@ -94,7 +95,7 @@ export class Simulation implements vscode.Disposable {
         const document = given ?? this.#lastDocument;
         this.#lastDocument = document;
         if (!document) {
-            void vscode.window.showWarningMessage('Open a ladder program (.clad) to simulate it.');
+            void vscode.window.showWarningMessage('Open a ladder program (.clad) or Structured Text (.st) to simulate it.');
             return undefined;
         }
         await this.#end(document);
@@ -141,7 +142,7 @@ export class Simulation implements vscode.Disposable {
     async debug(launch: vscode.DebugConfiguration): Promise<{ session: Session; isJoined: boolean }> {
         // The text of the editor counts, so that what is typed is followed.
         const program: unknown = launch['program'];
-        const isProgram = typeof program === 'string' && program.endsWith('.clad');
+        const isProgram = typeof program === 'string' && /\.(?:clad|st)$/i.test(program);
         const named = isProgram ? await vscode.workspace.openTextDocument(program) : undefined;
         const shown: Shown = named ? this.#shown(named) : { lines: [], tags: [] };
         const started = await this.#server.simulate('debug', { launch, options: { show: shown } });
@@ -196,7 +197,7 @@ export class Simulation implements vscode.Disposable {
 
     /** From now on commands are about this document. */
     lookAt(document: vscode.TextDocument): void {
-        if (document.languageId === 'clad' && document !== this.#lastDocument) {
+        if (runsItself(document) && document !== this.#lastDocument) {
             this.#lastDocument = document;
             this.#announce(document);
         }
@@ -422,7 +423,7 @@ export class Simulation implements vscode.Disposable {
     }
 
     #focus(editor: vscode.TextEditor | undefined): void {
-        if (editor?.document.languageId === 'clad') {
+        if (editor && runsItself(editor.document)) {
             this.#lastDocument = editor.document;
             this.#announce(editor.document);
         }

@@ -103,6 +103,7 @@ pub fn convert(
         name: file_name(&file.name, &mut taken),
         bytes: match file.content {
             Content::Program(program) => program.write(options).text.into(),
+            Content::Text(text) => text.into(),
             Content::Settings(text, all) => {
                 tasks = all;
                 (text + &task_settings(&tasks)).into()
@@ -124,7 +125,7 @@ pub fn convert(
 fn programs(files: &mut [ProjectFile]) -> impl Iterator<Item = &mut ProgramSketch> {
     files.iter_mut().filter_map(|file| match &mut file.content {
         Content::Program(program) => Some(program),
-        Content::Settings(..) => None,
+        Content::Text(_) | Content::Settings(..) => None,
     })
 }
 

@@ -137,7 +137,7 @@ impl Foreign {
 
     /// The same; none if it was made from nothing and is not used. The name of a tag that the other system does not declare is where
     /// that is used first.
-    fn own_range(&self, of_ladder: TextRange) -> Option<TextRange> {
+    pub fn own_range(&self, of_ladder: TextRange) -> Option<TextRange> {
         let place = match self.converted.written.origin_around(of_ladder.start()) {
             Some(origin) => self.converted.places.get(origin as usize),
             None => self

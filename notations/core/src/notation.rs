@@ -97,6 +97,11 @@ pub trait Notation: Sync {
         false
     }
 
+    /// What files of a folder are in that a [project](Notation::write_project) has as they are, besides those in ladder text.
+    fn texts(&self) -> Option<&'static dyn Notation> {
+        None
+    }
+
     /// Writes the files of a folder as one file. What is as it was in the file that they come from stays as that has it.
     ///
     /// # Errors

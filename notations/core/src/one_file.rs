@@ -4,7 +4,8 @@ use crate::{
     Companion, Converted, Entry, LineColumn, Lines, Notation, Project, ProjectTask, Report, Source,
     WriteError, convert,
 };
-use ladder_analysis::Analysis;
+use ladder_analysis::{Analysis, Severity};
+use ladder_format::program::Item;
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 use std::sync::Arc;
@@ -50,7 +51,7 @@ pub fn write_one_file(
     original: Option<&Source<'_>>,
 ) -> Result<OneFile, WriteError> {
     let Some(source) = original else {
-        let mut project = Project::of(files, tasks)?;
+        let mut project = project_of(notation, files, tasks)?;
         Arc::make_mut(&mut project.analysis.context).name = stem.into();
         let mut writing = notation.write_project(&project, None)?;
         refuse_errors(notation, &mut writing, stem, None);
@@ -69,17 +70,80 @@ pub fn write_one_file(
             reports: Vec::new(),
         });
     }
-    let was = Project::of(&read, &known).map_err(|error| wrong(error.message))?;
-    let project = Project::of(files, tasks)?;
+    let was = project_of(notation, &read, &known).map_err(|error| wrong(error.message))?;
+    let project = project_of(notation, files, tasks)?;
     let kept = Kept { source, before: &was };
     let mut writing = notation.write_project(&project, Some(&kept))?;
     refuse_errors(notation, &mut writing, stem, Some(&before));
     Ok(by_file(&project, writing))
 }
 
+/// The project of the files of a folder, of which some are not ladder text.
+fn project_of(
+    notation: &dyn Notation,
+    files: &[(String, String)],
+    tasks: &[ProjectTask],
+) -> Result<Project, WriteError> {
+    let all = files.iter().map(|(name, text)| Companion {
+        name: name.clone(),
+        bytes: text.clone().into(),
+    });
+    let all: Vec<Companion> = all.collect();
+    let ladder = files.iter().map(|(name, text)| {
+        let ladder = if is_ladder_text(name) {
+            text.clone()
+        } else {
+            in_ladder(notation, name, text, &all)?
+        };
+        Ok((name.clone(), ladder))
+    });
+    let ladder = ladder.collect::<Result<Vec<_>, WriteError>>()?;
+    let mut project = Project::of(&ladder, tasks)?;
+    project.keep_written(files);
+    Ok(project)
+}
+
+/// What others see of a file that is not ladder text, and what of it runs: blocks without their networks, which are written as the file
+/// has them.
+fn in_ladder(
+    notation: &dyn Notation,
+    name: &str,
+    text: &str,
+    all: &[Companion],
+) -> Result<String, WriteError> {
+    let source = Source {
+        name: name.into(),
+        bytes: text.as_bytes(),
+        companions: all.iter().filter(|other| other.name != name).cloned().collect(),
+    };
+    let Some(texts) = notation.texts() else {
+        return Err(WriteError::new(format!(
+            "{name}: only ladder text is written there"
+        )));
+    };
+    let at = |place: LineColumn, why: &str| WriteError::new(format!("{name}:{place}: {why}"));
+    let mut reading = texts
+        .read(&source)
+        .map_err(|error| at(error.place.unwrap_or(LineColumn::START), &error.message))?;
+    let mut found = reading.findings.iter();
+    if let Some(error) = found.find(|found| found.severity == Severity::Error) {
+        return Err(at(error.place, &error.message));
+    }
+    for item in &mut reading.program.items {
+        if let Item::Block { items, .. } = item {
+            items.retain(|item| matches!(item, Item::Section(_)));
+        }
+    }
+    Ok(reading.program.write(&ladder_format::Options::default()).text)
+}
+
+fn is_ladder_text(name: &str) -> bool {
+    Path::new(name).extension().is_some_and(|end| end == "clad")
+}
+
 /// The files of a folder that a conversion writes. One alone is called as the one that is there.
 fn files_of(converted: &Converted, now: &[(String, String)]) -> Vec<(String, String)> {
-    let is_program = |file: &&Companion| Path::new(&file.name).extension().is_some_and(|end| end == "clad");
+    let is_program = |file: &&Companion| Path::new(&file.name).extension().is_some_and(|end| end != "toml");
     let programs = converted.files.iter().filter(is_program);
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     let files: Vec<(String, String)> = programs

@@ -40,6 +40,8 @@ pub struct Project {
 struct File {
     name: String,
     text: String,
+    /// What the folder has, where that is not ladder text: the text is what it becomes.
+    written: Option<String>,
     lines: Lines,
     /// Where its origins begin.
     first: Origin,
@@ -48,7 +50,7 @@ struct File {
 }
 
 impl Project {
-    /// The project of some files, each with its name in the folder and its text, and of the tasks that run them.
+    /// The project of some files, each with its name in the folder and its ladder text, and of the tasks that run them.
     ///
     /// # Errors
     ///
@@ -73,6 +75,7 @@ impl Project {
             project.files.push(File {
                 name: name.clone(),
                 text: text.clone(),
+                written: None,
                 lines: Lines::of(text),
                 first,
                 main: None,
@@ -140,6 +143,21 @@ impl Project {
     /// A file among the others.
     pub fn analysis_of(&self, number: usize) -> &Analysis {
         &self.analyses[number]
+    }
+
+    /// The text of a file of the folder, where that is not ladder text.
+    pub fn written(&self, number: usize) -> Option<&str> {
+        self.files[number].written.as_deref()
+    }
+
+    /// Says of files what the folder has, where that is not ladder text.
+    pub(crate) fn keep_written(&mut self, files: &[(String, String)]) {
+        for file in &mut self.files {
+            let there = files.iter().find(|(name, _)| *name == file.name);
+            file.written = there
+                .map(|(_, text)| text.clone())
+                .filter(|text| *text != file.text);
+        }
     }
 
     /// What a file is called in its folder.

@@ -37,6 +37,8 @@ pub struct ProjectFile {
 pub enum Content {
     /// A program, or types and blocks that programs share.
     Program(ProgramSketch),
+    /// A program in another language of workspaces, as it is.
+    Text(String),
     /// Settings: what comes first, as it is written, and the tasks.
     Settings(String, Vec<ProjectTask>),
 }

@@ -5,6 +5,7 @@
 
 use crate::graph::Kind;
 use crate::model::{Body, Project, Role, Task, Type, Unit, UnitKind, Variable};
+use crate::write::texts::function_as_block;
 use crate::{emit, read, write};
 use ladder_analysis::Analysis;
 use ladder_notation::kept::{Rules, merge};
@@ -208,7 +209,10 @@ fn keep_broken(
             };
             let was_function = own.kind == UnitKind::Function && now.kind != own.kind;
             let is_text = matches!(now.body, Body::Text(..));
-            (lossy.contains(name) && !is_text) || (was_function && in_text(original, there, name))
+            let is_called_otherwise = function_as_block(now, after).is_some();
+            (lossy.contains(name) && !is_text)
+                || is_called_otherwise
+                || (was_function && in_text(original, there, name))
         };
         let found: Vec<String> = drawn.iter().filter(|name| is_broken(name)).cloned().collect();
         let is_changed = |name: &String| {

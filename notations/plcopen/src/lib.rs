@@ -45,7 +45,7 @@ pub use write::{Compiler, project};
 
 use ladder_analysis::Analysis;
 use ladder_notation::{
-    Kept, Notation, Project, ReadError, Reading, Source, WriteError, Writing, WrittenProject,
+    Kept, LineColumn, Notation, Project, ReadError, Reading, Source, WriteError, Writing, WrittenProject,
 };
 
 /// See the module.
@@ -85,6 +85,10 @@ impl Notation for Plcopen {
         write::write(analysis)
     }
 
+    fn texts(&self) -> Option<&'static dyn Notation> {
+        Some(&ladder_notation_st::St)
+    }
+
     fn has_projects(&self) -> bool {
         true
     }
@@ -97,7 +101,15 @@ impl Notation for Plcopen {
         if let Some(kept) = kept {
             return keep::write(project, kept);
         }
-        let (made, reports) = write::files::project(project, |file| project.stem(file).to_owned())?;
+        let (made, mut reports) = write::files::project(project, |file| project.stem(file).to_owned())?;
+        for unit in &made.units {
+            if let Some(function) = write::texts::function_as_block(unit, &made) {
+                let why = format!(
+                    "it calls the function `{function}`, which is drawn as a block of an instance here: call it in Structured Text"
+                );
+                reports[0].refused(LineColumn::START, format!("unit {}", unit.name), why);
+            }
+        }
         Ok(WrittenProject {
             bytes: emit::project(made).into_bytes(),
             reports,

@@ -33,6 +33,7 @@ mod shown;
 mod simulate;
 mod storm;
 mod structured_text;
+mod structured_text_runs;
 mod sync;
 mod trace;
 mod typed;

@@ -30,5 +30,6 @@ require('views')(t)
 require('strokes')(t, messages)
 require('arrays')(t)
 require('click')(t, messages)
+require('structured_text')(t)
 
 t.run()

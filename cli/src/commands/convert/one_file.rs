@@ -58,7 +58,11 @@ impl<'a> Target<'a> {
 
     /// Writes the file.
     pub(super) fn convert(&self, existing: Existing) -> Result<(Vec<Account>, Outcome), Failure> {
-        let (paths, errors) = find_ladder_text(std::slice::from_ref(&self.folder.to_owned()));
+        let folder = [self.folder.to_owned()];
+        let (paths, errors) = match self.notation.texts() {
+            Some(_) => find_programs(&folder),
+            None => find_ladder_text(&folder),
+        };
         if let Some(error) = errors.into_iter().next() {
             return Err(error.into());
         }
@@ -116,7 +120,13 @@ impl<'a> Target<'a> {
     /// The programs of the folder that are not ladder text: they are not written into the file.
     fn left_out(&self) -> impl Iterator<Item = (PathBuf, Report)> {
         let (paths, _) = find_programs(std::slice::from_ref(&self.folder.to_owned()));
-        paths.into_iter().filter_map(|path| {
+        let is_written = |path: &PathBuf| {
+            self.notation
+                .texts()
+                .is_some_and(|texts| of_workspaces(path) == Some(texts))
+        };
+        let left_out: Vec<PathBuf> = paths.into_iter().filter(|path| !is_written(path)).collect();
+        left_out.into_iter().filter_map(|path| {
             let mut report = Report::default();
             let why = format!(
                 "only ladder text is written there ({}): bring this file there by hand",

@@ -11,7 +11,8 @@ end
 --- @param bufnr integer
 --- @return vim.lsp.Client|nil
 function M.await(bufnr)
-  local served = vim.bo[bufnr].filetype == 'clad' or require('ladder.click').is_foreign(bufnr)
+  local filetype = vim.bo[bufnr].filetype
+  local served = filetype == 'clad' or filetype == 'ladderst' or require('ladder.click').is_foreign(bufnr)
   if served and vim.lsp.is_enabled('ladder') then
     vim.wait(2000, function()
       return M.of(bufnr) ~= nil

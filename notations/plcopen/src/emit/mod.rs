@@ -202,8 +202,19 @@ fn ty(xml: &mut XmlText, of: &Type) {
                 });
             }
         }),
+        Type::Range(base, lower, upper) => {
+            let kind = if base.starts_with(['U', 'u']) {
+                "subrangeUnsigned"
+            } else {
+                "subrangeSigned"
+            };
+            xml.around(kind, &[], |xml| {
+                xml.empty("range", &[("lower", lower), ("upper", upper)]);
+                xml.around("baseType", &[], |xml| ty(xml, &Type::Named(base.clone())));
+            });
+        }
         // The writer makes none.
-        Type::Range(..) | Type::Other(_) => {}
+        Type::Other(_) => {}
     }
 }
 

@@ -15,6 +15,7 @@ mod once;
 mod power;
 mod prepare;
 mod state;
+mod stays;
 mod structured;
 mod tasks;
 mod texts;
@@ -57,7 +58,7 @@ pub fn reading(project: Project) -> Reading {
     let globals = declare::globals(&shared, project, &mut reading);
     let mut unread = UnreadParts::default();
     let seen = Seen::of(&shared, project);
-    let mut blocks = blocks(&seen, &mut unread, &mut reading);
+    let blocks = blocks(&seen, &mut unread, &mut reading);
     let order = order(project, &mut reading.report);
     let is_alone = matches!(&order[..], [run] if !matches!(run.when, When::Never));
     let place = if is_alone { Place::Program } else { Place::Function };
@@ -78,12 +79,17 @@ pub fn reading(project: Project) -> Reading {
         insides.push(inside);
     }
     // Of a folder each program is a file, and runs by itself.
-    let shared_blocks = blocks.iter().cloned().chain(unread.items()).collect();
+    let shared_unread = unread.items().collect();
     let mut at_any_time = Vec::new();
     for (run, inside) in order.iter().zip(&insides) {
         at_any_time.extend(at_times(&shared, project, run, inside, &mut unread, &mut reading));
     }
-    blocks.extend(unread.items());
+    let all_blocks: Vec<Item> = blocks
+        .iter()
+        .flat_map(|block| &block.items)
+        .cloned()
+        .chain(unread.items())
+        .collect();
     let mut programs = Vec::new();
     let mut sections = Vec::new();
     for (run, inside) in order.iter().zip(insides) {
@@ -100,7 +106,7 @@ pub fn reading(project: Project) -> Reading {
     if let Some(interval) = shortest(project).and_then(duration::interval) {
         items.push(Item::Directive(format!("cycle {interval}")));
     }
-    for part in [&types, &globals, &blocks] {
+    for part in [&types, &globals, &all_blocks] {
         push_part(&mut items, part.clone());
     }
     push_part(&mut items, sections);
@@ -111,9 +117,14 @@ pub fn reading(project: Project) -> Reading {
         together(&mut items, &order, programs, &mut reading);
     }
     reading.program = ProgramSketch { items };
-    let is_project = order.len() > 1 || !types.is_empty() || !blocks.is_empty() || !globals.is_empty();
+    let is_project = order.len() > 1 || !types.is_empty() || !all_blocks.is_empty() || !globals.is_empty();
     if is_project {
-        let parts = [("types", types), ("globals", globals), ("blocks", shared_blocks)];
+        let parts = Parts {
+            types,
+            globals,
+            blocks,
+            unread: shared_unread,
+        };
         reading.files = files(&seen, &order, &mut unread, parts);
         let periodic = project.tasks.iter().filter(|task| task.event.is_none());
         reading.exact_in_files = periodic
@@ -180,10 +191,24 @@ fn push_part(items: &mut Vec<Item>, part: Vec<Item>) {
     items.extend(part);
 }
 
+/// A function block or function, with the comments above it.
+struct BlockItems<'p> {
+    unit: &'p Unit,
+    items: Vec<Item>,
+}
+
+/// What the programs of a project share.
+struct Parts<'p> {
+    types: Vec<Item>,
+    globals: Vec<Item>,
+    blocks: Vec<BlockItems<'p>>,
+    unread: Vec<Item>,
+}
+
 /// The function blocks and functions.
-fn blocks(seen: &Seen<'_>, unread: &mut UnreadParts, reading: &mut Reading) -> Vec<Item> {
+fn blocks<'p>(seen: &Seen<'p>, unread: &mut UnreadParts, reading: &mut Reading) -> Vec<BlockItems<'p>> {
     let Seen { shared, project, .. } = *seen;
-    let mut items = Vec::new();
+    let mut blocks: Vec<BlockItems<'p>> = Vec::new();
     let enabled = enabled(project);
     for unit in &project.units {
         if unit.kind == UnitKind::Program {
@@ -203,9 +228,11 @@ fn blocks(seen: &Seen<'_>, unread: &mut UnreadParts, reading: &mut Reading) -> V
         if let Body::Ladder(text) = &unit.body {
             let own = crate::brought::name(text).unwrap_or_default();
             let text = text.replace(&format!("[${own}]"), &format!("[{}]", block.name));
-            items.extend([Item::Blank, Item::Text(text)]);
+            let items = vec![Item::Blank, Item::Text(text)];
+            blocks.push(BlockItems { unit, items });
             continue;
         }
+        let mut items = Vec::new();
         let scope = block.scope.clone();
         let Inside {
             sections,
@@ -213,7 +240,7 @@ fn blocks(seen: &Seen<'_>, unread: &mut UnreadParts, reading: &mut Reading) -> V
             about,
             ..
         } = unit_items(seen, unit, scope, (Place::Block, When::EachScan), unread, reading);
-        if !items.is_empty() {
+        if !blocks.is_empty() {
             items.push(Item::Blank);
         }
         if block.name[1..] != unit.name {
@@ -234,8 +261,9 @@ fn blocks(seen: &Seen<'_>, unread: &mut UnreadParts, reading: &mut Reading) -> V
                 .chain(body)
                 .collect(),
         });
+        blocks.push(BlockItems { unit, items });
     }
-    items
+    blocks
 }
 
 /// The units, by their names in small letters, of which something decides when they run: more than the left rail is wired to EN
@@ -315,40 +343,60 @@ fn project_task(project: &Project, task: &Task) -> Option<ProjectTask> {
 }
 
 /// The project as files: what is shared, each program, and the settings.
-fn files(
-    seen: &Seen<'_>,
-    order: &[Run<'_>],
-    unread: &mut UnreadParts,
-    parts: [(&str, Vec<Item>); 3],
-) -> Vec<ProjectFile> {
+fn files(seen: &Seen<'_>, order: &[Run<'_>], unread: &mut UnreadParts, parts: Parts<'_>) -> Vec<ProjectFile> {
     let Seen { shared, project, .. } = *seen;
+    // What they report is the same as before.
+    let mut again = Reading::default();
+    let mut programs: Vec<Vec<Item>> = Vec::new();
+    for run in order {
+        let scope: Scope = shared.program(run.unit, None);
+        let place = (Place::Program, run.when);
+        let inside = unit_items(seen, run.unit, scope, place, unread, &mut again);
+        let mut items: Vec<Item> = run.unit.comment.iter().cloned().map(Item::Comment).collect();
+        push_part(&mut items, inside.sections);
+        items.extend(inside.items);
+        programs.push(items);
+    }
+    let stays = stays::texts(&parts, order, &programs);
+    let is_drawn = |block: &&BlockItems<'_>| !stays.contains_key(&std::ptr::from_ref(block.unit));
+    let blocks = parts.blocks.iter().filter(is_drawn);
+    let blocks = blocks.flat_map(|block| &block.items).cloned().chain(parts.unread);
+    let blocks = blocks.skip_while(|item| *item == Item::Blank).collect();
     let mut names = Names::default();
-    let mut file = |name: &str, content| {
+    let mut file = |name: &str, content: Content| {
         let plain: String = name
             .chars()
             .map(|c| if c.is_ascii_alphanumeric() { c } else { '_' })
             .collect();
-        let name = format!("{}.clad", names.fresh(&plain));
+        let ending = match content {
+            Content::Text(_) => "st",
+            _ => "clad",
+        };
+        let name = format!("{}.{ending}", names.fresh(&plain));
         ProjectFile { name, content }
     };
     let mut files = Vec::new();
-    // What they report is the same as before.
-    let mut again = Reading::default();
-    for (name, items) in parts {
+    for (name, items) in [
+        ("types", parts.types),
+        ("globals", parts.globals),
+        ("blocks", blocks),
+    ] {
         if !items.is_empty() {
             files.push(file(name, Content::Program(ProgramSketch { items })));
         }
     }
+    for block in &parts.blocks {
+        if let Some(text) = stays.get(&std::ptr::from_ref(block.unit)) {
+            files.push(file(&block.unit.name, Content::Text(text.clone())));
+        }
+    }
     let mut tasks: Vec<ProjectTask> = Vec::new();
-    for run in order {
-        let unit = run.unit;
-        let scope: Scope = shared.program(unit, None);
-        let place = (Place::Program, run.when);
-        let inside = unit_items(seen, unit, scope, place, unread, &mut again);
-        let mut items: Vec<Item> = unit.comment.iter().cloned().map(Item::Comment).collect();
-        push_part(&mut items, inside.sections);
-        items.extend(inside.items);
-        let file = file(&unit.name, Content::Program(ProgramSketch { items }));
+    for (run, items) in order.iter().zip(programs) {
+        let content = match stays.get(&std::ptr::from_ref(run.unit)) {
+            Some(text) => Content::Text(text.clone()),
+            None => Content::Program(ProgramSketch { items }),
+        };
+        let file = file(&run.unit.name, content);
         if let Some(task) = run.task.and_then(|task| project_task(project, task)) {
             let there = tasks.iter_mut().find(|other| other.name == task.name);
             match there {

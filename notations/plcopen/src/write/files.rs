@@ -40,7 +40,13 @@ pub(crate) fn project(
             continue;
         }
         let own: Vec<String> = declared(&analysis);
-        Arc::make_mut(&mut analysis.context).name = name(number).as_str().into();
+        // What is only shared leaves its name to what is in it.
+        let own_name = if is_program {
+            name(number)
+        } else {
+            format!("{}_file", name(number))
+        };
+        Arc::make_mut(&mut analysis.context).name = own_name.as_str().into();
         let made = RefCell::new(Project::default());
         let writing = Target::BLOCKS_ALONE.write(&analysis, |analysis, unwritable| {
             let (project, report) = super::project(analysis, unwritable, Compiler::Matiec)?;
@@ -58,6 +64,7 @@ pub(crate) fn project(
         let tasks = files.tasks().iter();
         joined.project.tasks = tasks.map(|task| scheduled(files, task, &programs_of)).collect();
     }
+    super::texts::put_back(files, &mut joined.project, &programs_of, &mut reports)?;
     Ok((joined.project, reports))
 }
 

@@ -17,6 +17,7 @@ mod networks;
 mod rung;
 mod system;
 mod text;
+pub(crate) mod texts;
 mod touched;
 mod unit;
 

@@ -10,6 +10,7 @@ mod one_file;
 mod oracle;
 mod pins;
 mod projects;
+mod structured_files;
 mod ten;
 mod traces;
 mod unread;

@@ -7,10 +7,10 @@ use ladder_notation_plcopen::Plcopen;
 use std::fs;
 use std::path::PathBuf;
 
-type Files = Vec<(String, String)>;
+pub(crate) type Files = Vec<(String, String)>;
 
 /// The files that a project becomes. None: it cannot be read.
-fn folder(project: &str) -> Option<Files> {
+pub(crate) fn folder(project: &str) -> Option<Files> {
     let source = Source::alone("cell", project.as_bytes());
     let converted = convert(&Plcopen, &source, &Options::default()).ok()?;
     let programs = converted.files.iter().filter(|file| file.name != "ladder.toml");
@@ -52,7 +52,7 @@ fn text(written: &OneFile) -> String {
 }
 
 /// The lines that are otherwise, and what there is to say.
-fn difference(before: &str, written: &OneFile) -> String {
+pub(crate) fn difference(before: &str, written: &OneFile) -> String {
     let after = text(written);
     let mut out = String::new();
     for change in similar::TextDiff::from_lines(before, &after).iter_all_changes() {
@@ -67,7 +67,7 @@ fn difference(before: &str, written: &OneFile) -> String {
 }
 
 /// What there is to say.
-fn told(written: &OneFile) -> String {
+pub(crate) fn told(written: &OneFile) -> String {
     let mut out = String::new();
     for (file, report) in &written.reports {
         for entry in report.remarks() {
@@ -80,7 +80,7 @@ fn told(written: &OneFile) -> String {
     out
 }
 
-fn back(project: &str, files: &Files) -> OneFile {
+pub(crate) fn back(project: &str, files: &Files) -> OneFile {
     let source = Source::alone("cell", project.as_bytes());
     write_one_file(&Plcopen, files, &[], "cell", Some(&source)).unwrap_or_else(|error| panic!("{error}"))
 }

@@ -32,6 +32,8 @@ pub(crate) struct Unit {
     pub(crate) chart: Option<ChartText>,
     /// Where the statements are.
     pub(crate) body_span: Span,
+    /// From the end of the head to the word that ends the unit, with comments.
+    pub(crate) text_span: Span,
     /// What does not parse in the body.
     pub(crate) problems: Vec<Problem>,
     /// Its methods and properties, which are not read.

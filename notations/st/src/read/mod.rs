@@ -93,6 +93,44 @@ pub fn parses(text: &str, dialect: Dialect) -> bool {
     units::body(text, dialect).2.is_empty()
 }
 
+/// A unit of a file, as it is written there.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UnitText {
+    /// From its first word to the end of its variables, in bytes.
+    pub head: std::ops::Range<usize>,
+    /// What is between that and the word that ends it.
+    pub body: std::ops::Range<usize>,
+    /// The comment directly above it.
+    pub comment: Option<String>,
+}
+
+/// The units of a file.
+///
+/// # Errors
+///
+/// What of one is not read: what does not parse, and methods.
+pub fn unit_texts(text: &str) -> Result<Vec<UnitText>, String> {
+    let (file, _) = units::file(text, Dialect::Iec);
+    let lines = Lines::of(text);
+    let texts = file.units.into_iter().map(|unit| {
+        if let Some(problem) = unit.problems.first() {
+            return Err(problem.in_words(lines.place(text, problem.span.start).line));
+        }
+        if let Some((_, method)) = unit.methods.first() {
+            return Err(format!(
+                "`{method}` of {} is a method, which is not read",
+                unit.name
+            ));
+        }
+        Ok(UnitText {
+            head: unit.span.start..unit.text_span.start,
+            body: unit.text_span,
+            comment: unit.comment.map(|comment| lower::comment_of(comment.trim())),
+        })
+    });
+    texts.collect()
+}
+
 /// Whether a text begins as a file of Structured Text does, after comments.
 pub(crate) fn begins_program(text: &str) -> bool {
     token::first_words(text).is_some_and(|(word, next)| {

@@ -103,6 +103,7 @@ impl Cursor<'_> {
             body: Vec::new(),
             chart: None,
             body_span: 0..0,
+            text_span: 0..0,
             problems: Vec::new(),
             methods: Vec::new(),
         };
@@ -129,6 +130,7 @@ impl Cursor<'_> {
             self.head();
         }
         self.take_word("BEGIN");
+        let head_end = self.end();
         let before = std::mem::take(&mut self.problems);
         let start = self.span().start;
         if self.is_at_chart() {
@@ -151,6 +153,7 @@ impl Cursor<'_> {
         while self.is_any(&["METHOD", "PROPERTY", "ACTION"]) {
             self.method(&mut unit);
         }
+        unit.text_span = head_end..self.span().start.max(head_end);
         if !self.take_word(end) && !self.is_at_end() {
             let _ = self.expected::<()>(&format!("`{end}`"));
         }

@@ -114,12 +114,13 @@ fn tell_others(shared: &Arc<Shared>, revision: &Revision) {
 
 /// A program that is not ladder text was passed on to the other files of its workspace.
 pub(crate) fn passed_on(shared: &Arc<Shared>, affected: Affected, path: &Path) {
+    // What is inside of its blocks counts in a simulation, which no finding is about.
+    simulate_with(shared, path, None);
     if affected == Affected::default() {
         return;
     }
     shared.neighbours.places_moved(path);
     refresh_others(shared, &[path], None);
-    simulate_with(shared, path, None);
     companions::refresh_scenarios(shared);
 }
 
@@ -162,7 +163,9 @@ fn simulate_with(shared: &Arc<Shared>, path: &Path, but: Option<&str>) {
     if shared.sessions.is_empty() {
         return;
     }
-    for other in shared.documents.all() {
+    let companions = shared.companions.all().into_iter();
+    let companions = companions.filter(|other| shared.simulated(&other.uri).is_some());
+    for other in shared.documents.all().into_iter().chain(companions) {
         let next_to = other
             .place()
             .is_some_and(|place| shared.neighbours.together(&place.path, path));

@@ -79,6 +79,7 @@ fn text_is_new(shared: &Arc<Shared>, uri: &str) {
 pub(crate) fn closed(shared: &Arc<Shared>, params: &DidCloseTextDocumentParams) {
     let uri = params.text_document.uri.as_str();
     if shared.companions.close(uri) {
+        shared.sessions.stop_all_of(uri);
         companions::closed(shared, uri);
     } else if shared.documents.close(uri) {
         shared.document_closed(uri);

@@ -49,14 +49,24 @@ pub(crate) async fn hover(
     markdown: bool,
     revision: Arc<Revision>,
     position: Position,
+    values: Vec<String>,
 ) -> Result<Option<Hover>> {
     blocking(&*shared.host, move |_| {
-        let opened = revision.opened()?.as_ref().ok()?;
+        let opened = revision.opened()?.as_ref().ok();
         let offset = revision.offset(convert::our_position(position));
-        let (range, text) = opened.hover(offset)?;
+        let of_line = opened.and_then(|opened| opened.hover(offset));
+        let range = of_line
+            .as_ref()
+            .map(|(range, _)| convert::range_in(&revision, *range));
+        let values = Some(values.join("; ")).filter(|values| !values.is_empty());
+        let told: Vec<String> = values.into_iter().chain(of_line.map(|(_, text)| text)).collect();
+        if told.is_empty() {
+            return None;
+        }
+        let text = told.join("\n\n---\n\n");
         Some(Hover {
             contents: HoverContents::Markup(markup::content(markdown, text)),
-            range: Some(convert::range_in(&revision, range)),
+            range,
         })
     })
     .await

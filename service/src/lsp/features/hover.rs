@@ -15,7 +15,8 @@ pub(crate) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<O
     let markdown = shared.agreed().markdown;
     let place = &params.text_document_position_params;
     if let Some(revision) = foreign_hover::program_at(shared, &place.text_document.uri) {
-        return foreign_hover::hover(shared, markdown, revision, place.position).await;
+        let values = simulate::values_at(shared, place.text_document.uri.as_str(), place.position).await;
+        return foreign_hover::hover(shared, markdown, revision, place.position, values).await;
     }
     if let Some(revision) = of_scenarios::naming_at(shared, &place.text_document.uri) {
         let position = place.position;

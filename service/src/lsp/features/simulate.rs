@@ -131,7 +131,7 @@ pub(crate) fn has_shown(shared: &Arc<Shared>, OfSession { session }: OfSession) 
 
 /// What the operand at a place holds in the simulations of a document, in words; nothing of one that is busy.
 pub(crate) async fn values_at(shared: &Arc<Shared>, uri: &str, position: Position) -> Vec<String> {
-    let Some(revision) = shared.documents.get(uri) else {
+    let Some(revision) = shared.simulated(uri) else {
         return Vec::new();
     };
     let mut sent = Vec::new();
@@ -147,8 +147,7 @@ pub(crate) async fn values_at(shared: &Arc<Shared>, uri: &str, position: Positio
 
 async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<Option<LSPAny>> {
     let revision = shared
-        .documents
-        .get(&uri)
+        .simulated(&uri)
         .ok_or_else(|| error(not_open(shared, &uri)))?;
     json(&begin(shared, revision, options, None).await?).map(Some)
 }
@@ -199,7 +198,7 @@ pub(super) async fn begin(
         reports.await;
     });
     // A change may have come while the program was compiled, when nobody could tell the session.
-    if let Some(newest) = shared.documents.get(&uri)
+    if let Some(newest) = shared.simulated(&uri)
         && !newest.is(&revision)
     {
         drop(session.ask(Action::Follow(newest), Cancel::default()));

@@ -7,9 +7,9 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError, RwLock};
 use std::time::Duration;
 
 use ladder_analysis::Exported;
-use ladder_documents::Documents;
 use ladder_documents::neighbours::Neighbours;
 use ladder_documents::on_disk::OnDisk;
+use ladder_documents::{Documents, Kind, Revision};
 use ladder_host::{Busy, Host, Moment, World, within};
 use ladder_live::Sessions;
 use ladder_workspace::EditorSettings;
@@ -174,9 +174,20 @@ impl Shared {
 
     /// The text of a document is another one now: simulations of it go on with that.
     pub(crate) fn text_moved(&self, uri: &str) {
-        if let Some(revision) = self.documents.get(uri) {
+        if let Some(revision) = self.simulated(uri) {
             self.sessions.follow(&revision);
         }
+    }
+
+    /// The open text that a simulation runs: ladder text, a program in another language of workspaces, or settings with tasks.
+    pub(crate) fn simulated(&self, uri: &str) -> Option<Arc<Revision>> {
+        let runs = |revision: &Arc<Revision>| match revision.kind() {
+            Kind::Foreign(notation) => notation.is_in_workspaces(),
+            Kind::Settings => revision.place().is_some(),
+            _ => false,
+        };
+        let companion = || self.companions.get(uri).filter(runs);
+        self.documents.get(uri).or_else(companion)
     }
 
     /// The document is gone from the editor, and with it the drawing that its simulations would show.

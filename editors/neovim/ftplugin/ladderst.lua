@@ -1,0 +1,3 @@
+-- Structured Text: what of it Neovim is to know.
+vim.bo.commentstring = '(* %s *)'
+vim.bo.comments = 's1:(*,mb:*,ex:*),://'
