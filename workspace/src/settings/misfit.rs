@@ -1,7 +1,7 @@
 //! What settings ask of programs that no program has: tags of `[serve.modbus]` and `[[device]]`.
 
+use super::error::SettingError;
 use super::{Settings, errors};
-use crate::SettingError;
 use std::ops::Range;
 
 /// Something that was asked of a program and does not fit it: where it is written, in bytes, and what to do.

@@ -1,15 +1,16 @@
 //! Expressions of IEC 61131-3 as those of ladder text, with their types.
 
 mod tokens;
+mod types;
 
 use super::model::Type;
 use super::own;
 use super::scope::{Known, Scope, Shared, member, trigger};
-use super::sketch::type_text;
 use super::standard;
 use ladder_analysis::values::types::{Scalar, passes};
 use ladder_format::program::{Expression, Literal, Operator, Path, Sign};
 use tokens::{Token, tokens};
+pub(crate) use types::{bound, computed, is_declared, type_text};
 
 /// An expression and its type.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,8 +1,8 @@
 //! What the elements of a drawing are: the classes of blocks, their pins, the types of their outputs.
 
 use super::body::Body;
-use super::declare::type_text;
 use crate::brought;
+use crate::expression::type_text;
 use crate::graph::{Edge, End, Kind, Modifier, Node, Output, Pin, Storage};
 use crate::model::{Type, UnitKind};
 use crate::scope::Shared;
@@ -330,5 +330,14 @@ pub(super) fn shown(node: &Node) -> String {
         Kind::Joint => "connection".to_owned(),
         Kind::Comment(text) => format!("comment {}", text.lines().next().unwrap_or_default()),
         Kind::Other(what) => what.clone(),
+    }
+}
+
+/// Whether a part that is not read may stand for an element: it leaves the unit nowhere.
+pub(super) fn may_be_unread(kind: &Kind) -> bool {
+    match kind {
+        Kind::Block { code, .. } => code.is_none(),
+        Kind::Contact(..) | Kind::Coil(..) | Kind::Value(..) | Kind::Variable(..) => true,
+        _ => false,
     }
 }

@@ -1,11 +1,10 @@
 //! A drawing as networks: what writes is taken in the order of the source, with all that feeds it; what is taken one
 //! after the other and shares elements is one network, as long as that reads and writes as the source does.
 
-use super::blocks::{self, Class};
+use super::blocks::{self, Class, may_be_unread};
 use super::draw::{Drawn, Target};
 use super::state::{Facts, Next, State, Tags};
 use super::texts::Texts;
-use super::unknown::may_be_unread;
 use crate::expression::{self, Meaning, Typed};
 use crate::graph::{End, Graph, Kind};
 use crate::model::Evaluation;

@@ -1,82 +1,17 @@
 //! Declarations: types, variables, initial values.
 
-use super::initial::{computed, initial_text, zero};
+use super::initial::{initial_text, zero};
 use super::structured;
 use crate::along;
-use crate::expression::{Meaning, address_of, operand};
+use crate::expression::{address_of, bound, is_declared, type_text};
 use crate::graph::Kind;
 use crate::model::{Body, Project, Role, Type, Unit, UnitKind, Variable};
 use crate::own;
 use crate::scope::{Scope, Shared, local, member, trigger};
-use crate::standard::{self, StandardBlock};
+use crate::standard;
 use ladder_analysis::values::types::Scalar;
 use ladder_format::program::{Declaration, Item, Qualifier, Section, SectionKind};
 use ladder_notation::{LineColumn, Reading};
-
-/// A type as it is written here.
-///
-/// # Errors
-///
-/// Why it has no counterpart.
-pub(crate) fn type_text(shared: &Shared<'_>, ty: &Type) -> Result<String, String> {
-    type_text_in(shared, ty, 0)
-}
-
-/// Types are made of others no deeper.
-const DEEPEST: usize = 16;
-
-fn type_text_in(shared: &Shared<'_>, ty: &Type, depth: usize) -> Result<String, String> {
-    Ok(match ty {
-        Type::Named(name) => {
-            if let Some((spelled, declared)) = shared.types.get(&name.to_lowercase()) {
-                return match is_declared(shared, declared, depth) {
-                    Ok(()) => Ok(spelled.clone()),
-                    Err(why) => Err(format!("the type `{name}` is not declared: {why}")),
-                };
-            }
-            if let Some(block) = shared.block_of(ty) {
-                return match block.unit.kind {
-                    UnitKind::FunctionBlock => Ok(block.name.clone()),
-                    _ => Err(format!("`{name}` is a function, and no type")),
-                };
-            }
-            match standard::block(name) {
-                Some(StandardBlock::Stateful(mnemonic, ..)) => return Ok(mnemonic.to_owned()),
-                Some(_) => return Ok("BOOL".to_owned()),
-                None => {}
-            }
-            let known = standard::elementary(name).map(str::to_owned);
-            known.ok_or_else(|| format!("the project has no type `{name}`, and neither has ladder text"))?
-        }
-        Type::Text(None) => "STRING".to_owned(),
-        Type::Text(Some(length)) => format!("STRING[{length}]"),
-        Type::Array(bounds, of) => {
-            if trigger(of).is_some() {
-                return Err("edge detectors have no state of their own here".to_owned());
-            }
-            if bounds.is_empty() || bounds.len() > 3 {
-                return Err("an array has one to three dimensions here".to_owned());
-            }
-            let bounds: Result<Vec<String>, String> = bounds
-                .iter()
-                .map(|(low, high)| Ok(format!("{}..{}", bound(shared, low)?, bound(shared, high)?)))
-                .collect();
-            format!(
-                "ARRAY[{}] OF {}",
-                bounds?.join(", "),
-                type_text_in(shared, of, depth + 1)?
-            )
-        }
-        Type::Range(base, low, high) => {
-            let base = type_text_in(shared, &Type::Named(base.clone()), depth + 1)?;
-            format!("{base}({}..{})", bound(shared, low)?, bound(shared, high)?)
-        }
-        Type::Enumeration(_) | Type::Structure(_) => {
-            return Err("such a type is declared with a name here".to_owned());
-        }
-        Type::Other(what) => return Err(format!("{what} has no counterpart")),
-    })
-}
 
 /// Whether a variable of a type may lie at an address.
 fn is_as_wide(shared: &Shared<'_>, address: &str, ty: &Type) -> bool {
@@ -94,31 +29,6 @@ fn is_as_wide(shared: &Shared<'_>, address: &str, ty: &Type) -> bool {
     scalar.is_some_and(|ty| !ty.is_string() && ty.width() == width)
 }
 
-/// Whether a type of the project is declared here: of a structure one of its members is enough, and the others are not there.
-fn is_declared(shared: &Shared<'_>, declared: &Type, depth: usize) -> Result<(), String> {
-    if depth >= DEEPEST {
-        return Ok(());
-    }
-    match declared {
-        Type::Structure(members) => {
-            let mut why = "it has no members".to_owned();
-            for member in members {
-                match type_text_in(shared, &member.ty, depth + 1) {
-                    Ok(_) => return Ok(()),
-                    Err(because) => why = because,
-                }
-            }
-            Err(why)
-        }
-        Type::Enumeration(values) if values.is_empty() => Err("it has no values".to_owned()),
-        Type::Enumeration(values) => {
-            let mut numbers = values.iter().filter_map(|(_, number)| number.as_ref());
-            numbers.try_for_each(|number| bound(shared, number).map(drop))
-        }
-        other => type_text_in(shared, other, depth + 1).map(drop),
-    }
-}
-
 /// Whether a variable is the instance of a block that neither the project nor ladder text has.
 fn is_state_of_unknown(shared: &Shared<'_>, unit: &Unit, variable: &Variable) -> bool {
     let bodies = unit.parts.iter().map(|part| &part.body).chain([&unit.body]);
@@ -131,26 +41,6 @@ fn is_state_of_unknown(shared: &Shared<'_>, unit: &Unit, variable: &Variable) ->
             let is_own = |name: &String| name.eq_ignore_ascii_case(&variable.name);
             matches!(&node.kind, Kind::Block { instance, .. } if instance.as_ref().is_some_and(is_own))
         })
-}
-
-pub(super) fn bound(shared: &Shared<'_>, text: &str) -> Result<String, String> {
-    let scope = Scope::default();
-    let meaning = Meaning {
-        shared,
-        scope: &scope,
-    };
-    let bound = operand(text, meaning).map_err(|why| format!("of the bound `{text}`: {why}"))?;
-    if let Some(number) = computed(shared, &bound.value) {
-        return Ok(number.as_str().to_owned());
-    }
-    // A number or the name of a constant; no address, no text.
-    let bound = bound.value.to_string();
-    let is_known = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '+' | '#');
-    if bound.chars().all(is_known) {
-        Ok(bound)
-    } else {
-        Err(format!("the bound `{text}` is no number"))
-    }
 }
 
 /// What a type is in its declaration, with what is inside of it. The names of members that are not there are added to `left_out`.

@@ -1,12 +1,10 @@
 //! Initial values.
 
-use super::declare::type_text;
-use crate::expression::{Meaning, operand};
+use crate::expression::{Meaning, computed, operand, type_text};
 use crate::model::{Initial, Type};
 use crate::scope::{Scope, Shared, member};
 use crate::standard;
 use ladder_format::program::{Expression, Literal};
-use ladder_notation::folded;
 
 /// What an input has that nothing is wired to.
 pub(super) fn zero(shared: &Shared<'_>, ty: &Type) -> Option<Literal> {
@@ -65,25 +63,6 @@ pub(super) fn initial_text(shared: &Shared<'_>, ty: &Type, initial: &Initial) ->
             Ok(format!("({})", values?.join(", ")))
         }
     }
-}
-
-/// The number that an expression of numbers and constants of the project is, where it is more than one of them.
-pub(super) fn computed(shared: &Shared<'_>, expression: &Expression) -> Option<Literal> {
-    if matches!(expression, Expression::Literal(_) | Expression::Path(_)) {
-        return None;
-    }
-    let scope = Scope::default();
-    folded(expression, &|path| {
-        let text = shared.constants.get(&path.whole()?.to_lowercase())?;
-        let value = operand(
-            text,
-            Meaning {
-                shared,
-                scope: &scope,
-            },
-        );
-        value.ok().map(|value| value.value)
-    })
 }
 
 fn simple(shared: &Shared<'_>, ty: &Type, text: &str) -> Result<String, String> {

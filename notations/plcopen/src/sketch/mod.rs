@@ -26,7 +26,6 @@ mod unknown;
 use super::graph::{End, Kind};
 use super::model::{Body, Evaluation, Project, Task, Unit, UnitKind};
 use super::scope::{Scope, Shared};
-pub(crate) use declare::type_text;
 use ladder_format::Circuit;
 use ladder_format::program::{Block, Drawing, Element, Item, Network, Path, ProgramSketch};
 use ladder_notation::{

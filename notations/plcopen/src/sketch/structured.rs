@@ -2,8 +2,8 @@
 
 use super::actions::WithActions;
 use super::body::Made;
-use super::declare::{bound, type_text};
 use super::initial::initial_text;
+use crate::expression::{bound, type_text};
 use crate::model::{Project, Role, Type, Unit, UnitKind, Variable};
 use crate::scope::{BlockOf, Scope, Shared, local, member, trigger};
 use crate::standard::{self, StandardBlock};

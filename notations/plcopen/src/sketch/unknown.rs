@@ -1,6 +1,6 @@
 //! Blocks that nothing here knows, and texts in boxes: each is an unread part, and tags hold what it may leave at its outputs.
 
-use super::blocks::{self, Class, power_pins};
+use super::blocks::{self, Class, may_be_unread, power_pins};
 use super::body::Body;
 use super::units::{UNREAD, action_name};
 use crate::graph::{End, Kind};
@@ -8,15 +8,6 @@ use crate::model::Type;
 use crate::standard::{self, StandardBlock};
 use ladder_format::program::Block;
 use ladder_notation::{Outcome, Power, Turn, Unread};
-
-/// Whether a part that is not read may stand for an element: it leaves the unit nowhere.
-pub(super) fn may_be_unread(kind: &Kind) -> bool {
-    match kind {
-        Kind::Block { code, .. } => code.is_none(),
-        Kind::Contact(..) | Kind::Coil(..) | Kind::Value(..) | Kind::Variable(..) => true,
-        _ => false,
-    }
-}
 
 impl Body<'_> {
     /// Says of an element that it is not read.
