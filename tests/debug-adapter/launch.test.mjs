@@ -219,7 +219,7 @@ test('launches that cannot be are refused in words', async () => {
         [{}, /`program` is missing/],
         [{ program: 'counter.clad' }, /whole path/],
         [{ program: join(folder, 'nothing.clad') }, /nothing.clad/],
-        [{ program: join(folder, 'counter.txt') }, /\.clad file/],
+        [{ program: join(folder, 'counter.txt') }, /\.clad or \.st file/],
         [{ program: broken }, /broken.clad:1: .*not run/],
         [{ program, inputs: { nobody: true } }, /nobody/],
         [{ program, inputs: { button: 7 } }, /button/],

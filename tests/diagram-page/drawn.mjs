@@ -62,8 +62,15 @@ function handsOf(diagram) {
         },
         /** Drags with the mouse. */
         drag: async (from, to, { dy = 0, keys = [] } = {}) => {
-            await diagram.settled();
-            const [a, b] = [await from.boundingBox(), await to.boundingBox()];
+            // What is above the drawing comes with answers, and moves it.
+            await diagram.quiet();
+            const boxes = async () => [await from.boundingBox(), await to.boundingBox()];
+            let [a, b] = await boxes();
+            await until('what is dragged to stay', async () => {
+                const before = JSON.stringify([a, b]);
+                [a, b] = await boxes();
+                return a && b && JSON.stringify([a, b]) === before;
+            });
             await page.mouse.move(a.x + a.width / 2, a.y + a.height / 2);
             await page.mouse.down();
             for (const key of keys) {
