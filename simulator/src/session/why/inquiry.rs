@@ -13,7 +13,7 @@ use super::question::{Change, Found, FoundReason, FoundWrite, Question, When, be
 use super::reasons::{self, Blocker};
 use super::trace::{self, Limit, Traced};
 use super::writers::Writers;
-use super::{Cause, Why, place};
+use super::{Cause, Why};
 use crate::places::BlockAt;
 use crate::session::history::History;
 use crate::session::rewind::Rewind;
@@ -332,7 +332,7 @@ impl Inquiry<'_> {
         }
         self.traces += 1;
         let point = self.questions[question].point.clone();
-        let tag = place::tag_of(self.simulation, &point);
+        let tag = self.writers.tag_of(&point);
         let blocks = self.blocks_for(question);
         self.simulation.open = false;
         self.simulation.machine.faults.clear();
@@ -352,7 +352,7 @@ impl Inquiry<'_> {
         }
         // What a coil writes is its power; other blocks write what they make of their operands.
         let of_itself = |(read, _): &(Point, Value)| {
-            *read == point || (tag.is_some() && place::tag_of(self.simulation, read) == tag)
+            *read == point || (tag.is_some() && self.writers.tag_of(read) == tag)
         };
         let mut read = traced.read.clone();
         read.retain(|value| !of_itself(value));

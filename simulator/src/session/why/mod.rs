@@ -4,6 +4,7 @@
 //! Nothing is recorded for this while scans run but which tags have changed at all. The scan in question is restored from
 //! the history and run again, until the last write of the tag has been seen.
 
+mod held;
 mod inquiry;
 mod known;
 mod moment;

@@ -190,7 +190,7 @@ impl Moment {
             if point.within == Within::Block {
                 self.inside.push(index);
             }
-            let tag = place::tag_of(simulation, point);
+            let tag = self.writers.tag_of(point);
             if let Some(Home::State { state, bits, words }) =
                 tag.map(|tag| simulation.compiled.homes[tag.0 as usize])
                 && state.is_timer()

@@ -2,30 +2,9 @@
 
 use crate::simulation::{Scope, Simulation};
 use crate::tags::Point;
-use ladder_analysis::program::{Argument, Block, BlockKind, Expr, ExprKind, Place, RangeRef, Tag, TagId};
-use ladder_analysis::values::types::Type;
+use ladder_analysis::program::{Argument, Block, BlockKind, Expr, ExprKind, Place, RangeRef, TagId};
 use ladder_analysis::values::value::Value;
 use ladder_instructions::Group;
-
-/// The tag that a point is, or is a part of. None for system tags and ports.
-pub(super) fn tag_of(simulation: &Simulation, point: &Point) -> Option<TagId> {
-    let homes = simulation.compiled.homes.iter();
-    let found = homes.zip(0..).find(|(home, _)| home.holds(point.slot));
-    found.map(|(_, tag)| TagId(tag))
-}
-
-/// The tag that has the state of a block in which a point is: `m1` of `m1.t.ET`.
-pub(super) fn holder_of(simulation: &Simulation, point: &Point) -> Option<TagId> {
-    let tags = &simulation.program().tags;
-    let is_holder = |(_, tag): &(u32, &Tag)| {
-        let rest = point.name.strip_prefix(tag.name.as_str());
-        matches!(tag.ty, Type::Compound(ty) if ty.block().is_some())
-            && rest.is_some_and(|rest| rest.starts_with('.'))
-    };
-    let holders = (0..).zip(tags).filter(is_holder);
-    let (number, _) = holders.min_by_key(|(_, tag)| tag.name.len())?;
-    Some(TagId(number))
-}
 
 /// The tags that an argument names, or may name.
 pub(super) fn argument_tags(argument: &Argument) -> Vec<TagId> {

@@ -1,6 +1,6 @@
 //! Which blocks outside of bodies may write which tag, themselves or in the bodies that they run; and where a network runs.
 
-use super::place;
+use super::{held::Held, place};
 use crate::memory::Bit;
 use crate::places::{BlockAt, networks_of_bodies};
 use crate::simulation::Simulation;
@@ -12,6 +12,7 @@ use std::collections::HashMap;
 /// What is known of a program for all questions: made once.
 #[derive(Debug)]
 pub(in crate::session) struct Writers {
+    held: Held,
     of_tags: HashMap<TagId, Vec<BlockAt>>,
     /// Of each network its first instruction: in a body one for each place of the block.
     starts: Vec<Vec<u32>>,
@@ -61,11 +62,17 @@ impl Writers {
             elements[element.network as usize] = index;
         }
         Writers {
+            held: Held::of(&simulation.compiled.homes, program),
             of_tags,
             starts,
             elements,
             calls,
         }
+    }
+
+    /// The tag that a point is, or is a part of. None for system tags and ports.
+    pub(super) fn tag_of(&self, point: &Point) -> Option<TagId> {
+        self.held.tag_of(point)
     }
 
     /// The blocks outside of bodies that may write a tag.
@@ -76,8 +83,8 @@ impl Writers {
 
     /// The blocks outside of bodies that may write a point, themselves or in their bodies.
     pub(in crate::session) fn of_point(&self, simulation: &Simulation, point: &Point) -> Vec<BlockAt> {
-        let mut blocks = self.of_tag(place::tag_of(simulation, point)).to_vec();
-        blocks.extend(self.of_tag(place::holder_of(simulation, point)));
+        let mut blocks = self.of_tag(self.tag_of(point)).to_vec();
+        blocks.extend(self.of_tag(self.held.holder_of(point)));
         if point.name.starts_with('$') {
             let mut instances = simulation.instances().iter();
             let holds = |name: &str| {
