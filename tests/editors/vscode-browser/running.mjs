@@ -101,7 +101,7 @@ export async function running(page, { step, until, weights, row, screenshot }) {
         const { x, y, width } = await drawn.boundingBox();
         const letter = width / (await drawn.textContent()).length;
         await page.mouse.move(x + letter * 32.5, y + 8);
-        await page.locator('.monaco-hover', { hasText: /out is 1/ }).first().waitFor();
+        await page.locator('.monaco-hover', { hasText: /out = 1/ }).first().waitFor();
         assert.match(await status(), /^Ladder: running/);
         await page.keyboard.press('Escape');
     });
