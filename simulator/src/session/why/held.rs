@@ -44,7 +44,7 @@ impl Held {
         let mut holders = HashMap::new();
         for (tag, declared) in (0..).zip(&program.tags) {
             if matches!(declared.ty, Type::Compound(ty) if ty.block().is_some()) {
-                holders.entry(declared.name.to_string()).or_insert(TagId(tag));
+                holders.entry(declared.name.clone()).or_insert(TagId(tag));
             }
         }
         Held { slots, holders }
