@@ -120,9 +120,14 @@ test('all kinds of a coil are in its menu', async () => {
 test('a new network is written in its field, and nothing of what is made up stays', async () => {
     const { page, host, press, becomes } = await open(`VAR_INPUT\n    a : BOOL;\nEND_VAR\nVAR_OUTPUT\n    y : BOOL;\nEND_VAR\n\n${LINE}`);
     await page.locator('.add').click();
+    // What is made up is marked, and gives way to what is typed.
+    const marked = (name) =>
+        until(`${name} to be marked`, () => page.locator('.field input').evaluate((input, name) => input.value.slice(input.selectionStart, input.selectionEnd) === name, name));
     await page.locator('.field li', { hasText: 'A contact and a coil' }).click();
+    await marked('contact_1');
     await page.keyboard.type('a');
     await press('Tab');
+    await marked('coil_1');
     await page.keyboard.type('y');
     await press('Enter');
     await becomes(`VAR_INPUT\n    a : BOOL;\nEND_VAR\nVAR_OUTPUT\n    y : BOOL;\nEND_VAR\n\n${LINE}\n${LINE}`);
