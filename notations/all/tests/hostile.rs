@@ -334,3 +334,27 @@ fn wide_rungs_are_refused() {
     let text = vec![format!("( {} )", vec!["NO I1"; 60].join(" ; ")); 60].join(" | ");
     assert!(refused(read("iot", text.as_bytes())).contains("more than 256 elements"));
 }
+
+/// Each type has ten members of the next, and the last is made of one that nobody has: a look at all of them would never end.
+#[test]
+fn types_of_types_that_are_not_known() {
+    let mut types = String::new();
+    for number in 1..=15 {
+        let members = (0..10).map(|member| {
+            format!(
+                "<variable name=\"m{member}\"><type><derived name=\"T{}\"/></type></variable>",
+                number + 1
+            )
+        });
+        types.push_str(&format!(
+            "<dataType name=\"T{number}\"><baseType><struct>{}</struct></baseType></dataType>",
+            members.collect::<String>()
+        ));
+    }
+    let text = format!(
+        "<project><types><dataTypes>{types}</dataTypes><pous><pou name=\"Main\" pouType=\"program\"><interface><localVars>\
+         <variable name=\"a\"><type><derived name=\"T1\"/></type></variable><variable name=\"b\"><type><BOOL/></type></variable>\
+         </localVars></interface><body><ST><p>b := NOT b;</p></ST></body></pou></pous></types></project>"
+    );
+    assert!(read("plcopen", text.as_bytes()).is_ok());
+}

@@ -1,9 +1,13 @@
 //! Constant expressions: `3.14 / 180` is a number.
 
 use ladder_format::program::{Expression, Literal, Operator, Path, Sign};
+use std::cell::Cell;
 
 /// Constants are made of others no deeper.
 const DEEPEST: usize = 32;
+
+/// A number is made of so many parts at most, each counted where it is used: constants that use others twice would be computed for ever.
+const MOST_PARTS: usize = 10_000;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Number {
@@ -14,7 +18,8 @@ enum Number {
 /// The number that an expression of numbers is; `value_of` is what a constant in it has. None: it is none, or systems differ about
 /// it, as about `1 / 3`.
 pub fn folded(expression: &Expression, value_of: &dyn Fn(&Path) -> Option<Expression>) -> Option<Literal> {
-    let text = match number(expression, value_of, 0)? {
+    let left = Cell::new(MOST_PARTS);
+    let text = match number(expression, value_of, &left, 0)? {
         Number::Whole(number) => number.to_string(),
         Number::Real(number) if number.is_finite() => {
             let text = format!("{number:?}");
@@ -32,12 +37,14 @@ pub fn folded(expression: &Expression, value_of: &dyn Fn(&Path) -> Option<Expres
 fn number(
     expression: &Expression,
     value_of: &dyn Fn(&Path) -> Option<Expression>,
+    left: &Cell<usize>,
     depth: usize,
 ) -> Option<Number> {
+    left.set(left.get().checked_sub(1)?);
     if depth > DEEPEST {
         return None;
     }
-    let inner = |inner: &Expression| number(inner, value_of, depth + 1);
+    let inner = |inner: &Expression| number(inner, value_of, left, depth + 1);
     match expression {
         Expression::Literal(literal) => of_literal(literal.as_str()),
         Expression::Path(path) => inner(&value_of(path)?),
@@ -128,5 +135,27 @@ mod tests {
         ];
         let shown: Vec<String> = all.into_iter().map(shown).collect();
         assert_eq!(shown.join(" "), "0.75 -80 9 none 2 none none 1.0e-7 none");
+    }
+
+    #[test]
+    fn what_is_made_of_too_many_parts_is_none() {
+        // Each constant is the sum of the one before with itself, again and again.
+        fn doubled(name: &str, times: usize) -> String {
+            match times {
+                0 => name.to_owned(),
+                _ => format!("({0} + {0})", doubled(name, times - 1)),
+            }
+        }
+        let value_of = |path: &Path| {
+            let value = if path.root == "a" {
+                doubled("b", 7)
+            } else {
+                "1".to_owned()
+            };
+            Expression::read(&value).ok()
+        };
+        let value = |text: String| folded(&Expression::read(&text).expect("it is an expression"), &value_of);
+        assert!(value(doubled("b", 7)).is_some());
+        assert!(value(doubled("a", 7)).is_none());
     }
 }

@@ -11,6 +11,7 @@
 //! another encoding is UTF-8 before a notation sees it, and what a project is written into has names that every system takes.
 #![forbid(unsafe_code)]
 
+pub mod address;
 mod arrays;
 mod block_name;
 mod bridges;

@@ -6,7 +6,9 @@ use super::model::{Body, Evaluation, Initial, Project, Role, Type, Unit, UnitKin
 use super::own;
 use super::standard::{self, StandardBlock};
 use ladder_format::program::{Path, Qualifier};
+use ladder_notation::address::several;
 use ladder_notation::{BlockNames, Names};
+use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 
 /// A variable as it is called here.
@@ -40,6 +42,8 @@ pub(crate) struct Shared<'p> {
     pub(crate) several: HashSet<String>,
     /// The types, by their names in small letters: how each is spelled, and what it is.
     pub(crate) types: HashMap<String, (String, &'p Type)>,
+    /// The types that are not declared here, by their names in small letters, and why: found out once, for types are made of others.
+    pub(crate) not_declared: RefCell<HashMap<String, String>>,
     /// The names of members that are more than a word, in small letters.
     pub(crate) odd_members: HashSet<String>,
     /// How a network is run there.
@@ -192,6 +196,7 @@ impl<'p> Shared<'p> {
             }
         });
         let constants = constants.collect();
+        let declared = project.globals.iter().chain(project.units.iter().flat_map(local));
         let mut blocks = HashMap::new();
         let mut taken = BlockNames::default();
         for unit in &project.units {
@@ -224,7 +229,8 @@ impl<'p> Shared<'p> {
             evaluation: project.evaluation,
             is_compiled: project.evaluation == Evaluation::EachOutput && !project.is_own,
             constants,
-            several: shared_addresses(project),
+            several: several(declared.filter_map(|variable| variable.address.as_deref())),
+            not_declared: RefCell::default(),
             globals,
             types,
             blocks,
@@ -274,15 +280,6 @@ impl<'p> Shared<'p> {
         let Type::Named(name) = ty else { return None };
         self.blocks.get(&name.to_lowercase())
     }
-}
-
-/// The addresses that several variables have.
-fn shared_addresses(project: &Project) -> HashSet<String> {
-    let all = project.globals.iter().chain(project.units.iter().flat_map(local));
-    let mut seen = HashSet::new();
-    all.filter_map(|variable| Some(variable.address.as_deref()?.to_ascii_uppercase()))
-        .filter(|address| !address.ends_with('*') && !seen.insert(address.clone()))
-        .collect()
 }
 
 /// The members of types and units whose names are more than a word.

@@ -22,11 +22,19 @@ const DEEPEST: usize = 16;
 fn type_text_in(shared: &Shared<'_>, ty: &Type, depth: usize) -> Result<String, String> {
     Ok(match ty {
         Type::Named(name) => {
-            if let Some((spelled, declared)) = shared.types.get(&name.to_lowercase()) {
-                return match is_declared(shared, declared, depth) {
-                    Ok(()) => Ok(spelled.clone()),
-                    Err(why) => Err(format!("the type `{name}` is not declared: {why}")),
+            let key = name.to_lowercase();
+            if let Some((spelled, declared)) = shared.types.get(&key) {
+                let known = shared.not_declared.borrow().get(&key).cloned();
+                let why = match known {
+                    Some(why) => why,
+                    None => match is_declared(shared, declared, depth) {
+                        Ok(()) => return Ok(spelled.clone()),
+                        Err(why) => why,
+                    },
                 };
+                let told = Err(format!("the type `{name}` is not declared: {why}"));
+                shared.not_declared.borrow_mut().insert(key, why);
+                return told;
             }
             if let Some(block) = shared.block_of(ty) {
                 return match block.unit.kind {

@@ -11,22 +11,16 @@ use crate::scope::{Scope, Shared, local, member, trigger};
 use crate::standard;
 use ladder_analysis::values::types::Scalar;
 use ladder_format::program::{Declaration, Item, Qualifier, Section, SectionKind};
+use ladder_notation::address::is_as_wide;
 use ladder_notation::{LineColumn, Reading};
 
 /// Whether a variable of a type may lie at an address.
-fn is_as_wide(shared: &Shared<'_>, address: &str, ty: &Type) -> bool {
-    let width = match address.as_bytes()[2] {
-        b'X' => 1,
-        b'B' => 8,
-        b'W' => 16,
-        b'D' => 32,
-        _ => 64,
-    };
+fn may_be_at(shared: &Shared<'_>, address: &str, ty: &Type) -> bool {
     let Type::Named(name) = shared.real(ty) else {
         return false;
     };
     let scalar = standard::elementary(name).and_then(Scalar::from_name);
-    scalar.is_some_and(|ty| !ty.is_string() && ty.width() == width)
+    scalar.is_some_and(|ty| is_as_wide(address, ty))
 }
 
 /// Whether a variable is the instance of a block that neither the project nor ladder text has.
@@ -366,7 +360,7 @@ impl Sections {
         };
         if let Some(address) = &variable.address {
             let is_one =
-                |address: &String| kind != SectionKind::VarInOut && is_as_wide(shared, address, &variable.ty);
+                |address: &String| kind != SectionKind::VarInOut && may_be_at(shared, address, &variable.ty);
             declaration.address = address_of(address).filter(is_one);
             if declaration.address.is_none() && shared.several.contains(&address.to_ascii_uppercase()) {
                 let why = not_declared(&format!("another variable is at `{address}`, too"));

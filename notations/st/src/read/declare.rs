@@ -6,6 +6,7 @@ use super::lower;
 use super::scope::{Scope, Type};
 use super::types::{self, type_text};
 use ladder_format::program::{Declaration, Item, Qualifier, Section, SectionKind};
+use ladder_notation::address::is_as_wide;
 use std::collections::HashSet;
 
 /// The sections of a unit, with what was declared so far.
@@ -61,7 +62,8 @@ impl Sections {
                 why = why.or(Some("its address is given elsewhere".to_owned()));
             }
             Some(text) => {
-                declaration.address = lower::address(text).filter(|address| is_as_wide(address, &ty));
+                declaration.address = lower::address(text)
+                    .filter(|address| ty.scalar().is_some_and(|ty| is_as_wide(address, ty)));
                 if declaration.address.is_none() {
                     if ty.scalar().is_none() {
                         return Err(format!("more than one value is at `{text}`"));
@@ -111,19 +113,6 @@ impl Sections {
             });
         }
     }
-}
-
-/// Whether a tag of a type may lie at an address.
-fn is_as_wide(address: &str, ty: &Type) -> bool {
-    let width = match address.as_bytes()[2] {
-        b'X' => 1,
-        b'B' => 8,
-        b'W' => 16,
-        b'D' => 32,
-        _ => 64,
-    };
-    ty.scalar()
-        .is_some_and(|ty| !ty.is_string() && ty.width() == width)
 }
 
 /// A declaration of a type.

@@ -16,6 +16,7 @@ use ladder_format::Circuit;
 use ladder_format::program::{
     Block, Drawing, Element, Expression, Item, Network, Path, Section, SectionKind,
 };
+use ladder_notation::address::several;
 use ladder_notation::chart::Clock;
 use ladder_notation::{
     BlockNames, Companion, Finding, Lines, Names, Power, ReadError, Reading, Turn, Unread, UnreadParts,
@@ -46,6 +47,8 @@ pub(crate) fn read(text: &str, dialect: Dialect, others: &[Companion]) -> Result
     }
     let mut scope = Scope::default();
     neighbours::declare(others, &file, &mut scope);
+    let of_units = file.units.iter().flat_map(|unit| &unit.variables);
+    let declared = file.globals.iter().chain(of_units);
     let mut reader = Reader {
         text,
         lines: &lines,
@@ -55,7 +58,7 @@ pub(crate) fn read(text: &str, dialect: Dialect, others: &[Companion]) -> Result
         names: Names::default(),
         blocks: BlockNames::default(),
         unread: UnreadParts::default(),
-        shared: shared_addresses(&file),
+        shared: several(declared.filter_map(|variable| variable.address.as_deref())),
         others: Vec::new(),
         reading: Reading::default(),
     };
@@ -483,16 +486,6 @@ impl Reader<'_> {
             self.others.push(block);
         }
     }
-}
-
-/// The addresses that several variables have, in capital letters.
-fn shared_addresses(file: &File) -> HashSet<String> {
-    let of_units = file.units.iter().flat_map(|unit| &unit.variables);
-    let all = file.globals.iter().chain(of_units);
-    let mut seen = HashSet::new();
-    all.filter_map(|variable| Some(variable.address.as_deref()?.to_ascii_uppercase()))
-        .filter(|address| !seen.insert(address.clone()))
-        .collect()
 }
 
 /// The program that runs: the first of the first task, or the first there is.
