@@ -139,10 +139,10 @@ impl Opened {
         });
         let mut whole = found.filter(|at| {
             let before = statement[..*at].chars().next_back();
-            let behind = statement[at + name.len()..].chars().next();
+            let next = statement[at + name.len()..].chars().next();
             !name.is_empty()
                 && before.is_none_or(|c| !is_name(c) && c != '.')
-                && behind.is_none_or(|c| !is_name(c))
+                && next.is_none_or(|c| !is_name(c))
         });
         let at = start + whole.next()?;
         Some(TextRange::at(

@@ -34,6 +34,7 @@ pub use lower::{Instructions, Restarted};
 pub use parts::{FirstNumbers, PartKind, PartText, read_parts};
 pub(crate) use program::read;
 pub use scope::{Edge, Enumeration, Known, Parameter, ParameterRole, Scope, Shape, Structure, Type};
+use tree::{Statement, StatementKind};
 pub use undeclared::{names_in_scl, undeclared};
 
 /// A body that is in a file of another notation.
@@ -91,6 +92,34 @@ pub fn read_body(
 /// Whether statements parse.
 pub fn parses(text: &str, dialect: Dialect) -> bool {
     units::body(text, dialect).2.is_empty()
+}
+
+/// The statements of a text that call something by its name alone, without operands: `Clear()`. Where each is, in bytes, and the name.
+pub fn bare_calls(text: &str, dialect: Dialect) -> Vec<(std::ops::Range<usize>, String)> {
+    let mut calls = Vec::new();
+    add_bare_calls(&units::body(text, dialect).0, &mut calls);
+    calls
+}
+
+fn add_bare_calls(statements: &[Statement], calls: &mut Vec<(std::ops::Range<usize>, String)>) {
+    for Statement { kind, span } in statements {
+        match kind {
+            StatementKind::Call(call) if call.callee.steps.is_empty() && call.arguments.is_empty() => {
+                calls.push((span.clone(), call.callee.root.clone()));
+            }
+            StatementKind::If(branches, otherwise) => {
+                let bodies = branches.iter().map(|(_, body)| body).chain([otherwise]);
+                bodies.for_each(|body| add_bare_calls(body, calls));
+            }
+            StatementKind::Case(_, arms, otherwise) => {
+                let bodies = arms.iter().map(|arm| &arm.body).chain([otherwise]);
+                bodies.for_each(|body| add_bare_calls(body, calls));
+            }
+            StatementKind::For(counting) => add_bare_calls(&counting.body, calls),
+            StatementKind::While(_, body) | StatementKind::Repeat(body, _) => add_bare_calls(body, calls),
+            _ => {}
+        }
+    }
 }
 
 /// A unit of a file, as it is written there.
